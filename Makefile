@@ -1,0 +1,57 @@
+# make            builds ./multipath
+# make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
+# make test       builds and runs all tests
+# make clean      removes what make made
+# CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
+# the commands.
+
+CXXFLAGS ?= -O3 -g
+BUILD    ?= build
+PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
+WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+# Contracted multiply-adds and reassociated sums would make results depend on the compiler.
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) -ffp-contract=off -fno-math-errno -pthread -MMD -MP -Isrc
+
+Q         = $(if $(V),,@)
+
+sources      = $(wildcard src/*.cpp src/*/*.cpp)
+objects      = $(sources:%.cpp=$(BUILD)/%.o)
+test_sources = $(wildcard tests/*.cpp tests/*/*.cpp)
+test_objects = $(test_sources:%.cpp=$(BUILD)/%.o)
+
+ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
+endif
+
+$(PROGRAM): $(objects)
+	@echo "  link    $@"
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
+
+demo: $(PROGRAM)
+	./$(PROGRAM) solve scenes/5cubes.obj --lines 2^22 -o 5cubes.png -o 5cubes.ppm
+
+test: $(BUILD)/unit_tests $(PROGRAM)
+	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
+
+$(BUILD)/unit_tests: $(test_objects) $(filter-out $(BUILD)/src/main.o,$(objects))
+	@echo "  link    $@"
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
+
+$(test_objects): COMPILE += -Itests $(addprefix -isystem ,$(shell cat $(BUILD)/doctest.path 2>/dev/null))
+$(test_objects): | $(BUILD)/doctest.path
+
+$(BUILD)/doctest.path: tests/find_doctest.sh
+	@mkdir -p $(@D)
+	@CXX="$(CXX)" DOCTEST="$(DOCTEST)" sh tests/find_doctest.sh $(BUILD) > $@.new
+	@mv $@.new $@
+
+$(BUILD)/%.o: %.cpp
+	@mkdir -p $(@D)
+	@echo "  compile $<"
+	$(Q)$(COMPILE) -c $< -o $@
+
+clean:
+	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
+
+.PHONY: demo test clean
+-include $(objects:.o=.d) $(test_objects:.o=.d)

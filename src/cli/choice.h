@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace multipath {
+
+/// The candidate that `word` is most likely a misspelling of (a few letters swapped, missing or too many, or an
+/// unfinished word), as "; did you mean CANDIDATE?" ready to be appended; "" when none is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// Throws UsageError "OPTION: expected one of A, B, C, got 'WORD'; did you mean A?" unless `word` is among the choices.
+void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices);
+
+} // namespace multipath

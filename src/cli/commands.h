@@ -1,0 +1,23 @@
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/option_table.h"
+
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// One word after `multipath`: its options and what it does. run() returns the exit code, 0 or 1.
+struct Command
+{
+    CommandTable table;
+    int (*run)(const CommandLine& line);
+};
+
+/// All commands in the order of the help.
+std::vector<Command> commands();
+
+Command solve_command();
+
+} // namespace multipath

@@ -1,0 +1,125 @@
+#include "cli/help_text.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t page_width = 90;
+constexpr std::size_t widest_left_column = 30; // longer entries put their help on the next line
+
+/// Columns on the screen: bytes of UTF-8 except continuation bytes.
+std::size_t columns(std::string_view text)
+{
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// The words of `text` in lines up to the page's edge; the first starts at `column`, the others at `indent`.
+std::string wrapped(std::string_view text, std::size_t column, std::size_t indent)
+{
+    std::string result;
+    bool line_empty = true;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find(' '), text.size());
+        const std::string_view word = text.substr(0, length);
+        text.remove_prefix(std::min(length + 1, text.size()));
+        if (!line_empty && column + 1 + columns(word) > page_width) {
+            result.append("\n").append(indent, ' ');
+            column = indent;
+            line_empty = true;
+        }
+        result.append(line_empty ? "" : " ").append(word);
+        column += (line_empty ? 0 : 1) + columns(word);
+        line_empty = false;
+    }
+    return result + "\n";
+}
+
+/// `left` in a column of its own, `right` wrapped beside it.
+std::string entry(const std::string& left, std::string_view right, std::size_t indent)
+{
+    const std::size_t width = columns(left);
+    const std::string gap = width + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - width, ' ');
+    return left + (right.empty() ? "\n" : gap + wrapped(right, indent, indent));
+}
+
+std::string left_column(const Option& option)
+{
+    std::string left = "  ";
+    left += option.short_name != 0 ? std::string("-") + option.short_name + ", " : "    ";
+    left.append("--").append(option.name);
+    if (!option.argument.empty())
+        left.append(" ").append(option.argument);
+    return left;
+}
+
+/// The help with what the table knows besides in brackets: "(one of 4d, 2d; default 4d)".
+std::string right_column(const Option& option)
+{
+    std::string facts;
+    for (const std::string_view choice : option.choices)
+        facts.append(facts.empty() ? "one of " : ", ").append(choice);
+    if (!option.default_text.empty())
+        facts.append(facts.empty() ? "" : "; ").append("default ").append(option.default_text);
+    if (option.repeatable)
+        facts.append(facts.empty() ? "" : "; ").append("may be repeated");
+    return std::string(option.help) + (facts.empty() ? "" : " (" + facts + ")");
+}
+
+std::size_t left_width(const std::vector<OptionGroup>& groups)
+{
+    std::size_t widest = 0;
+    for (const OptionGroup& group : groups)
+        for (const Option& option : group.options) {
+            const std::size_t width = columns(left_column(option)) + 2;
+            widest = width <= widest_left_column ? std::max(widest, width) : widest;
+        }
+    return widest;
+}
+
+} // namespace
+
+std::string usage_line(const CommandTable& table)
+{
+    std::string line = "multipath " + std::string(table.name) + " [OPTIONS]";
+    for (const Operand& operand : table.operands)
+        line.append(" ").append(operand.name).append(operand.repeatable ? "..." : "");
+    return line;
+}
+
+std::string help_hint(std::string_view command)
+{
+    return "try 'multipath " + std::string(command) + (command.empty() ? "" : " ") + "--help'";
+}
+
+std::string help_text(const CommandTable& table)
+{
+    std::vector<OptionGroup> groups = table.groups;
+    groups.push_back({"Help", {{"help", 'h', "", "", "print this help"}}});
+    const std::size_t indent = left_width(groups);
+
+    std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped(table.summary, 0, 0);
+    for (const OptionGroup& group : groups) {
+        text.append("\n").append(group.heading).append(":\n");
+        for (const Option& option : group.options)
+            text += entry(left_column(option), right_column(option), indent);
+    }
+    if (!table.notes.empty())
+        text.append("\n").append(table.notes).append(table.notes.back() == '\n' ? "" : "\n");
+    return text;
+}
+
+std::string command_list(const std::vector<CommandTable>& tables)
+{
+    std::size_t indent = 0;
+    for (const CommandTable& table : tables)
+        indent = std::max(indent, columns(table.name) + 4);
+    std::string text;
+    for (const CommandTable& table : tables)
+        text += entry("  " + std::string(table.name), table.summary, indent);
+    return text;
+}
+
+} // namespace multipath

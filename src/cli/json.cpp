@@ -1,0 +1,107 @@
+#include "cli/json.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace multipath {
+
+namespace {
+
+std::string quoted(std::string_view text)
+{
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            std::array<char, 8> escape{};
+            std::snprintf(escape.data(), escape.size(), "\\u%04x",
+                          static_cast<unsigned>(static_cast<unsigned char>(c)));
+            result += escape.data();
+        } else {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+std::string number_text(double value)
+{
+    if (!std::isfinite(value))
+        return "null";
+    std::array<char, 32> text{};
+    for (int digits = 15; digits <= 17; ++digits) { // the shortest that reads back as the same number
+        std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+        if (std::strtod(text.data(), nullptr) == value)
+            break;
+    }
+    return text.data();
+}
+
+template <class Values, class Format>
+std::string list(const Values& values, const Format& format)
+{
+    std::string result;
+    for (const auto& value : values)
+        result += (result.empty() ? "" : ", ") + format(value);
+    return "[" + result + "]";
+}
+
+} // namespace
+
+void JsonObject::add(std::string_view key, const std::string& value)
+{
+    members_.push_back(quoted(key) + ": " + value);
+}
+void JsonObject::text(std::string_view key, std::string_view value)
+{
+    add(key, quoted(value));
+}
+void JsonObject::number(std::string_view key, double value)
+{
+    add(key, number_text(value));
+}
+void JsonObject::count(std::string_view key, std::uint64_t value)
+{
+    add(key, std::to_string(value));
+}
+void JsonObject::boolean(std::string_view key, bool value)
+{
+    add(key, value ? "true" : "false");
+}
+void JsonObject::null(std::string_view key)
+{
+    add(key, "null");
+}
+void JsonObject::numbers(std::string_view key, const std::vector<double>& values)
+{
+    add(key, list(values, number_text));
+}
+void JsonObject::texts(std::string_view key, const std::vector<std::string>& values)
+{
+    add(key, list(values, quoted));
+}
+void JsonObject::objects(std::string_view key, const std::vector<JsonObject>& values)
+{
+    add(key, list(values, [](const JsonObject& object) { return "\n    " + object.inline_form(); }));
+}
+
+std::string JsonObject::inline_form() const
+{
+    std::string result;
+    for (const std::string& member : members_)
+        result += (result.empty() ? "" : ", ") + member;
+    return "{" + result + "}";
+}
+
+std::string JsonObject::document() const
+{
+    std::string result;
+    for (const std::string& member : members_)
+        result += (result.empty() ? "  " : ",\n  ") + member;
+    return "{\n" + result + "\n}\n";
+}
+
+} // namespace multipath

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "geometry/vec3.h"
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+// Numbers as users write them: 1000000, 1e6, 1M (k, M, G are powers of 1000), 2^20. `option` ("--lines") opens the
+// message of the UsageError that refuses anything else: signs where none make sense, nan, inf, trailing text, decimal
+// commas, overflow.
+
+namespace multipath {
+
+constexpr std::uint64_t largest_count = std::uint64_t(1) << 63;
+
+/// A whole number within [low, high], exact up to 2^63.
+std::uint64_t read_count(std::string_view option, std::string_view text, std::uint64_t low = 0,
+                         std::uint64_t high = largest_count);
+
+/// A number within [low, high]; negative ones need a negative `low`.
+double read_real(std::string_view option, std::string_view text, double low = 0.0,
+                 double high = std::numeric_limits<double>::max());
+
+/// A real number above zero.
+double read_positive(std::string_view option, std::string_view text);
+
+/// A share within [0, 1]: `1%` or `0.01`. A bare `1` is refused: it could mean either.
+double read_share(std::string_view option, std::string_view text);
+
+/// [bytes], rounded down, at least 1: 512MB, 2GB, 1GiB, or a plain number of bytes; upper or lower case.
+std::uint64_t read_bytes(std::string_view option, std::string_view text);
+
+/// [s]: 30s, 5m, 2h, 250ms, or a plain number of seconds. Above zero.
+double read_seconds(std::string_view option, std::string_view text);
+
+/// Three numbers of any sign: 1,2.5,-3.
+Vec3 read_vec3(std::string_view option, std::string_view text);
+
+/// [pixels], each 1 to 65535.
+struct PixelSize
+{
+    int width = 0;
+    int height = 0;
+};
+
+/// Width and height: 800x600.
+PixelSize read_pixel_size(std::string_view option, std::string_view text);
+
+} // namespace multipath

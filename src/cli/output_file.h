@@ -1,0 +1,47 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace multipath {
+
+/// A result could not be written: exit code 1. One plain line, "cannot write out/room.png: No space left on device".
+class OutputError : public std::runtime_error
+{
+public:
+    explicit OutputError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// A file that appears under its name only when it is complete. The constructor finds out whether the target can be
+/// written (do this before the work); the bytes go to a temporary beside it, which commit() renames and the destructor
+/// removes.
+/// `-` is standard output. Devices and pipes are written directly; a symbolic link is followed, not replaced.
+class OutputFile
+{
+public:
+    /// Throws OutputError, as do write() and commit(). After any of them an existing target is as it was.
+    explicit OutputFile(const std::string& path);
+    ~OutputFile();
+    OutputFile(OutputFile&& other) noexcept;
+    OutputFile& operator=(OutputFile&& other) noexcept;
+
+    /// Appends.
+    void write(std::string_view bytes);
+
+    /// Puts the file in place, on the disk; nothing may be written afterwards.
+    void commit();
+
+    /// The name as the user gave it; "standard output" for `-`.
+    const std::string& name() const { return name_; }
+
+private:
+    void discard() noexcept;
+
+    std::string name_;
+    std::string target_;    ///< where the symbolic links lead
+    std::string temporary_; ///< empty: written directly, or done
+    int descriptor_ = -1;   ///< -1: done or moved from
+};
+
+} // namespace multipath

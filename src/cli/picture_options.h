@@ -1,0 +1,34 @@
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/option_table.h"
+#include "image/camera.h"
+#include "image/render.h"
+#include "image/tone_map.h"
+#include "scene/scene.h"
+
+#include <optional>
+
+namespace multipath {
+
+/// How the user wants pictures to look.
+struct PictureOptions
+{
+    RenderOptions render;
+    ToneMapOptions tone;
+    std::optional<Vec3> eye;
+    std::optional<Vec3> target;
+    std::optional<double> field_of_view; ///< [degrees]
+    Vec3 up;
+};
+
+/// The options of every command that makes pictures.
+OptionGroup picture_option_group();
+
+/// Throws UsageError.
+PictureOptions read_picture_options(const CommandLine& line, int threads);
+
+/// The user's camera; what the user left open is chosen for the scene.
+Camera camera_for(const Scene& scene, const PictureOptions& options);
+
+} // namespace multipath

@@ -1,0 +1,84 @@
+#include "cli/planned_outputs.h"
+
+#include "cli/choice.h"
+#include "cli/usage_error.h"
+
+#include <array>
+#include <cctype>
+#include <sys/stat.h>
+
+namespace multipath {
+
+namespace {
+
+struct KnownExtension
+{
+    const char* extension;
+    OutputFormat format;
+};
+
+constexpr std::array<KnownExtension, 4> known_extensions = {{{".ppm", OutputFormat::ppm},
+                                                             {".pfm", OutputFormat::pfm},
+                                                             {".png", OutputFormat::png},
+                                                             {".csv", OutputFormat::csv}}};
+
+std::string lower_case_extension(const std::string& path)
+{
+    const std::size_t slash = path.find_last_of('/');
+    const std::size_t dot = path.find_last_of('.');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash))
+        return "";
+    std::string extension = path.substr(dot);
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+/// Do both names lead to one existing file?
+bool same_file(const std::string& a, const std::string& b)
+{
+    struct stat status_a = {};
+    struct stat status_b = {};
+    if (stat(a.c_str(), &status_a) != 0 || stat(b.c_str(), &status_b) != 0)
+        return a == b;
+    return status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
+}
+
+} // namespace
+
+OutputFormat output_format(const std::string& path)
+{
+    if (path == "-")
+        return OutputFormat::ppm;
+    const std::string extension = lower_case_extension(path);
+    std::string known;
+    std::vector<std::string> candidates;
+    for (const KnownExtension& entry : known_extensions) {
+        if (extension == entry.extension)
+            return entry.format;
+        known += (known.empty() ? "" : ", ") + std::string(entry.extension);
+        candidates.emplace_back(entry.extension);
+    }
+    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " + known +
+                     did_you_mean(extension, candidates));
+}
+
+std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs)
+{
+    std::vector<OutputFormat> formats;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        formats.push_back(output_format(paths[i]));
+        for (const std::string& input : inputs)
+            if (same_file(paths[i], input))
+                throw UsageError("--output: '" + paths[i] + "' is the input; expected another file");
+        for (std::size_t j = 0; j < i; ++j)
+            if (same_file(paths[i], paths[j]))
+                throw UsageError("--output: '" + paths[i] + "' is named twice");
+    }
+    std::vector<PlannedOutput> outputs;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        outputs.push_back({formats[i], OutputFile(paths[i])});
+    return outputs;
+}
+
+} // namespace multipath

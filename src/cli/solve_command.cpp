@@ -1,0 +1,226 @@
+#include "cli/commands.h"
+#include "cli/number_text.h"
+#include "cli/picture_options.h"
+#include "cli/planned_outputs.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/solve_summary.h"
+#include "cli/usage_error.h"
+#include "export/patch_table.h"
+#include "image/pfm.h"
+#include "image/picture.h"
+#include "image/png.h"
+#include "image/ppm.h"
+#include "radiosity/solve.h"
+#include "sampling/sequence.h"
+#include "scene/obj_reader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+
+namespace multipath {
+
+namespace {
+
+CommandTable solve_table()
+{
+    return {
+        "solve",
+        "radiosity of every patch of a scene, as pictures and tables",
+        {{"SCENE.obj"}},
+        {{"Output",
+          {{"output", 'o', "FILE", "",
+            "Where to write; by extension .ppm, .png, .pfm (pictures) or .csv (one row per patch). '-' writes a "
+            "PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
+            true},
+           {"json", 0, "", "", "Print a machine-readable summary on standard output."},
+           {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
+           {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
+         {"Method",
+          {{"method",
+            'm',
+            "NAME",
+            "first-shot",
+            "first-shot: direct light by rays from the sources, the rest by global lines; global: everything by global "
+            "lines.",
+            false,
+            {"first-shot", "global"}},
+           {"lines", 'n', "N", "2^20",
+            "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
+           {"ratio", 0, "R", "auto", "Local lines per global line; auto takes the paper's optimum for the scene."},
+           {"bidirectional",
+            0,
+            "WHETHER",
+            "yes",
+            "Let a global line carry power both ways at once.",
+            false,
+            {"yes", "no"}},
+           {"sequence", 's', "NAME", "sobol",
+            "Where the lines come from: random, sobol, halton or halton:2,7,3,5 (any four coprime bases)."},
+           {"pairing",
+            0,
+            "HOW",
+            "4d",
+            "One 4-D item per line, or two successive 2-D items: the arrangement that fails for quasi-random "
+            "sequences.",
+            false,
+            {"4d", "2d"}},
+           {"seed", 0, "N", "1", "Chooses among random sequences."},
+           {"threads", 't', "N", "", "Threads to use; the result does not depend on it. Without it, all processors."}}},
+         {"Scene",
+          {{"patch-size", 'p', "SIZE", "",
+            "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
+           {"two-sided", 0, "", "", "Give every surface patches on its back too."},
+           {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}},
+         picture_option_group()},
+        "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
+        "\n"
+        "  multipath solve room.obj\n"
+        "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
+}
+
+int thread_count(const CommandLine& line)
+{
+    if (line.has("threads"))
+        return static_cast<int>(read_count("--threads", line.text("threads"), 1, 1024));
+    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+SolveOptions read_solve_options(const CommandLine& line)
+{
+    SolveOptions options;
+    options.method = line.text("method") == "global" ? Method::global : Method::first_shot;
+    options.sequence = line.text("sequence");
+    options.pairing = line.text("pairing") == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
+    options.seed = read_count("--seed", line.text("seed"));
+    constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
+    options.lines = read_count("--lines", line.text("lines"), 1, most_lines);
+    if (line.text("ratio") != "auto")
+        options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
+    options.bidirectional = line.text("bidirectional") == "yes";
+    options.threads = thread_count(line);
+    return options;
+}
+
+/// The sequence's full name; its absence is the user's mistake.
+std::string checked_sequence_name(const SolveOptions& options)
+{
+    try {
+        return make_sequence(options.sequence, options.seed)->name();
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--sequence: ") + error.what());
+    }
+}
+
+/// SCENE.ppm and SCENE.png in the working directory.
+std::vector<std::string> default_outputs(const std::string& scene_path)
+{
+    std::string name = scene_path.substr(scene_path.find_last_of('/') + 1);
+    const std::size_t dot = name.find_last_of('.');
+    if (dot != std::string::npos && dot > 0)
+        name.resize(dot);
+    return {name + ".ppm", name + ".png"};
+}
+
+Scene read_scene(const CommandLine& line, bool quiet)
+{
+    const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
+    SceneFile file = read_obj(line.operands()[0], emission);
+    if (!quiet) {
+        for (const std::string& warning : file.warnings)
+            std::fprintf(stderr, "%s\n", warning.c_str());
+        std::fprintf(stderr, "%s: %s\n", file.path.c_str(), file.counts.c_str());
+    }
+    const double patch_size = line.has("patch-size") ? read_positive("--patch-size", line.text("patch-size"))
+                                                     : default_patch_size(file.surfaces);
+    return Scene(std::move(file), patch_size, line.has("two-sided"));
+}
+
+bool is_picture(const PlannedOutput& output)
+{
+    return output.format != OutputFormat::csv;
+}
+
+void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
+                   const PictureOptions& picture_options, const std::vector<std::string>& comments)
+{
+    std::string comment;
+    for (const std::string& part : comments)
+        comment += (comment.empty() ? "" : "; ") + part;
+
+    const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
+    const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
+    ScreenImage screen;
+    for (PlannedOutput& output : outputs) {
+        const bool shows_screen = output.format == OutputFormat::ppm || output.format == OutputFormat::png;
+        if (shows_screen && screen.bytes.empty())
+            screen = picture(scene, solution.radiosity, camera, picture_options.render, picture_options.tone);
+        if (output.format == OutputFormat::ppm)
+            output.file.write(ppm_bytes(screen, comment));
+        else if (output.format == OutputFormat::png)
+            output.file.write(png_bytes(screen, comment));
+        else if (output.format == OutputFormat::pfm)
+            output.file.write(pfm_bytes(render(scene, solution.radiosity, camera, picture_options.render)));
+        else
+            output.file.write(patch_table(scene, solution.radiosity, comments));
+    }
+    for (PlannedOutput& output : outputs)
+        output.file.commit();
+}
+
+ProgressStyle progress_style(const CommandLine& line, bool quiet)
+{
+    const std::string when = line.text("progress");
+    if (when == "never" || (quiet && when == "auto"))
+        return ProgressStyle::none;
+    return automatic_progress();
+}
+
+int run_solve(const CommandLine& line)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto seconds_since = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const Clock::time_point start = Clock::now();
+    const bool quiet = line.has("quiet");
+    const SolveOptions options = read_solve_options(line);
+    const PictureOptions picture_options = read_picture_options(line, options.threads);
+    const std::string sequence = checked_sequence_name(options);
+    const std::string scene_path = line.operands()[0];
+    std::vector<PlannedOutput> outputs =
+        open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
+
+    const Scene scene = read_scene(line, quiet);
+    const Clock::time_point solve_start = Clock::now();
+    Solution solution;
+    {
+        Progress progress("solving", progress_style(line, quiet));
+        solution = solve(scene, options, [&](double done) { progress.show(done); });
+    }
+    const double seconds_trace = seconds_since(solve_start);
+    write_outputs(outputs, scene, solution, picture_options, provenance(solve_table(), line, scene));
+
+    const SolveSummary summary{scene,        options, solution, line.text("method"), sequence, seconds_since(start),
+                               seconds_trace};
+    if (line.has("json"))
+        std::fputs(summary_json(summary).document().c_str(), stdout);
+    if (!quiet) {
+        std::fputs(summary_text(summary).c_str(), stderr);
+        for (const PlannedOutput& output : outputs)
+            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
+    }
+    return 0;
+}
+
+} // namespace
+
+Command solve_command()
+{
+    return {solve_table(), run_solve};
+}
+
+} // namespace multipath

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "cli/json.h"
+#include "radiosity/solve.h"
+#include "scene/scene.h"
+
+#include <string>
+
+namespace multipath {
+
+/// What a finished `solve` tells of itself.
+struct SolveSummary
+{
+    const Scene& scene;
+    const SolveOptions& options;
+    const Solution& solution;
+    std::string method;         ///< as the user names it
+    std::string sequence;       ///< full name
+    double seconds = 0.0;       ///< from start to end, pictures included
+    double seconds_trace = 0.0; ///< of the solver alone
+};
+
+/// Some lines for a person.
+std::string summary_text(const SolveSummary& summary);
+
+/// The same for a program: the keys of `solve --json`.
+JsonObject summary_json(const SolveSummary& summary);
+
+} // namespace multipath

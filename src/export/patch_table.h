@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// The result as CSV, one row per patch: place, area, material and radiosity [W/m^2], numbers with 17 significant
+/// digits, so that reading them gives the same doubles. The comments become `# ` lines before the header.
+std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity,
+                        const std::vector<std::string>& comments);
+
+} // namespace multipath

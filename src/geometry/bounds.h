@@ -1,0 +1,39 @@
+#pragma once
+
+#include "geometry/vec3.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace multipath {
+
+/// Axis-aligned box; starts empty and grows. An empty box has low > high.
+struct Bounds
+{
+    Vec3 low = {infinity, infinity, infinity};
+    Vec3 high = {-infinity, -infinity, -infinity};
+
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    void include(Vec3 p)
+    {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    void include(const Bounds& other)
+    {
+        include(other.low);
+        include(other.high);
+    }
+    bool empty() const { return low.x > high.x; }
+    Vec3 size() const { return high - low; }
+    Vec3 centre() const { return 0.5 * (low + high); }
+    double diagonal() const { return length(size()); }
+    double area() const
+    {
+        const Vec3 s = size();
+        return 2.0 * (s.x * s.y + s.y * s.z + s.z * s.x);
+    }
+};
+
+} // namespace multipath

@@ -1,0 +1,144 @@
+// Few surfaces are all tested, in a loop that the compiler vectorises; many are found through a hierarchy. Both end in
+// SurfaceTable::hit, so they agree to the last bit.
+
+#include "geometry/intersector.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t few_surfaces = 96; // where testing all of them stops being faster than the hierarchy
+constexpr std::uint32_t no_plane = 0xffffffffu;
+
+std::vector<Bounds> boxes_of(const std::vector<Surface>& surfaces)
+{
+    std::vector<Bounds> boxes;
+    boxes.reserve(surfaces.size());
+    for (const Surface& surface : surfaces)
+        boxes.push_back(surface.bounds());
+    return boxes;
+}
+
+Bounds box_of(const std::vector<Surface>& surfaces)
+{
+    Bounds box;
+    for (const Surface& surface : surfaces)
+        box.include(surface.bounds());
+    return widened(box);
+}
+
+bool may_meet(const Bounds& box, const Line& line)
+{
+    const Vec3 inverse = {1.0 / line.direction.x, 1.0 / line.direction.y, 1.0 / line.direction.z};
+    const Slab slab = clip_to_box(box, line.origin, inverse, line.t_max);
+    return slab.entry <= slab.exit;
+}
+
+/// Insertion sort: a line meets a handful of surfaces. Equal t keep the order of the surfaces' numbers.
+void sort_by_t(std::vector<Hit>& hits)
+{
+    const auto before = [](const Hit& a, const Hit& b) { return a.t < b.t || (a.t == b.t && a.surface < b.surface); };
+    if (hits.size() > 64)
+        return std::sort(hits.begin(), hits.end(), before);
+    for (std::size_t i = 1; i < hits.size(); ++i) {
+        const Hit moving = hits[i];
+        std::size_t place = i;
+        for (; place > 0 && before(moving, hits[place - 1]); --place)
+            hits[place] = hits[place - 1];
+        hits[place] = moving;
+    }
+}
+
+} // namespace
+
+Intersector::Intersector(const std::vector<Surface>& surfaces) : Intersector(surfaces, share_planes(surfaces)) {}
+
+Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes)
+    : table_(surfaces, planes),
+      box_(box_of(surfaces)),
+      bvh_(surfaces.size() > few_surfaces ? Bvh(boxes_of(surfaces)) : Bvh()),
+      plane_(planes.plane_number),
+      plane_has_two_sides_(planes.has_two_sides)
+{
+}
+
+void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
+{
+    hits.clear();
+    const auto collect = [&](std::uint32_t surface) {
+        if (const std::optional<Hit> hit = table_.hit(line, surface))
+            hits.push_back(*hit);
+    };
+    if (!bvh_.empty())
+        bvh_.for_each_met(
+            line, [&] { return line.t_max; }, collect);
+    else if (may_meet(box_, line)) // a third of the chords of the scene's sphere pass its box
+        table_.for_each_candidate(line, collect);
+    sort_by_t(hits);
+}
+
+std::optional<Hit> Intersector::closest_hit(const Line& line) const
+{
+    return nearest(line, no_plane);
+}
+
+// Two coincident faces that face each other across nothing are either a gap (a box standing on a floor) or the two
+// sides of a thin sheet. Crossing surfaces leave and enter solids in turn: whoever comes out of a solid is in a gap.
+// What lies behind the ray's start tells, and if there is nothing, what comes next. Global lines follow the same rule.
+std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
+{
+    const std::optional<Hit> beyond = nearest(ray, plane_[from]);
+    if (!plane_has_two_sides_[plane_[from]])
+        return beyond;
+    const std::optional<Hit> lid = facing_coincident_hit(from, ray);
+    if (!lid)
+        return beyond;
+    const std::optional<Hit> before = nearest({ray.origin, -ray.direction}, plane_[from]);
+    const bool inside_solid = before ? !before->front : beyond && !beyond->front;
+    return inside_solid ? lid : beyond;
+}
+
+std::optional<Hit> Intersector::nearest(const Line& line, std::uint32_t excluded_plane) const
+{
+    std::optional<Hit> best;
+    const auto limit = [&] { return best ? best->t : line.t_max; };
+    const auto consider = [&](std::uint32_t surface) {
+        if (plane_[surface] == excluded_plane)
+            return;
+        const std::optional<Hit> hit = table_.hit(line, surface);
+        if (!hit)
+            return;
+        const bool first_of_equals =
+            best && hit->t == best->t && (hit->front != best->front ? hit->front : hit->surface < best->surface);
+        if (!best || hit->t < best->t || first_of_equals)
+            best = hit;
+    };
+    if (bvh_.empty())
+        table_.for_each_candidate(line, consider);
+    else
+        bvh_.for_each_met(line, limit, consider);
+    return best;
+}
+
+std::optional<Hit> Intersector::facing_coincident_hit(std::uint32_t from, const Line& ray) const
+{
+    std::optional<Hit> lid;
+    const auto consider = [&](std::uint32_t surface) {
+        if (surface == from || plane_[surface] != plane_[from])
+            return;
+        const std::optional<Hit> hit = table_.hit_at_point(ray.origin, ray.direction, surface);
+        if (hit && hit->front && (!lid || hit->surface < lid->surface))
+            lid = hit;
+    };
+    if (bvh_.empty())
+        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
+            consider(surface);
+    else
+        bvh_.for_each_met(
+            {ray.origin, ray.direction, 0.0}, [] { return 0.0; }, consider);
+    return lid;
+}
+
+} // namespace multipath

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "geometry/bounds.h"
+#include "geometry/vec3.h"
+
+namespace multipath {
+
+enum class Shape { parallelogram, triangle };
+
+/// An undivided flat piece of the scene: the points origin + u * edge_u + v * edge_v with 0 <= u, v <= 1
+/// (and u + v <= 1 for a triangle). Its front is the side from which edge_u, edge_v turn counter-clockwise.
+struct Surface
+{
+    Shape shape = Shape::parallelogram;
+    Vec3 origin;
+    Vec3 edge_u;
+    Vec3 edge_v;
+
+    Vec3 at(double u, double v) const { return origin + u * edge_u + v * edge_v; }
+    /// Unit normal on the front; the surface must have area.
+    Vec3 normal() const { return normalized(cross(edge_u, edge_v)); }
+    double area() const { return (shape == Shape::triangle ? 0.5 : 1.0) * length(cross(edge_u, edge_v)); }
+    Vec3 centre() const { return shape == Shape::triangle ? at(1.0 / 3.0, 1.0 / 3.0) : at(0.5, 0.5); }
+    Bounds bounds() const
+    {
+        Bounds box;
+        box.include(origin);
+        box.include(origin + edge_u);
+        box.include(origin + edge_v);
+        if (shape == Shape::parallelogram)
+            box.include(at(1.0, 1.0));
+        return box;
+    }
+};
+
+} // namespace multipath

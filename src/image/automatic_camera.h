@@ -1,0 +1,14 @@
+#pragma once
+
+#include "geometry/vec3.h"
+#include "image/camera.h"
+#include "scene/scene.h"
+
+namespace multipath {
+
+/// A camera that shows most of the scene well: from inside a closed room, or from outside through an open side.
+/// `aspect` is the picture's width / height; `up` must not be zero (InputError). The same scene always gives the same
+/// camera.
+Camera automatic_camera(const Scene& scene, double aspect, Vec3 up = {0.0, 1.0, 0.0});
+
+} // namespace multipath

@@ -1,0 +1,63 @@
+#include "image/camera.h"
+
+#include "sampling/trigonometry.h"
+#include "scene/input_error.h"
+
+#include <string>
+
+namespace multipath {
+
+namespace {
+
+constexpr int largest_side = 16384; // squared, three bytes a pixel still fit in one PNG chunk
+
+bool is_finite(Vec3 a)
+{
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+void require_picture(int width, int height)
+{
+    if (width < 1 || height < 1 || width > largest_side || height > largest_side)
+        throw InputError("picture size " + std::to_string(width) + " x " + std::to_string(height) +
+                         ": width and height must be between 1 and " + std::to_string(largest_side));
+}
+
+void require_camera(const Camera& camera)
+{
+    if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
+        throw InputError("camera: eye, target and up must be finite numbers");
+    if (!(camera.field_of_view > 0.0 && camera.field_of_view < 180.0))
+        throw InputError("camera: the field of view must be between 0 and 180 degrees");
+    const Vec3 view = camera.target - camera.eye;
+    if (length(view) == 0.0)
+        throw InputError("camera: eye and target are the same point, so there is no direction to look in");
+    if (length(camera.up) == 0.0)
+        throw InputError("camera: the up direction has length zero");
+    // Below this sine the picture would turn with rounding errors.
+    if (length(cross(normalized(view), normalized(camera.up))) < 1e-6)
+        throw InputError("camera: the up direction is parallel to the view, choose another one");
+}
+
+} // namespace
+
+PixelRays::PixelRays(const Camera& camera, int width, int height) : eye_(camera.eye)
+{
+    require_picture(width, height);
+    require_camera(camera);
+    const Vec3 forward = normalized(camera.target - camera.eye);
+    const Vec3 right = normalized(cross(forward, camera.up));
+    const Vec3 up = cross(right, forward);
+    const SinCos half_angle = sin_cos_of_turns(0.5 * camera.field_of_view / 360.0);
+    const double pixel = 2.0 * half_angle.sin / half_angle.cos / height;
+    per_x_ = pixel * right;
+    per_y_ = -pixel * up;
+    top_left_ = forward - (0.5 * width) * per_x_ - (0.5 * height) * per_y_;
+}
+
+Line PixelRays::through(double x, double y) const
+{
+    return {eye_, normalized(top_left_ + x * per_x_ + y * per_y_)};
+}
+
+} // namespace multipath

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "geometry/line.h"
+#include "geometry/vec3.h"
+
+namespace multipath {
+
+/// A pinhole camera: what it stands on, what it looks at, and how much it sees.
+struct Camera
+{
+    Vec3 eye;
+    Vec3 target;
+    Vec3 up = {0.0, 1.0, 0.0};
+    double field_of_view = 60.0; ///< [degrees] vertical, between 0 and 180
+};
+
+/// The rays of a camera through a picture of width x height square pixels.
+class PixelRays
+{
+public:
+    /// Throws InputError for a camera without a direction, with `up` along its direction, or with an impossible
+    /// field of view, and for a picture without pixels.
+    PixelRays(const Camera& camera, int width, int height);
+
+    /// The ray through a point of the picture in pixels from its top left corner; (0.5, 0.5) is the first pixel's
+    /// centre. Its direction has length one.
+    Line through(double x, double y) const;
+
+private:
+    Vec3 eye_;
+    Vec3 top_left_; ///< from the eye, at distance one along the view
+    Vec3 per_x_;    ///< one pixel to the right
+    Vec3 per_y_;    ///< one pixel down
+};
+
+} // namespace multipath

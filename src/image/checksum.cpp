@@ -1,0 +1,51 @@
+#include "image/checksum.h"
+
+#include <array>
+
+namespace multipath {
+
+namespace {
+
+/// The remainder of each byte followed by four zero bytes.
+constexpr std::array<std::uint32_t, 256> make_crc_table()
+{
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < 256; ++byte) {
+        std::uint32_t remainder = byte;
+        for (int bit = 0; bit < 8; ++bit)
+            remainder = (remainder >> 1) ^ ((remainder & 1u) != 0 ? 0xedb88320u : 0u);
+        table[byte] = remainder;
+    }
+    return table;
+}
+
+constexpr std::array<std::uint32_t, 256> crc_table = make_crc_table();
+
+} // namespace
+
+std::uint32_t crc32(const std::string& bytes)
+{
+    std::uint32_t crc = 0xffffffffu;
+    for (const char c : bytes)
+        crc = crc_table[(crc ^ static_cast<unsigned char>(c)) & 0xffu] ^ (crc >> 8);
+    return crc ^ 0xffffffffu;
+}
+
+std::uint32_t adler32(const std::string& bytes)
+{
+    std::uint64_t sum = 1;
+    std::uint64_t sum_of_sums = 0; // 64 bits hold both for 10^6 bytes and more without a division
+    std::size_t until_reduced = 1u << 20;
+    for (const char c : bytes) {
+        sum += static_cast<unsigned char>(c);
+        sum_of_sums += sum;
+        if (--until_reduced == 0) {
+            sum %= 65521;
+            sum_of_sums %= 65521;
+            until_reduced = 1u << 20;
+        }
+    }
+    return static_cast<std::uint32_t>(sum_of_sums % 65521 << 16 | sum % 65521);
+}
+
+} // namespace multipath

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "scene/rgb.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// What the camera sees, in linear light: radiosity [W/m^2] per pixel, row by row from the top left.
+struct Image
+{
+    int width = 0;
+    int height = 0;
+    std::vector<Rgb> pixels;
+
+    const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
+    Rgb& at(int x, int y) { return pixels[index(x, y)]; }
+
+private:
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+};
+
+/// What a screen shows: sRGB, one byte for each of red, green, blue per pixel, row by row from the top left.
+struct ScreenImage
+{
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> bytes; ///< 3 * width * height
+};
+
+} // namespace multipath

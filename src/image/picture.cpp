@@ -1,0 +1,36 @@
+#include "image/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace multipath {
+
+namespace {
+
+RenderOptions preview_options(RenderOptions options)
+{
+    const int larger = std::max({options.width, options.height, 1});
+    const int shrink = (larger + 159) / 160;
+    options.width = std::min(options.width, std::max(1, options.width / shrink));
+    options.height = std::min(options.height, std::max(1, options.height / shrink));
+    options.samples_per_pixel = 1;
+    options.shading = Shading::flat;
+    options.white = std::numeric_limits<double>::infinity();
+    return options;
+}
+
+} // namespace
+
+ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                    const RenderOptions& options, const ToneMapOptions& tone)
+{
+    ToneMapOptions exposed = tone;
+    if (!exposed.scale)
+        exposed.scale = automatic_scale(render(scene, radiosity, camera, preview_options(options)), tone.tone);
+    RenderOptions clipped = options;
+    clipped.white = white_point(tone.tone) / (*exposed.scale * std::exp2(tone.exposure));
+    return tone_map(render(scene, radiosity, camera, clipped), exposed);
+}
+
+} // namespace multipath

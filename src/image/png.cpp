@@ -1,0 +1,125 @@
+// PNG (ISO/IEC 15948): a signature and chunks. Each row is first turned into differences from its neighbours by one of
+// five filters, then all rows are compressed together.
+
+#include "image/png.h"
+
+#include "image/checksum.h"
+#include "image/deflate.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t channels = 3;
+
+std::string big_endian(std::uint32_t value)
+{
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes += static_cast<char>((value >> shift) & 0xffu);
+    return bytes;
+}
+
+std::string chunk(const std::string& type, const std::string& data)
+{
+    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32(type + data));
+}
+
+/// Of left, above and upper left, the one closest to left + above - upper left.
+int paeth(int left, int above, int upper_left)
+{
+    const int to_left = std::abs(above - upper_left);
+    const int to_above = std::abs(left - upper_left);
+    const int to_upper_left = std::abs(left + above - 2 * upper_left);
+    if (to_left <= to_above && to_left <= to_upper_left)
+        return left;
+    return to_above <= to_upper_left ? above : upper_left;
+}
+
+int predicted(int filter, int left, int above, int upper_left)
+{
+    switch (filter) {
+    case 1:
+        return left;
+    case 2:
+        return above;
+    case 3:
+        return (left + above) / 2;
+    case 4:
+        return paeth(left, above, upper_left);
+    default:
+        return 0;
+    }
+}
+
+/// One row as filter number and differences; `row` and `above` start with one pixel of zeros.
+std::string filtered(const std::vector<std::uint8_t>& row, const std::vector<std::uint8_t>& above, int filter)
+{
+    std::string result(1, static_cast<char>(filter));
+    for (std::size_t i = channels; i < row.size(); ++i)
+        result += static_cast<char>(row[i] - predicted(filter, row[i - channels], above[i], above[i - channels]));
+    return result;
+}
+
+/// Small differences of either sign compress well.
+std::uint64_t cost(const std::string& filtered_row)
+{
+    std::uint64_t sum = 0;
+    for (std::size_t i = 1; i < filtered_row.size(); ++i)
+        sum += static_cast<std::uint64_t>(std::abs(static_cast<int>(static_cast<signed char>(filtered_row[i]))));
+    return sum;
+}
+
+std::string filtered_rows(const ScreenImage& image)
+{
+    const std::size_t row_size = channels * static_cast<std::size_t>(image.width);
+    std::vector<std::uint8_t> above(channels + row_size, 0);
+    std::vector<std::uint8_t> row(channels + row_size, 0);
+    std::string result;
+    for (std::size_t first = 0; first < image.bytes.size(); first += row_size) {
+        std::copy_n(image.bytes.begin() + static_cast<std::ptrdiff_t>(first), row_size, row.begin() + channels);
+        std::string best = filtered(row, above, 0);
+        for (int filter = 1; filter <= 4; ++filter) {
+            std::string candidate = filtered(row, above, filter);
+            if (cost(candidate) < cost(best))
+                best.swap(candidate);
+        }
+        result += best;
+        above.swap(row);
+    }
+    return result;
+}
+
+/// Keyword, zero, text; a line end is one line feed.
+std::string text_chunk_data(const std::string& comment)
+{
+    std::string data = "Comment";
+    data += '\0';
+    for (const char c : comment)
+        data += (c >= ' ' && c <= '~') || c == '\n' ? c : '?';
+    return data;
+}
+
+} // namespace
+
+std::string png_bytes(const ScreenImage& image, const std::string& comment)
+{
+    // 8 bits per channel, red green blue, and the only compression, filter set and (no) interlacing of the format.
+    const std::string format = {8, 2, 0, 0, 0};
+    std::string bytes = "\x89PNG\r\n\x1a\n";
+    bytes += chunk("IHDR", big_endian(static_cast<std::uint32_t>(image.width)) +
+                               big_endian(static_cast<std::uint32_t>(image.height)) + format);
+    bytes += chunk("sRGB", std::string(1, '\0'));
+    if (!comment.empty())
+        bytes += chunk("tEXt", text_chunk_data(comment));
+    bytes += chunk("IDAT", zlib_bytes(filtered_rows(image)));
+    bytes += chunk("IEND", "");
+    return bytes;
+}
+
+} // namespace multipath

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <string>
+
+namespace multipath {
+
+/// A binary portable pixmap (P6). The comment may be empty; line ends in it become blanks.
+std::string ppm_bytes(const ScreenImage& image, const std::string& comment = "");
+
+} // namespace multipath

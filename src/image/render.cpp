@@ -1,0 +1,88 @@
+// Every pixel is the mean of k x k samples, spread with the density of a tent two pixels wide, so that the plain mean
+// is the tent-filtered picture. The pattern is the same in every pixel: random patterns roughen the long straight edges
+// of which rooms consist.
+
+#include "image/render.h"
+
+#include "image/smooth_shading.h"
+#include "image/visible_hit.h"
+#include "parallel/ordered_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+/// Maps a uniform number in [0, 1) to an offset in (-1, 1) with tent-shaped density.
+double uniform_to_tent(double u)
+{
+    return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
+}
+
+/// Draws one pixel at a time.
+class Painter
+{
+public:
+    Painter(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
+        : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
+    {
+        if (options.shading == Shading::smooth)
+            smooth_.emplace(scene, radiosity);
+        while (grid_ * grid_ < options.samples_per_pixel)
+            ++grid_;
+    }
+
+    /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
+    /// that is almost horizontal passes k^2 shades, not k.
+    Rgb pixel(int x, int y) const
+    {
+        const double k = grid_;
+        Rgb sum;
+        for (int row = 0; row < grid_; ++row)
+            for (int column = 0; column < grid_; ++column) {
+                const double u = (column + (row + 0.5) / k) / k;
+                const double v = (row + (grid_ - column - 0.5) / k) / k;
+                sum += seen(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v));
+            }
+        return 1.0 / (k * k) * sum;
+    }
+
+private:
+    Rgb seen(double x, double y) const
+    {
+        const std::optional<Hit> hit = visible_hit(scene_, rays_.through(x, y));
+        if (!hit)
+            return {};
+        const Rgb value =
+            smooth_ ? smooth_->at(*hit) : radiosity_[scene_.patch_at(hit->surface, hit->u, hit->v, hit->front)];
+        return {std::min(value.r, options_.white), std::min(value.g, options_.white),
+                std::min(value.b, options_.white)};
+    }
+
+    const Scene& scene_;
+    const std::vector<Rgb>& radiosity_;
+    PixelRays rays_;
+    RenderOptions options_;
+    std::optional<SmoothShading> smooth_;
+    int grid_ = 1;
+};
+
+} // namespace
+
+Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
+{
+    const Painter painter(scene, radiosity, camera, options);
+    Image image{options.width, options.height, {}};
+    image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    parallel_blocks(static_cast<std::uint64_t>(image.height), options.threads, [&](std::uint64_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < image.width; ++x)
+            image.at(x, y) = painter.pixel(x, y);
+    });
+    return image;
+}
+
+} // namespace multipath

@@ -1,0 +1,126 @@
+// Radiosity -> scale (exposure) -> tone curve, channel by channel so that very bright colours fade to white as on film
+// -> sRGB -> 8 bits. Reinhard's curve is (4) of Reinhard et al., Photographic Tone Reproduction, SIGGRAPH 2002; the
+// film curve is Narkowicz's fit (2015) to the reference curve of the Academy Color Encoding System.
+
+#include "image/tone_map.h"
+
+#include "sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+constexpr double middle_grey = 0.24;   // what the room's mid-tones become on the screen
+constexpr double reinhard_white = 2.0; // three stops above the mid-tones
+
+double curve(ToneOperator tone, double x)
+{
+    switch (tone) {
+    case ToneOperator::reinhard:
+        return x * (1.0 + x / (reinhard_white * reinhard_white)) / (1.0 + x);
+    case ToneOperator::aces:
+        return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+    case ToneOperator::linear:
+    case ToneOperator::percentile:
+        break;
+    }
+    return x;
+}
+
+/// The input for which the rising curve gives `output`.
+double inverse_curve(ToneOperator tone, double output)
+{
+    double low = 0.0;
+    double high = 16.0;
+    for (int step = 0; step < 60; ++step) {
+        const double middle = 0.5 * (low + high);
+        (curve(tone, middle) < output ? low : high) = middle;
+    }
+    return high;
+}
+
+/// Rec. 709 luminance of the pixels that show anything, rising.
+std::vector<double> sorted_luminances(const Image& image)
+{
+    std::vector<double> luminances;
+    for (const Rgb& pixel : image.pixels) {
+        const double luminance = 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b;
+        if (luminance > 0.0 && std::isfinite(luminance))
+            luminances.push_back(luminance);
+    }
+    std::sort(luminances.begin(), luminances.end());
+    return luminances;
+}
+
+/// The mean of the logarithms in the middle half: steadier than the median, and as deaf to lamps and black corners.
+double middle_luminance(const std::vector<double>& sorted)
+{
+    const std::size_t first = sorted.size() / 4;
+    const std::size_t last = std::max(first + 1, sorted.size() - first);
+    double sum = 0.0;
+    for (std::size_t i = first; i < last; ++i)
+        sum += std::log(sorted[i]);
+    return std::exp(sum / static_cast<double>(last - first));
+}
+
+/// The 98th percentile of what is not far brighter than the middle, as lamps are.
+double brightest_of_room(const std::vector<double>& sorted)
+{
+    const auto lamps = std::upper_bound(sorted.begin(), sorted.end(), 10.0 * middle_luminance(sorted));
+    const auto count = static_cast<std::size_t>(lamps - sorted.begin());
+    return sorted[std::max<std::size_t>(count, 1) * 98 / 100];
+}
+
+std::uint8_t quantized(double linear, double noise)
+{
+    const double encoded = srgb_encoded(linear);
+    // Black and white stay clean: noise there would only be dirt.
+    const double dither = encoded > 0.0 && encoded < 1.0 ? noise - 0.5 : 0.0;
+    return static_cast<std::uint8_t>(std::clamp(255.0 * encoded + dither + 0.5, 0.0, 255.0));
+}
+
+} // namespace
+
+double srgb_encoded(double linear)
+{
+    if (!(linear > 0.0))
+        return 0.0;
+    if (linear >= 1.0)
+        return 1.0;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+double white_point(ToneOperator tone)
+{
+    return inverse_curve(tone, 1.0);
+}
+
+double automatic_scale(const Image& image, ToneOperator tone)
+{
+    const std::vector<double> luminances = sorted_luminances(image);
+    if (luminances.empty())
+        return 1.0;
+    if (tone == ToneOperator::percentile)
+        return 1.0 / brightest_of_room(luminances);
+    return inverse_curve(tone, middle_grey) / middle_luminance(luminances);
+}
+
+ScreenImage tone_map(const Image& image, const ToneMapOptions& options)
+{
+    const double base = options.scale ? *options.scale : automatic_scale(image, options.tone);
+    const double scale = base * std::exp2(options.exposure);
+    ScreenImage screen{image.width, image.height, {}};
+    screen.bytes.reserve(3 * image.pixels.size());
+    std::uint64_t counter = 0;
+    for (const Rgb& pixel : image.pixels) {
+        const double noise = bits_to_unit(random_bits(0, counter++));
+        for (const double channel : {pixel.r, pixel.g, pixel.b})
+            screen.bytes.push_back(quantized(curve(options.tone, scale * channel), noise));
+    }
+    return screen;
+}
+
+} // namespace multipath

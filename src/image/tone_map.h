@@ -1,0 +1,38 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <optional>
+
+namespace multipath {
+
+enum class ToneOperator {
+    linear,     ///< clipped at white
+    reinhard,   ///< soft shoulder, natural colours
+    aces,       ///< S-shaped film curve
+    percentile, ///< linear, with white at the brightest part of the room
+};
+
+struct ToneMapOptions
+{
+    ToneOperator tone = ToneOperator::reinhard;
+    double exposure = 0.0; ///< [stops] added to the automatic or given scale
+    /// [m^2/W] brings radiosity to the operator's input; measured on the image if absent
+    std::optional<double> scale = std::nullopt;
+};
+
+/// [m^2/W] The scale that puts the room's mid-tones where a photographer would, for an image seen through `tone`.
+/// Ignores black pixels and does not let lamps or dark corners decide. 1 for a black image.
+double automatic_scale(const Image& image, ToneOperator tone);
+
+/// The input at which an operator's output reaches white.
+double white_point(ToneOperator tone);
+
+/// The picture for the screen; rounded with a fixed pattern of noise below one step, so that smooth walls show no
+/// bands.
+ScreenImage tone_map(const Image& image, const ToneMapOptions& options);
+
+/// The transfer function of IEC 61966-2-1, from linear light in [0, 1] to the encoded value in [0, 1].
+double srgb_encoded(double linear);
+
+} // namespace multipath

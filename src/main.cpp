@@ -1,0 +1,94 @@
+// multipath COMMAND [OPTIONS] ARGS: finds the command, runs it, and turns what goes wrong into one line and an exit
+// code.
+
+#include "cli/choice.h"
+#include "cli/commands.h"
+#include "cli/help_text.h"
+#include "cli/usage_error.h"
+#include "cli/version.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace multipath;
+
+enum ExitCode { exit_done = 0, exit_failed = 1, exit_usage = 2 };
+
+std::vector<CommandTable> tables_of(const std::vector<Command>& commands)
+{
+    std::vector<CommandTable> tables;
+    for (const Command& command : commands)
+        tables.push_back(command.table);
+    return tables;
+}
+
+std::string program_help(const std::vector<Command>& commands)
+{
+    return "multipath computes diffuse global illumination (radiosity) with global lines.\n\n"
+           "usage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" +
+           command_list(tables_of(commands)) +
+           "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n"
+           "For a first picture: multipath solve scenes/5cubes.obj\n";
+}
+
+const Command& find_command(const std::vector<Command>& commands, const std::string& name)
+{
+    std::vector<std::string> names;
+    for (const Command& command : commands) {
+        if (command.table.name == name)
+            return command;
+        names.emplace_back(command.table.name);
+    }
+    throw UsageError((name[0] == '-' ? "unknown option '" : "unknown command '") + name + "'" +
+                     did_you_mean(name, names));
+}
+
+int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
+{
+    if (words[0] == "--version") {
+        std::fputs(version_text().c_str(), stdout);
+        return exit_done;
+    }
+    if (words[0] == "--help" || words[0] == "-h") {
+        std::fputs(program_help(commands).c_str(), stdout);
+        return exit_done;
+    }
+    const Command& command = find_command(commands, words[0]);
+    const CommandLine line(command.table, {words.begin() + 1, words.end()});
+    if (line.has("help")) {
+        std::fputs(help_text(command.table).c_str(), stdout);
+        return exit_done;
+    }
+    return command.run(line);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const std::vector<Command> all = commands();
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty()) {
+        std::fputs(program_help(all).c_str(), stderr);
+        return exit_usage;
+    }
+    try {
+        return run(all, words);
+    } catch (const UsageError& error) {
+        const bool known =
+            std::any_of(all.begin(), all.end(), [&](const Command& c) { return c.table.name == words[0]; });
+        std::fprintf(stderr, "multipath: %s\n%s\n", error.what(), help_hint(known ? words[0] : "").c_str());
+        return exit_usage;
+    } catch (const std::bad_alloc&) {
+        std::fputs("multipath: out of memory; fewer patches need less (a larger --patch-size)\n", stderr);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "multipath: %s\n", error.what());
+    }
+    return exit_failed;
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace multipath {
+
+/// Runs work(block) once for each block 0 ... block_count - 1 on up to `threads` threads, in any order.
+/// The first exception that a block throws is thrown here after the other threads have stopped.
+void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work);
+
+/// Runs produce(block, slot) on up to `threads` threads, and consume(block, slot) one block at a time in order of the
+/// block number, while later blocks are being produced. `slot` (0 ... slot_count(threads) - 1) names the buffer that
+/// the block may use until it is consumed. With one thread everything runs on the caller, in order.
+void ordered_blocks(std::uint64_t block_count, int threads,
+                    const std::function<void(std::uint64_t block, int slot)>& produce,
+                    const std::function<void(std::uint64_t block, int slot)>& consume);
+
+/// How many buffers ordered_blocks uses with so many threads.
+int slot_count(int threads);
+
+} // namespace multipath

@@ -1,0 +1,107 @@
+#include "radiosity/direct_light.h"
+
+#include "parallel/ordered_blocks.h"
+#include "radiosity/first_shot.h"
+#include "radiosity/intersection_list.h"
+#include "sampling/radical_inverse.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+/// Sources as a distribution of patches by power.
+struct Sources
+{
+    std::vector<std::uint32_t> patches;
+    std::vector<double> power_before; ///< [W] cumulative; one entry more than patches
+
+    explicit Sources(const Scene& scene) : power_before{0.0}
+    {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const double power = scene.area(i) * mean(scene.emittance(i));
+            if (power > 0.0) {
+                patches.push_back(i);
+                power_before.push_back(power_before.back() + power);
+            }
+        }
+    }
+    std::uint32_t at(double x) const
+    {
+        const auto above = std::upper_bound(power_before.begin(), power_before.end(), x * power_before.back());
+        const auto place = static_cast<std::size_t>(above - power_before.begin()) - 1;
+        return patches[std::min(place, patches.size() - 1)];
+    }
+};
+
+Vec3 point_on(const Surface& shape, double a, double b)
+{
+    if (shape.shape == Shape::triangle && a + b > 1.0)
+        return shape.at(1.0 - a, 1.0 - b);
+    return shape.at(a, b);
+}
+
+/// Does light go straight from one of `tries` points of the sources to one of the patch?
+bool is_lit(const Scene& scene, const Sources& sources, std::uint32_t patch, std::uint64_t tries)
+{
+    const Surface receiver_shape = scene.patch(patch).shape;
+    const Vec3 normal = receiver_shape.normal();
+    for (std::uint64_t k = 0; k < tries; ++k) {
+        const std::uint64_t n = patch + k * 0x9e3779b9u; // other points for every patch
+        const Patch source = scene.patch(sources.at(radical_inverse(2, k + 1)));
+        const Vec3 to = point_on(receiver_shape, radical_inverse(3, n + 1), radical_inverse(5, n + 1));
+        const Vec3 from = point_on(source.shape, radical_inverse(7, n + 1), radical_inverse(11, n + 1));
+        const Line ray = {from, to - from};
+        if (dot(ray.direction, source.shape.normal()) > 0.0 && dot(ray.direction, normal) < 0.0 &&
+            receiver(scene, source.surface, ray) == patch)
+            return true;
+    }
+    return false;
+}
+
+double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
+{
+    const Sources sources(scene);
+    const std::uint64_t tries = std::clamp<std::uint64_t>(shadow_rays / scene.patch_count(), 8, 256);
+    constexpr std::uint64_t patches_per_block = 256;
+    const std::uint64_t block_count = (scene.patch_count() + patches_per_block - 1) / patches_per_block;
+    std::vector<double> area(block_count, 0.0);
+    parallel_blocks(block_count, threads, [&](std::uint64_t block) {
+        const std::uint64_t last = std::min<std::uint64_t>((block + 1) * patches_per_block, scene.patch_count());
+        for (auto i = static_cast<std::uint32_t>(block * patches_per_block); i < last; ++i)
+            if (is_lit(scene, sources, i, tries))
+                area[block] += scene.area(i);
+    });
+    double sum = 0.0;
+    for (const double a : area)
+        sum += a;
+    return sum;
+}
+
+} // namespace
+
+DirectLight measure_direct_light(const Scene& scene, std::uint64_t rays, int threads)
+{
+    PowerState state(scene);
+    const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
+    shoot(scene, *sequence, 0, plan_first_shot(scene, state, 0.0, rays), threads, state, [](std::uint64_t) {});
+
+    double received = 0.0;  // [W]
+    double reflected = 0.0; // [W]
+    double squares = 0.0;   // sum of A b^2 [W^2/m^2]
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double power = mean(state.incident[i]);
+        const double sent_on = mean(scene.reflectance(i) * state.incident[i]);
+        received += power;
+        reflected += sent_on;
+        squares += sent_on * sent_on / scene.area(i);
+    }
+    DirectLight result;
+    result.lit_fraction = lit_area(scene, rays, threads) / scene.total_area();
+    result.secondary_reflectance = received > 0.0 ? reflected / received : 0.0;
+    result.effective_fraction = squares > 0.0 ? reflected * reflected / (scene.total_area() * squares) : 0.0;
+    return result;
+}
+
+} // namespace multipath

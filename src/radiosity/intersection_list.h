@@ -1,0 +1,34 @@
+#pragma once
+
+#include "geometry/intersector.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// A stretch of a line between two surfaces that follow each other along it, or from the last one to infinity.
+/// `from` is the patch that the stretch leaves, `to` the patch that it reaches, each with the side that looks along
+/// the stretch. One of the two may be `behind` (a surface that has no patch on this side) or `outside` (nothing).
+struct Segment
+{
+    static constexpr std::uint32_t behind = 0xfffffffeu;
+    static constexpr std::uint32_t outside = 0xffffffffu;
+
+    std::uint32_t from;
+    std::uint32_t to;
+
+    static bool is_patch(std::uint32_t end) { return end < behind; }
+    /// The facing pair of the paper: both ends can exchange power.
+    bool joins_patches() const { return is_patch(from) && is_patch(to); }
+};
+
+/// Puts hits of equal t, already sorted by t, in the order in which a line passes coincident surfaces: departures
+/// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene.
+void order_coincident_hits(std::vector<Hit>& hits);
+
+/// Appends the segments of one line, given its ordered hits. Those that touch no patch are left out.
+void append_segments(const Scene& scene, const std::vector<Hit>& hits, std::vector<Segment>& segments);
+
+} // namespace multipath

@@ -1,0 +1,51 @@
+#include "radiosity/line_budget.h"
+
+#include "geometry/convex_hull.h"
+
+#include <cmath>
+
+namespace multipath {
+
+double optimal_ratio(const BudgetFigures& figures)
+{
+    const double n_int = figures.intersections;
+    const double r_ave = figures.average_reflectance;
+    const double r_s = figures.secondary_reflectance;
+    const double f = figures.lit_fraction;
+    return std::sqrt(n_int * (1.0 - r_ave * r_ave) * (1.0 - r_ave) /
+                     (r_s * r_s * (1.0 - r_ave) / f + 2.0 * r_s * r_s * r_s)); // (3)
+}
+
+BudgetFigures extended_figures(BudgetFigures figures)
+{
+    figures.lit_fraction = 1.0;
+    figures.secondary_reflectance = figures.average_reflectance;
+    return figures;
+}
+
+double intersections_of_hull_line(const Scene& scene)
+{
+    std::vector<Vec3> corners;
+    for (const Surface& surface : scene.surfaces()) {
+        corners.push_back(surface.origin);
+        corners.push_back(surface.at(1.0, 0.0));
+        corners.push_back(surface.at(0.0, 1.0));
+        if (surface.shape == Shape::parallelogram)
+            corners.push_back(surface.at(1.0, 1.0));
+    }
+    return 2.0 * scene.total_area() / convex_hull_area(corners); // (G2)
+}
+
+double threshold_radiosity(const Scene& scene)
+{
+    const double r_ave = mean(scene.average_reflectance());
+    return r_ave * mean(scene.source_power()) / (scene.total_area() * (1.0 - r_ave)); // (4)
+}
+
+LineBudget split_lines(std::uint64_t lines, double ratio)
+{
+    const auto local = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * ratio / (1.0 + ratio)));
+    return {local, lines - local};
+}
+
+} // namespace multipath

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "radiosity/line_sampling.h"
+#include "radiosity/power_state.h"
+#include "radiosity/shooting.h"
+#include "sampling/sequence.h"
+
+#include <cstdint>
+
+namespace multipath {
+
+/// Which lines a global pass casts.
+struct GlobalPass
+{
+    std::uint64_t first_item = 0; ///< of the sequence
+    std::uint64_t lines_cast = 0; ///< N_cast of (N1)
+    bool bidirectional = true;    ///< (M2); otherwise power flows only in the direction of the line
+};
+
+/// The global pass: distributes the unshot power of all patches with global lines. Traced by all threads, exchanged in
+/// the order of the lines, so the result does not depend on the number of threads.
+void cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, const GlobalPass& pass,
+                       int threads, PowerState& state, const LineCounter& count_lines);
+
+} // namespace multipath

@@ -1,0 +1,46 @@
+#include "radiosity/power_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+double PowerBalance::relative_error() const
+{
+    const Rgb found = absorbed + unshot + escaped + behind;
+    const auto channel = [](double sent, double arrived) {
+        return sent == 0.0 ? std::abs(arrived) : std::abs(sent - arrived) / std::abs(sent);
+    };
+    return std::max({channel(emitted.r, found.r), channel(emitted.g, found.g), channel(emitted.b, found.b)});
+}
+
+PowerState::PowerState(const Scene& scene) : incident(scene.patch_count()), emitted(scene.source_power())
+{
+    unshot.reserve(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        unshot.push_back(scene.area(i) * scene.emittance(i));
+}
+
+PowerBalance power_balance(const Scene& scene, const PowerState& state)
+{
+    PowerBalance balance;
+    balance.emitted = state.emitted;
+    balance.escaped = state.escaped;
+    balance.behind = state.behind;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        balance.absorbed += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
+        balance.unshot += state.unshot[i];
+    }
+    return balance;
+}
+
+std::vector<Rgb> radiosity(const Scene& scene, const PowerState& state)
+{
+    std::vector<Rgb> result;
+    result.reserve(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        result.push_back(scene.emittance(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * state.incident[i]));
+    return result;
+}
+
+} // namespace multipath

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace multipath {
+
+/// Where the power of the sources went, per channel [W]. emitted = absorbed + unshot + escaped + behind.
+struct PowerBalance
+{
+    Rgb emitted;  ///< really sent or held by the sources; the forecast of the global pass makes it differ from Phi_T
+    Rgb absorbed; ///< by the patches that it reached
+    Rgb unshot;   ///< received or emitted, not yet sent on when the work ended
+    Rgb escaped;  ///< left the scene through an opening
+    Rgb behind;   ///< met a surface on a side that has no patch
+
+    /// Largest |emitted - the rest| of the channels, relative to the emitted power.
+    double relative_error() const;
+};
+
+/// What the patches have received and still hold: the state that every stage of the solver moves forward.
+struct PowerState
+{
+    explicit PowerState(const Scene& scene);
+
+    std::vector<Rgb> incident; ///< [W] per patch, arrived so far
+    std::vector<Rgb> unshot;   ///< [W] per patch, emitted or reflected, not yet sent on
+    Rgb emitted;               ///< [W] see PowerBalance
+    Rgb escaped;               ///< [W]
+    Rgb behind;                ///< [W]
+};
+
+PowerBalance power_balance(const Scene& scene, const PowerState& state);
+
+/// B = E + rho H per patch [W/m^2].
+std::vector<Rgb> radiosity(const Scene& scene, const PowerState& state);
+
+} // namespace multipath

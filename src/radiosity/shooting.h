@@ -1,0 +1,37 @@
+#pragma once
+
+#include "geometry/line.h"
+#include "radiosity/power_state.h"
+#include "sampling/sequence.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace multipath {
+
+/// Called now and then with the number of lines done since the last call.
+using LineCounter = std::function<void(std::uint64_t lines)>;
+
+/// One patch sends rays, each with the same power.
+struct Shot
+{
+    std::uint32_t patch;
+    std::uint64_t rays;
+    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper, with a colour
+};
+
+/// The ray that leaves a patch from a uniform point (item[0], item[1]) in a cosine-distributed direction (item[2],
+/// item[3]).
+Line local_line(const Patch& patch, const Item& item);
+
+/// Where the ray from a patch arrives: a patch, or Segment::behind or Segment::outside.
+std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray);
+
+/// Sends the rays of all shots, which take the items from first_item on, one each in order. Every receiver adds what
+/// arrives to its incident power and what it reflects to its unshot power; the shooter's unshot power falls (S1).
+void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
+           int threads, PowerState& state, const LineCounter& count_lines);
+
+} // namespace multipath

@@ -1,0 +1,83 @@
+#include "radiosity/solve.h"
+
+#include "radiosity/direct_light.h"
+#include "radiosity/first_shot.h"
+#include "radiosity/line_sampling.h"
+#include "radiosity/multipath.h"
+#include "scene/input_error.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t pilot_rays = 1u << 16; // for the figures of (3); 1 % in the ratio is not noticed in the error
+
+double ratio_for(const Scene& scene, const SolveOptions& options)
+{
+    if (options.method == Method::global)
+        return 0.0;
+    if (options.ratio)
+        return *options.ratio;
+    const DirectLight direct = measure_direct_light(scene, pilot_rays, options.threads);
+    BudgetFigures figures;
+    figures.intersections = intersections_of_hull_line(scene);
+    figures.average_reflectance = mean(scene.average_reflectance());
+    figures.secondary_reflectance = direct.secondary_reflectance;
+    figures.lit_fraction = direct.lit_fraction;
+    const double ratio = optimal_ratio(figures); // (3)
+    return std::isfinite(ratio) ? ratio : 1.0;   // sources that light nothing, or only black: any split does
+}
+
+void require_absorption(const Scene& scene)
+{
+    const Rgb r = scene.average_reflectance();
+    if (r.r >= 1.0 || r.g >= 1.0 || r.b >= 1.0)
+        throw InputError(scene.path() + ": every material reflects all light (Kd 1), so nothing absorbs and the light "
+                                        "would grow without end; expected some Kd below 1");
+}
+
+void require_balance(const PowerBalance& balance)
+{
+    if (!(balance.relative_error() <= 1e-9))
+        throw std::logic_error("the power balance is off by a relative " + std::to_string(balance.relative_error()));
+}
+
+} // namespace
+
+// Which items serve which stage: one running number through the whole sequence. The first shot takes the items 0 ...
+// N_l - 1, one per ray, and the global pass goes on from there, one per line. No item serves twice.
+Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
+{
+    require_absorption(scene);
+    const std::unique_ptr<Sequence> sequence = make_sequence(options.sequence, options.seed, options.pairing);
+    const LineBudget budget = split_lines(options.lines, ratio_for(scene, options));
+    const GlobalLines lines(scene.bounds());
+
+    Solution solution;
+    solution.global_lines = budget.global_lines;
+    solution.global_lines_cast = lines.lines_to_cast(budget.global_lines);
+    std::uint64_t lines_done = 0;
+    const auto lines_in_all = static_cast<double>(budget.local_lines + solution.global_lines_cast);
+    const LineCounter count_lines = [&](std::uint64_t count) {
+        lines_done += count;
+        progress(static_cast<double>(lines_done) / lines_in_all);
+    };
+
+    PowerState state(scene);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, threshold_radiosity(scene), budget.local_lines);
+    for (const Shot& shot : shots)
+        solution.local_lines += shot.rays;
+    shoot(scene, *sequence, 0, shots, options.threads, state, count_lines); // (S1)
+    const GlobalPass pass{solution.local_lines, solution.global_lines_cast, options.bidirectional};
+    cast_global_lines(scene, lines, *sequence, pass, options.threads, state, count_lines); // (M1) (M2)
+
+    solution.balance = power_balance(scene, state);
+    require_balance(solution.balance);
+    solution.radiosity = radiosity(scene, state);
+    return solution;
+}
+
+} // namespace multipath

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "radiosity/line_budget.h"
+#include "radiosity/power_state.h"
+#include "sampling/sequence.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// global: multi-path alone, the sources send with the global lines; first_shot: the sources' light is shot first (S1).
+enum class Method { global, first_shot };
+
+struct SolveOptions
+{
+    Method method = Method::first_shot;
+    std::string sequence = "sobol"; ///< a name that make_sequence knows
+    Pairing pairing = Pairing::four_dimensional;
+    std::uint64_t seed = 1;         ///< of sequences that have one
+    std::uint64_t lines = 1u << 20; ///< N_l + N_g
+    std::optional<double> ratio;    ///< N_l / N_g; empty: (3) with figures measured on the scene
+    bool bidirectional = true;      ///< (M2)
+    int threads = 1;
+};
+
+struct Solution
+{
+    std::vector<Rgb> radiosity; ///< [W/m^2] per patch
+    PowerBalance balance;
+    std::uint64_t local_lines = 0;  ///< N_l
+    std::uint64_t global_lines = 0; ///< N_g, charged by (N1)
+    std::uint64_t global_lines_cast = 0;
+};
+
+/// Told how much of the work is done, 0 ... 1, in increasing order, from the thread that just finished a piece.
+using ProgressCallback = std::function<void(double done)>;
+
+/// The radiosity of every patch. The result is a function of scene, options and seed; not of the threads.
+/// Throws InputError for a scene in which nothing absorbs, std::invalid_argument for an unknown sequence.
+Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress);
+
+} // namespace multipath

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+namespace multipath {
+
+/// Bijective mixing of 64 bits in which every input bit affects every output bit: the finaliser of SplitMix64
+/// (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014; constants by Stafford).
+inline std::uint64_t mix_bits(std::uint64_t x)
+{
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+/// Counter-based generator: number `counter` of the stream `key` is a function of the two, so that any part of a
+/// stream can be had without the rest. The counter walks by the golden ratio as in SplitMix64.
+inline std::uint64_t random_bits(std::uint64_t key, std::uint64_t counter)
+{
+    return mix_bits(key + 0x9e3779b97f4a7c15u * (counter + 1));
+}
+
+/// Uniform in [0, 1): the upper 53 bits, so that every result is exact and less than 1.
+inline double bits_to_unit(std::uint64_t bits)
+{
+    return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+} // namespace multipath

@@ -1,0 +1,53 @@
+#pragma once
+
+namespace multipath {
+
+/// Three independent colour channels of one quantity; the unit is said where it is declared.
+struct Rgb
+{
+    double r = 0.0;
+    double g = 0.0;
+    double b = 0.0;
+
+    Rgb& operator+=(Rgb other)
+    {
+        r += other.r;
+        g += other.g;
+        b += other.b;
+        return *this;
+    }
+};
+
+inline Rgb operator+(Rgb a, Rgb b)
+{
+    return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+inline Rgb operator-(Rgb a, Rgb b)
+{
+    return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
+inline Rgb operator*(Rgb a, Rgb b)
+{
+    return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+inline Rgb operator*(double s, Rgb a)
+{
+    return {s * a.r, s * a.g, s * a.b};
+}
+inline bool operator==(Rgb a, Rgb b)
+{
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+inline bool operator!=(Rgb a, Rgb b)
+{
+    return !(a == b);
+}
+
+/// The one number that stands for the three where the paper needs one. Exact for grey: a mean of equal channels
+/// must give that channel back, which (r + g + b) / 3 does not always do.
+inline double mean(Rgb a)
+{
+    return a.r == a.g && a.g == a.b ? a.r : (a.r + a.g + a.b) / 3.0;
+}
+
+} // namespace multipath

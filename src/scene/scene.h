@@ -1,0 +1,89 @@
+#pragma once
+
+#include "geometry/bounds.h"
+#include "geometry/intersector.h"
+#include "scene/material.h"
+#include "scene/scene_file.h"
+#include "scene/tessellation.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// Where a patch lies and what it does with light.
+struct Patch
+{
+    std::uint32_t surface = 0;
+    Surface shape; ///< the patch itself, as a small surface; for a back side its front is the back of the surface
+};
+
+/// A scene ready for solving: surfaces for intersection, patches for radiosity. Immutable.
+/// Patches are numbered surface by surface; with two sides, all fronts come before all backs.
+class Scene
+{
+public:
+    static constexpr std::uint32_t no_patch = 0xffffffffu;
+
+    /// Cuts every surface into patches no longer than patch_size [scene units].
+    /// Throws InputError for a scene without surfaces or light, or with more patches than fit (2^31).
+    Scene(SceneFile file, double patch_size, bool two_sided = false);
+
+    const std::string& path() const { return file_.path; }
+    const std::vector<Material>& materials() const { return file_.materials; }
+    const std::vector<Surface>& surfaces() const { return file_.surfaces; }
+    const SceneFile& file() const { return file_; }
+    const Intersector& intersector() const { return intersector_; }
+    const Bounds& bounds() const { return bounds_; }
+    bool two_sided() const { return two_sided_; }
+    double patch_size() const { return patch_size_; } ///< [scene units]
+    std::uint64_t hash() const { return hash_; } ///< of geometry, materials and subdivision; stable across machines
+
+    std::uint32_t patch_count() const { return patch_count_; }
+    std::uint32_t surface_of(std::uint32_t patch) const { return surface_of_[cell_of(patch)]; }
+    const Material& material_of(std::uint32_t patch) const
+    {
+        return file_.materials[file_.material[surface_of(patch)]];
+    }
+    Patch patch(std::uint32_t patch) const;
+    double area(std::uint32_t patch) const { return cell_area_[surface_of(patch)]; }      ///< [m^2]
+    Rgb reflectance(std::uint32_t patch) const { return material_of(patch).reflectance; } ///< [1]
+    /// [W/m^2]; only fronts emit
+    Rgb emittance(std::uint32_t patch) const { return is_front(patch) ? material_of(patch).emittance : Rgb{}; }
+
+    /// The patch on one side of a surface at (u, v), or no_patch for the back of a one-sided surface.
+    std::uint32_t patch_at(std::uint32_t surface, double u, double v, bool front) const;
+    const Tessellation& tessellation(std::uint32_t surface) const { return tessellations_[surface]; }
+    std::uint32_t first_patch(std::uint32_t surface) const { return first_cell_[surface]; } ///< first front patch
+
+    double total_area() const { return total_area_; }  ///< [m^2] A_T, of all sides that exist
+    Rgb source_power() const { return source_power_; } ///< [W] Phi_T
+    /// [1] R_ave, area-weighted mean, sources included, as the paper counts
+    Rgb average_reflectance() const { return average_reflectance_; }
+
+private:
+    std::uint32_t cell_of(std::uint32_t patch) const { return patch < cell_count_ ? patch : patch - cell_count_; }
+    bool is_front(std::uint32_t patch) const { return patch < cell_count_; }
+
+    SceneFile file_;
+    bool two_sided_ = false;
+    double patch_size_ = 0.0;
+    Intersector intersector_;
+    Bounds bounds_;
+    std::vector<Tessellation> tessellations_; ///< per surface
+    std::vector<std::uint32_t> first_cell_;   ///< per surface
+    std::vector<double> cell_area_;           ///< per surface [m^2]
+    std::vector<std::uint32_t> surface_of_;   ///< per cell
+    std::uint32_t cell_count_ = 0;
+    std::uint32_t patch_count_ = 0;
+    std::uint64_t hash_ = 0;
+    double total_area_ = 0.0;
+    Rgb source_power_;
+    Rgb average_reflectance_;
+};
+
+/// A patch size that gives a few thousand patches: the largest round number not above sqrt(A_T / 2500).
+double default_patch_size(const std::vector<Surface>& surfaces);
+
+} // namespace multipath

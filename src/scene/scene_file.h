@@ -1,0 +1,29 @@
+#pragma once
+
+#include "geometry/surface.h"
+#include "scene/material.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// What an OBJ file and its materials say, before subdivision: the output of the reader, the input of a Scene.
+struct SceneFile
+{
+    std::string path;
+    std::vector<Material> materials;
+    std::vector<std::string> groups; ///< names of `o` and `g` statements, in order of appearance; at least one ("")
+
+    /// One entry per surface in all of these.
+    std::vector<Surface> surfaces;
+    std::vector<std::uint32_t> material; ///< index into materials
+    std::vector<std::uint32_t> group;    ///< index into groups
+    std::vector<std::uint32_t> line;     ///< line of the face in the file; two surfaces of one polygon share it
+
+    std::vector<std::string> warnings; ///< one plain line each, with file:line
+    std::string counts; ///< "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
+};
+
+} // namespace multipath

@@ -1,0 +1,82 @@
+#include "scene/tessellation.h"
+
+#include "scene/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+constexpr double cell_limit = 2147483648.0; // 2^31: patch numbers are 32 bits wide
+
+/// Edges that are a multiple of the patch size but for rounding in the file must not get one cell more.
+double cells_along(double edge, double patch_size)
+{
+    return std::max(1.0, std::ceil(edge / patch_size - 1e-6));
+}
+
+std::uint32_t cell_index(double x, std::uint32_t cells)
+{
+    const double place = x * cells;
+    return place <= 0.0 ? 0 : std::min(static_cast<std::uint32_t>(place), cells - 1);
+}
+
+/// Number of triangle cells in the columns before this one: column i of n holds 2 (n - i) - 1.
+std::uint64_t cells_before_column(std::uint64_t i, std::uint64_t n)
+{
+    return i * (2 * n - i);
+}
+
+} // namespace
+
+std::uint32_t Tessellation::cell_at(double u, double v) const
+{
+    const std::uint32_t i = cell_index(u, cells_u);
+    if (shape == Shape::parallelogram)
+        return i * cells_v + cell_index(v, cells_v);
+
+    const std::uint32_t last = cells_u - 1 - i; // the column's last cell has no upper half
+    const std::uint32_t j = std::min(cell_index(v, cells_u), last);
+    const bool upper = j < last && u * cells_u - i + (v * cells_u - j) > 1.0;
+    return static_cast<std::uint32_t>(cells_before_column(i, cells_u)) + 2 * j + (upper ? 1 : 0);
+}
+
+Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
+{
+    const double n_u = cells_u;
+    const double n_v = cells_v;
+    if (shape == Shape::parallelogram) {
+        const double i = cell / cells_v;
+        const double j = cell % cells_v;
+        return {shape, surface.at(i / n_u, j / n_v), (1.0 / n_u) * surface.edge_u, (1.0 / n_v) * surface.edge_v};
+    }
+    auto column = static_cast<std::uint32_t>(n_u - std::sqrt(n_u * n_u - cell));
+    while (column > 0 && cells_before_column(column, cells_u) > cell)
+        --column;
+    while (column + 1 < cells_u && cells_before_column(column + 1, cells_u) <= cell)
+        ++column;
+    const auto place = static_cast<std::uint32_t>(cell - cells_before_column(column, cells_u));
+    const double i = column;
+    const double j = place / 2;
+    if (place % 2 == 0)
+        return {shape, surface.at(i / n_u, j / n_u), (1.0 / n_u) * surface.edge_u, (1.0 / n_u) * surface.edge_v};
+    return {shape, surface.at((i + 1) / n_u, (j + 1) / n_u), (-1.0 / n_u) * surface.edge_u,
+            (-1.0 / n_u) * surface.edge_v};
+}
+
+Tessellation tessellate(const Surface& surface, double patch_size)
+{
+    double cells_u = cells_along(length(surface.edge_u), patch_size);
+    double cells_v = cells_along(length(surface.edge_v), patch_size);
+    if (surface.shape == Shape::triangle) {
+        const double third_edge = cells_along(length(surface.edge_u - surface.edge_v), patch_size);
+        cells_u = cells_v = std::max({cells_u, cells_v, third_edge});
+    }
+    if (!(cells_u * cells_v < cell_limit))
+        throw InputError("the patch size is too small: one surface alone would have 2^31 patches or more");
+    return {surface.shape, static_cast<std::uint32_t>(cells_u), static_cast<std::uint32_t>(cells_v)};
+}
+
+} // namespace multipath

@@ -1,0 +1,25 @@
+#include "cli/json.h"
+
+#include <doctest/doctest.h>
+#include <limits>
+
+using namespace multipath;
+
+TEST_CASE("a JSON document escapes text, keeps numbers exact and says null for what is not a number")
+{
+    JsonObject inner;
+    inner.count("n", 18446744073709551615ull);
+    JsonObject json;
+    json.text("name", "a \"b\" \\ \n\t");
+    json.number("third", 1.0 / 3.0);
+    json.number("tenth", 0.1);
+    json.number("nothing", std::numeric_limits<double>::quiet_NaN());
+    json.boolean("yes", true);
+    json.null("none");
+    json.numbers("list", {1, 2.5});
+    json.objects("objects", {inner});
+    CHECK(json.document() ==
+          "{\n  \"name\": \"a \\\"b\\\" \\\\ \\u000a\\u0009\",\n"
+          "  \"third\": 0.3333333333333333,\n  \"tenth\": 0.1,\n  \"nothing\": null,\n  \"yes\": true,\n"
+          "  \"none\": null,\n  \"list\": [1, 2.5],\n  \"objects\": [\n    {\"n\": 18446744073709551615}]\n}\n");
+}

@@ -1,0 +1,189 @@
+#include "geometry/intersector.h"
+
+#include "sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+namespace {
+
+/// A stream of random numbers for building test cases.
+class Numbers
+{
+public:
+    explicit Numbers(std::uint64_t key) : key_(key) {}
+    double unit() { return bits_to_unit(random_bits(key_, counter_++)); }
+    double within(double low, double high) { return low + (high - low) * unit(); }
+    Vec3 point(double low, double high) { return {within(low, high), within(low, high), within(low, high)}; }
+
+private:
+    std::uint64_t key_;
+    std::uint64_t counter_ = 0;
+};
+
+/// Unlike surfaces of both shapes, scattered through the unit cube.
+std::vector<Surface> scattered_surfaces(std::size_t count, double size, std::uint64_t key)
+{
+    Numbers numbers(key);
+    std::vector<Surface> surfaces;
+    while (surfaces.size() < count) {
+        const Shape shape = numbers.unit() < 0.5 ? Shape::triangle : Shape::parallelogram;
+        const Surface surface = {shape, numbers.point(0, 1), numbers.point(-size, size), numbers.point(-size, size)};
+        if (surface.area() > 0.01 * size * size)
+            surfaces.push_back(surface);
+    }
+    return surfaces;
+}
+
+/// Brute force by another formula (Cramer's rule on o + t d = p + u a + v b), in long double.
+std::vector<Hit> hits_by_cramer(const std::vector<Surface>& surfaces, const Line& line)
+{
+    using Real = long double;
+    struct Wide
+    {
+        Real x, y, z;
+    };
+    const auto wide = [](Vec3 v) { return Wide{v.x, v.y, v.z}; };
+    const auto determinant = [](Wide a, Wide b, Wide c) {
+        return a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
+    };
+    std::vector<Hit> hits;
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+        const Wide a = wide(surfaces[s].edge_u);
+        const Wide b = wide(surfaces[s].edge_v);
+        const Wide d = wide(-line.direction);
+        const Wide r = {Real(line.origin.x) - surfaces[s].origin.x, Real(line.origin.y) - surfaces[s].origin.y,
+                        Real(line.origin.z) - surfaces[s].origin.z};
+        const Real whole = determinant(a, b, d);
+        const Real u = determinant(r, b, d) / whole;
+        const Real v = determinant(a, r, d) / whole;
+        const Real t = determinant(a, b, r) / whole;
+        const bool inside = u >= 0 && v >= 0 && (surfaces[s].shape == Shape::triangle ? u + v <= 1 : u <= 1 && v <= 1);
+        if (inside && t >= 0 && t <= line.t_max)
+            hits.push_back({double(t), s, double(u), double(v), whole > 0});
+    }
+    std::sort(hits.begin(), hits.end(), [](const Hit& x, const Hit& y) { return x.t < y.t; });
+    return hits;
+}
+
+} // namespace
+
+// 20 surfaces are all tested, 400 found through the hierarchy.
+TEST_CASE("all hits and the closest hit are those of brute force")
+{
+    for (const std::size_t count : {1u, 20u, 400u}) {
+        const std::vector<Surface> surfaces = scattered_surfaces(count, count > 100 ? 0.2 : 0.5, count);
+        const Intersector intersector(surfaces);
+        Numbers numbers(7);
+        std::vector<Hit> hits;
+        for (int n = 0; n < 20000; ++n) {
+            const Line line = chord(numbers.point(-0.5, 1.5), numbers.point(-0.5, 1.5));
+            const std::vector<Hit> expected = hits_by_cramer(surfaces, line);
+            intersector.all_hits(line, hits);
+            REQUIRE(hits.size() == expected.size());
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                REQUIRE(hits[i].surface == expected[i].surface);
+                REQUIRE(hits[i].front == expected[i].front);
+                REQUIRE(hits[i].t == doctest::Approx(expected[i].t).epsilon(1e-9));
+                REQUIRE(std::abs(hits[i].u - expected[i].u) < 1e-9); // oblique lines lose some digits
+                REQUIRE(std::abs(hits[i].v - expected[i].v) < 1e-9);
+            }
+            const std::optional<Hit> closest = intersector.closest_hit(line);
+            REQUIRE(closest.has_value() == !expected.empty());
+            if (closest)
+                REQUIRE(closest->surface == expected[0].surface);
+        }
+    }
+}
+
+// A line from outside to outside goes into a convex solid as often as it comes out, and never twice in a row.
+TEST_CASE("closed solids are entered and left in turn")
+{
+    std::vector<Surface> surfaces;
+    Numbers numbers(3);
+    for (int box = 0; box < 170; ++box) {
+        const Vec3 low = numbers.point(0, 1);
+        const Vec3 d = {0.1, 0.2, 0.15};
+        const Vec3 x = {d.x, 0, 0};
+        const Vec3 y = {0, d.y, 0};
+        const Vec3 z = {0, 0, d.z};
+        for (const Surface& face : {Surface{Shape::parallelogram, low, x, z},
+                                    {Shape::parallelogram, low + y, z, x},
+                                    {Shape::parallelogram, low, z, y},
+                                    {Shape::parallelogram, low + x, y, z},
+                                    {Shape::parallelogram, low, y, x},
+                                    {Shape::parallelogram, low + z, x, y}})
+            surfaces.push_back(face);
+    }
+    const Intersector intersector(surfaces);
+    std::vector<Hit> hits;
+    std::size_t met = 0;
+    for (int n = 0; n < 20000; ++n) { // from below all boxes to above all of them
+        intersector.all_hits(chord({numbers.within(-1, 2), -1, numbers.within(-1, 2)},
+                                   {numbers.within(-1, 2), 3, numbers.within(-1, 2)}),
+                             hits);
+        met += hits.size();
+        std::vector<int> inside(170, 0);
+        for (const Hit& hit : hits) {
+            inside[hit.surface / 6] += hit.front ? 1 : -1;
+            REQUIRE((inside[hit.surface / 6] == 0 || inside[hit.surface / 6] == 1));
+        }
+        REQUIRE(std::count(inside.begin(), inside.end(), 0) == 170);
+    }
+    CHECK(met > 20000);
+}
+
+TEST_CASE("coplanar surfaces are met at exactly the same t, whichever way they face")
+{
+    // Two faces of a sheet and a neighbour in its plane, turned in space; the second lists its corners from elsewhere,
+    // so that its plane comes out of other roundings.
+    const Vec3 a = normalized({1, 2, 3});
+    const Vec3 b = normalized(cross(a, {0.3, -1, 0.2}));
+    const Vec3 corner = {0.1, 0.7, 0.3};
+    const std::vector<Surface> surfaces = {{Shape::parallelogram, corner, a, b},
+                                           {Shape::parallelogram, corner + a + b, -b, -a},
+                                           {Shape::triangle, corner + 0.3 * a, 0.5 * b, -0.9 * a},
+                                           {Shape::parallelogram, corner + Vec3{0, 1, 0}, a, b}};
+    const SharedPlanes planes = share_planes(surfaces);
+    CHECK(planes.plane_number == std::vector<std::uint32_t>{0, 0, 0, 1});
+    CHECK(planes.has_two_sides[0]);
+    CHECK(!planes.has_two_sides[1]);
+    const Intersector intersector(surfaces);
+    Numbers numbers(5);
+    std::vector<Hit> hits;
+    int met_both = 0;
+    for (int n = 0; n < 5000; ++n) {
+        intersector.all_hits(chord(numbers.point(-1, 2), numbers.point(-1, 2)), hits);
+        for (std::size_t i = 1; i < hits.size(); ++i)
+            if (hits[i - 1].surface == 0 && hits[i].surface == 1) {
+                ++met_both;
+                REQUIRE(hits[i - 1].t == hits[i].t);
+                REQUIRE(hits[i - 1].front != hits[i].front);
+            }
+    }
+    CHECK(met_both > 300);
+}
+
+TEST_CASE("planes further apart than rounding stay apart")
+{
+    const Surface floor = {Shape::parallelogram, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+    Surface carpet = floor;
+    carpet.origin.y = 1e-3;
+    Surface dust = floor;
+    dust.origin.y = 1e-9;
+    CHECK(share_planes({floor, carpet, dust}).plane_number == std::vector<std::uint32_t>{0, 1, 0});
+}
+
+TEST_CASE("lines in the plane of a surface, and lines of no length, meet nothing")
+{
+    const Intersector intersector({{Shape::parallelogram, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}}});
+    std::vector<Hit> hits;
+    intersector.all_hits(chord({-1, 0, 0.5}, {2, 0, 0.5}), hits);
+    CHECK(hits.empty());
+    intersector.all_hits(chord({0.5, 0, 0.5}, {0.5, 0, 0.5}), hits);
+    CHECK(hits.empty());
+    CHECK(!intersector.closest_hit({{0.5, 1, 0.5}, {0, 1, 0}}));
+}

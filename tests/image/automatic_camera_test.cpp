@@ -1,0 +1,89 @@
+#include "image/automatic_camera.h"
+
+#include "image/view_quality.h"
+#include "scene/input_error.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+namespace {
+
+constexpr double aspect = 4.0 / 3.0;
+
+/// A long furnished room with a lamp, no two of its sides alike.
+SceneBuilder furnished_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.room({0, 0, 0}, {7, 3, 5}, paint);
+    builder.box({1.0, 0.0, 1.0}, {2.5, 0.9, 2.0}, paint).box({4.5, 0.0, 3.0}, {5.0, 1.6, 3.4}, paint);
+    return builder.rectangle({3.0, 2.9, 2.2}, {1.0, 0, 0}, {0, 0, 0.6}, builder.grey(0.0, 10.0));
+}
+
+/// The same surfaces, each point p becoming a + scale * turned(p), where turning takes y to z and z to -y.
+Scene moved(const SceneBuilder& builder, double scale, Vec3 offset, bool turned)
+{
+    const auto turn = [&](Vec3 a) { return scale * (turned ? Vec3{a.x, -a.z, a.y} : a); };
+    SceneFile file = builder.file();
+    for (Surface& surface : file.surfaces)
+        surface = {surface.shape, offset + turn(surface.origin), turn(surface.edge_u), turn(surface.edge_v)};
+    return Scene(file, scale);
+}
+
+} // namespace
+
+TEST_CASE("the camera of a closed room stands in it, looks down a little, and sees nothing from behind")
+{
+    const Scene scene = furnished_room().scene(1.0);
+    const Camera camera = automatic_camera(scene, aspect);
+    const ViewQuality quality = view_quality(scene, camera, aspect, 30);
+    CHECK(quality.escaped_share == 0.0);
+    CHECK(quality.back_share == 0.0);
+    CHECK(camera.eye.y > camera.target.y);
+    CHECK(camera.field_of_view >= 50.0);
+    CHECK(camera.field_of_view <= 75.0);
+}
+
+TEST_CASE("an open box is seen through its open side")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, paint); // floor
+    builder.rectangle({0, 2, 0}, {2, 0, 0}, {0, 0, 2}, paint); // ceiling
+    builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, paint); // back
+    builder.rectangle({0, 0, 0}, {0, 2, 0}, {0, 0, 2}, paint); // left
+    builder.rectangle({2, 0, 0}, {0, 0, 2}, {0, 2, 0}, paint); // right
+    const Camera camera = automatic_camera(builder.scene(1.0), aspect);
+    CHECK(camera.eye.z > 2.0);
+    CHECK(camera.eye.x == doctest::Approx(1.0));
+}
+
+TEST_CASE("the camera moves with the scene, in any unit, anywhere, and with any axis up")
+{
+    const Camera plain = automatic_camera(furnished_room().scene(1.0), aspect);
+    for (const double scale : {1e-3, 1.0, 1e4}) {
+        const Vec3 offset = scale * Vec3{-31.0, 17.0, 5.0};
+        const Camera away = automatic_camera(moved(furnished_room(), scale, offset, false), aspect);
+        CHECK(length(away.eye - (offset + scale * plain.eye)) < 1e-9 * scale); // rounding of coordinates near 30
+        CHECK(length(away.target - (offset + scale * plain.target)) < 1e-9 * scale);
+
+        const Camera turned = automatic_camera(moved(furnished_room(), scale, offset, true), aspect, {0, 0, 1});
+        CHECK(view_quality(moved(furnished_room(), scale, offset, true), turned, aspect, 18).score ==
+              doctest::Approx(view_quality(furnished_room().scene(1.0), plain, aspect, 18).score).epsilon(0.02));
+    }
+}
+
+TEST_CASE("a scene that is one flat piece is seen from its front")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.5, 1.0)); // looks along z
+    CHECK(automatic_camera(builder.scene(1.0), aspect).eye.z > 0.0);
+}
+
+TEST_CASE("a direction up that is none is refused")
+{
+    const Scene scene = furnished_room().scene(1.0);
+    CHECK_THROWS_AS(automatic_camera(scene, aspect, {0, 0, 0}), InputError);
+}

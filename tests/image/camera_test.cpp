@@ -1,0 +1,69 @@
+#include "image/camera.h"
+
+#include "scene/input_error.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace multipath;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double rounding = 1e-14; // a handful of operations on numbers near one
+
+const Camera oblique = {{1.0, 2.0, 3.0}, {4.0, 1.0, -2.0}, {0.0, 1.0, 0.0}, 50.0};
+
+double angle_in_degrees(Vec3 a, Vec3 b)
+{
+    return std::atan2(length(cross(a, b)), dot(a, b)) * 180.0 / pi;
+}
+
+} // namespace
+
+TEST_CASE("the middle of the picture looks at the target")
+{
+    const Line ray = PixelRays(oblique, 640, 480).through(320.0, 240.0);
+    CHECK(ray.origin == oblique.eye);
+    CHECK(length(ray.direction - normalized(oblique.target - oblique.eye)) < rounding);
+}
+
+TEST_CASE("the vertical field of view is the angle between the middles of the upper and lower border")
+{
+    const PixelRays rays(oblique, 640, 480);
+    CHECK(angle_in_degrees(rays.through(320.0, 0.0).direction, rays.through(320.0, 480.0).direction) ==
+          doctest::Approx(50.0).epsilon(1e-12));
+}
+
+// Pixels are square, so the tangents of half the angles are as width to height.
+TEST_CASE("the horizontal field of view follows from the picture's shape")
+{
+    const PixelRays rays(oblique, 640, 480);
+    const double horizontal =
+        angle_in_degrees(rays.through(0.0, 240.0).direction, rays.through(640.0, 240.0).direction);
+    CHECK(std::tan(horizontal * pi / 360.0) ==
+          doctest::Approx(640.0 / 480.0 * std::tan(25.0 * pi / 180.0)).epsilon(1e-12));
+}
+
+TEST_CASE("right is right and up is up")
+{
+    const PixelRays rays({{0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 90.0}, 100, 100);
+    CHECK(length(rays.through(100.0, 50.0).direction - normalized({1.0, 0.0, -1.0})) < rounding);
+    CHECK(length(rays.through(50.0, 0.0).direction - normalized({0.0, 1.0, -1.0})) < rounding);
+}
+
+TEST_CASE("a camera that has no picture is refused")
+{
+    const Vec3 eye = {1.0, 2.0, 3.0};
+    const Vec3 target = {1.0, 5.0, 3.0};
+    const Vec3 up = {0.0, 1.0, 0.0};
+    CHECK_THROWS_AS(PixelRays({eye, eye, up, 60.0}, 10, 10), InputError);
+    CHECK_THROWS_AS(PixelRays({eye, target, up, 60.0}, 10, 10), InputError);
+    CHECK_THROWS_AS(PixelRays({eye, target, {0.0, 0.0, 0.0}, 60.0}, 10, 10), InputError);
+    CHECK_THROWS_AS(PixelRays({eye, target, {0.0, 0.0, std::nan("")}, 60.0}, 10, 10), InputError);
+    for (const double angle : {0.0, -10.0, 180.0, std::nan("")})
+        CHECK_THROWS_AS(PixelRays({eye, {0.0, 0.0, 0.0}, up, angle}, 10, 10), InputError);
+    CHECK_THROWS_AS(PixelRays(oblique, 0, 10), InputError);
+    CHECK_THROWS_AS(PixelRays(oblique, 10, 100000), InputError);
+}

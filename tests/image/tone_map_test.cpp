@@ -1,0 +1,132 @@
+#include "image/tone_map.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace multipath;
+
+namespace {
+
+const ToneOperator operators[] = {ToneOperator::linear, ToneOperator::reinhard, ToneOperator::aces,
+                                  ToneOperator::percentile};
+
+Image grey_image(const std::vector<double>& values)
+{
+    Image image{static_cast<int>(values.size()), 1, {}};
+    for (const double value : values)
+        image.pixels.push_back({value, value, value});
+    return image;
+}
+
+/// A thousand luminances from 0.2 to 2: walls in all shades.
+std::vector<double> room()
+{
+    std::vector<double> values;
+    for (int i = 0; i < 1000; ++i)
+        values.push_back(0.2 * std::pow(10.0, i / 999.0));
+    return values;
+}
+
+/// Linear light for a byte of sRGB: the inverse of the transfer function, as IEC 61966-2-1 gives it.
+double decoded(double byte)
+{
+    const double x = byte / 255.0;
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+double mean_byte(const ScreenImage& image)
+{
+    return std::accumulate(image.bytes.begin(), image.bytes.end(), 0.0) / static_cast<double>(image.bytes.size());
+}
+
+} // namespace
+
+// Values published with the standard and in colour science handbooks, to the digits that are printed there.
+TEST_CASE("the sRGB transfer function has its published values")
+{
+    CHECK(srgb_encoded(0.0) == 0.0);
+    CHECK(srgb_encoded(1.0) == 1.0);
+    CHECK(srgb_encoded(0.0031308) == doctest::Approx(0.04045).epsilon(1e-4)); // the joint of line and power
+    CHECK(srgb_encoded(0.18) == doctest::Approx(0.4614).epsilon(1e-4));       // a grey card is byte 118
+    CHECK(srgb_encoded(0.5) == doctest::Approx(0.7354).epsilon(1e-4));        // half the light is byte 188
+    for (int byte = 0; byte < 256; ++byte)
+        CHECK(255.0 * srgb_encoded(decoded(byte)) == doctest::Approx(byte).epsilon(1e-4)); // rounded constants
+}
+
+TEST_CASE("what is not a light becomes black, what is too bright becomes white")
+{
+    const ScreenImage image =
+        tone_map(grey_image({-1.0, 0.0, std::nan(""), 1e300, INFINITY}), {ToneOperator::linear, 0.0, 1.0});
+    CHECK(image.bytes == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255});
+}
+
+TEST_CASE("brighter stays brighter, and the white point is where white begins")
+{
+    for (const ToneOperator tone : operators) {
+        CHECK(tone_map(grey_image({white_point(tone)}), {tone, 0.0, 1.0}).bytes[0] == 255);
+        const ScreenImage image = tone_map(grey_image(room()), {tone, 0.0, 0.5 * white_point(tone)});
+        for (std::size_t i = 3; i < image.bytes.size(); ++i)
+            CHECK(image.bytes[i] + 1 >= image.bytes[i - 3]); // dither is less than one step
+    }
+}
+
+// The mean of many dithered pixels must be the value between two bytes that no single pixel can show.
+TEST_CASE("dither keeps shades between two bytes")
+{
+    const double between = decoded(100.3);
+    const ScreenImage image =
+        tone_map(grey_image(std::vector<double>(10000, between)), {ToneOperator::linear, 0.0, 1.0});
+    CHECK(*std::min_element(image.bytes.begin(), image.bytes.end()) == 100);
+    CHECK(*std::max_element(image.bytes.begin(), image.bytes.end()) == 101);
+    CHECK(mean_byte(image) == doctest::Approx(100.3).epsilon(0.0003)); // 5 standard errors of a coin with p = 0.3
+}
+
+TEST_CASE("the scene's unit of light does not matter")
+{
+    for (const ToneOperator tone : operators) {
+        std::vector<double> dim = room();
+        for (double& value : dim)
+            value *= 0x1p-30; // a power of two keeps every rounding
+        const double scale = automatic_scale(grey_image(room()), tone);
+        CHECK(automatic_scale(grey_image(dim), tone) == doctest::Approx(scale * 0x1p30).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("an even room is shown in a middle grey")
+{
+    for (const ToneOperator tone : {ToneOperator::linear, ToneOperator::reinhard, ToneOperator::aces}) {
+        const double shown = decoded(mean_byte(tone_map(grey_image(std::vector<double>(1000, 3.7)), {tone})));
+        CHECK(shown > 0.18);
+        CHECK(shown < 0.25);
+    }
+}
+
+TEST_CASE("lamps and black corners do not decide the exposure")
+{
+    for (const ToneOperator tone : operators) {
+        std::vector<double> values = room();
+        const double scale = automatic_scale(grey_image(values), tone);
+        values.insert(values.end(), 50, 1e6);  // a lamp of 5 %
+        values.insert(values.end(), 500, 0.0); // the dark around an open box
+        // The middle half moves by 2.5 % of the ranks, which are a decade wide: 6 %.
+        CHECK(automatic_scale(grey_image(values), tone) == doctest::Approx(scale).epsilon(0.07));
+        const ScreenImage image = tone_map(grey_image(values), {tone});
+        CHECK(image.bytes[3 * 1020] == 255);
+    }
+}
+
+TEST_CASE("one stop is a factor of two")
+{
+    const Image image = grey_image(room());
+    const ScreenImage by_stop = tone_map(image, {ToneOperator::reinhard, 1.0, 0.25});
+    CHECK(by_stop.bytes == tone_map(image, {ToneOperator::reinhard, 0.0, 0.5}).bytes);
+}
+
+TEST_CASE("a black image stays black")
+{
+    for (const ToneOperator tone : operators)
+        CHECK(mean_byte(tone_map(grey_image({0.0, 0.0}), {tone})) == 0.0);
+}

@@ -1,0 +1,93 @@
+#include "scene/mtl_reader.h"
+
+#include "input_problem.h"
+#include "scratch_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace multipath;
+
+namespace {
+
+MaterialLibrary read(const std::string& text, EmissionFrom from = EmissionFrom::ke)
+{
+    const ScratchFolder folder;
+    MaterialLibrary library;
+    read_mtl(folder.write("a.mtl", text), from, library);
+    return library;
+}
+
+std::string problem(const std::string& text, EmissionFrom from = EmissionFrom::ke)
+{
+    return problem_of([&] { read(text, from); });
+}
+
+} // namespace
+
+TEST_CASE("colours are three numbers, or one for grey")
+{
+    const MaterialLibrary library = read("newmtl old wood  \t\r\n\tKd 0.1 .2 3e-1 # brown\r\nKe 4\nnewmtl b\nKd 1\n");
+    REQUIRE(library.materials.size() == 2);
+    CHECK(library.materials[0].material.name == "old wood");
+    CHECK(library.materials[0].material.reflectance == Rgb{0.1, 0.2, 0.3});
+    CHECK(library.materials[0].material.emittance == Rgb{4, 4, 4});
+    CHECK(library.materials[1].material.reflectance == Rgb{1, 1, 1});
+    CHECK(library.materials[1].material.emittance == Rgb{});
+    CHECK(library.warnings.empty());
+}
+
+TEST_CASE("values that no material can have are refused with the name of the material")
+{
+    CHECK(contains(problem("newmtl red\nKd 1.01 0 0\n"), "a.mtl:2: Kd of material `red` is above 1"));
+    CHECK(contains(problem("newmtl red\nKd 0 0 -0.1\n"), "a.mtl:2: Kd of material `red` is negative"));
+    CHECK(contains(problem("newmtl red\nKe 0 -1 0\n"), "a.mtl:2: Ke of material `red` is negative"));
+    CHECK(contains(problem("newmtl red\nKe inf\n"), "a.mtl:2: Ke of material `red`: `inf` is not a finite number"));
+    CHECK(contains(problem("newmtl red\nKd nan 0 0\n"), "a.mtl:2: Kd of material `red`: `nan`"));
+    CHECK(contains(problem("newmtl red\nKe 1e300\n"), "a.mtl:2: Ke of material `red` is above 1e30"));
+    CHECK(contains(problem("newmtl red\nKa -1\n", EmissionFrom::ka), "a.mtl:2: Ka of material `red` is negative"));
+}
+
+TEST_CASE("colours in other notations are refused")
+{
+    CHECK(contains(problem("newmtl a\nKd spectral red.rfl\n"), "a.mtl:2: Kd of material `a` is given as `spectral`"));
+    CHECK(contains(problem("newmtl a\nKe xyz 1 1 1\n"), "Ke of material `a` is given as `xyz`"));
+    CHECK(contains(problem("newmtl a\nKd 0.5 0.5\n"), "has 2 numbers, expected one or three"));
+    CHECK(contains(problem("newmtl a\nKd\n"), "has 0 numbers"));
+    CHECK(contains(problem("newmtl a\nKd 1 1 1 1\n"), "more than three numbers"));
+    CHECK(contains(problem("Kd 1 1 1\n"), "a.mtl:1: Kd before the first `newmtl`"));
+}
+
+TEST_CASE("of two values or definitions the last counts, and a warning names both lines")
+{
+    const MaterialLibrary values = read("newmtl a\nKd 0.5\nKd 0.25\n");
+    CHECK(values.materials[0].material.reflectance == Rgb{0.25, 0.25, 0.25});
+    REQUIRE(values.warnings.size() == 1);
+    CHECK(contains(values.warnings[0], "a.mtl:3: Kd of material `a` is given again (first in line 2)"));
+
+    const MaterialLibrary definitions = read("newmtl a\nKd 0.5\nKe 1\nnewmtl b\nnewmtl a\nKd 0.25\n");
+    REQUIRE(definitions.materials.size() == 2);
+    CHECK(definitions.materials[0].material.reflectance == Rgb{0.25, 0.25, 0.25});
+    CHECK(definitions.materials[0].material.emittance == Rgb{});
+    REQUIRE(definitions.warnings.size() == 1);
+    CHECK(contains(definitions.warnings[0], "a.mtl:5: material `a` is defined again (first at "));
+    CHECK(contains(definitions.warnings[0], "a.mtl:1), the last"));
+}
+
+TEST_CASE("ignored statements are named once")
+{
+    const MaterialLibrary library = read("newmtl a\nKd 0.5\nNs 1\nillum 2\nKs 1 1 1\nnewmtl b\nNs 2\nmap_Kd x.png\n");
+    REQUIRE(library.warnings.size() == 1);
+    CHECK(contains(library.warnings[0], "a.mtl:3: ignored"));
+    CHECK(contains(library.warnings[0], ": `Ns`, `illum`, `Ks`, `map_Kd`"));
+}
+
+TEST_CASE("emission comes from Ke or from Ka, never from both")
+{
+    const std::string text = "newmtl a\nKa 1 2 3\nKe 4 5 6\n";
+    CHECK(read(text).materials[0].material.emittance == Rgb{4, 5, 6});
+    CHECK(read(text).materials[0].ambient == Rgb{1, 2, 3});
+    CHECK(read(text, EmissionFrom::ka).materials[0].material.emittance == Rgb{1, 2, 3});
+    CHECK(read("newmtl a\nKa spectral x.rfl\n").materials[0].ambient == Rgb{});
+}

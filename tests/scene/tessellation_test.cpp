@@ -1,0 +1,120 @@
+#include "scene/tessellation.h"
+
+#include "scene/input_error.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+TEST_CASE("cells along an edge are edge / patch size rounded up, but not for rounding errors")
+{
+    const Surface surface = {Shape::parallelogram, {0, 0, 0}, {1.0, 0, 0}, {0, 0.2000000001, 0}};
+    CHECK(tessellate(surface, 0.1).cells_u == 10);
+    CHECK(tessellate(surface, 0.1).cells_v == 2);
+    CHECK(tessellate(surface, 0.3).cells_u == 4);
+    CHECK(tessellate(surface, 5.0).cell_count() == 1);
+    CHECK(tessellate({Shape::triangle, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0.5).cell_count() ==
+          9); // longest edge: sqrt 2
+    CHECK_THROWS_AS(tessellate(surface, 1e-6), InputError);
+}
+
+// The centre of every cell is in that cell, and the cells tile the surface without turning over.
+TEST_CASE("cell numbers and cells belong together, and the cells' areas add up")
+{
+    const Surface parallelogram = {Shape::parallelogram, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
+    const Surface triangle = {Shape::triangle, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
+    for (const Surface& surface : {parallelogram, triangle})
+        for (const double size : {3.0, 0.5, 0.11, 0.03}) {
+            const Tessellation tessellation = tessellate(surface, size);
+            double area = 0.0;
+            for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+                const Surface piece = tessellation.cell(surface, cell);
+                area += piece.area();
+                REQUIRE(dot(piece.normal(), surface.normal()) > 0.999);
+                // (u, v) of the centre by solving centre - origin = u edge_u + v edge_v in the plane
+                const Vec3 r = piece.centre() - surface.origin;
+                const Vec3 n = cross(surface.edge_u, surface.edge_v);
+                const double u = dot(cross(r, surface.edge_v), n) / dot(n, n);
+                const double v = dot(cross(surface.edge_u, r), n) / dot(n, n);
+                REQUIRE(tessellation.cell_at(u, v) == cell);
+            }
+            CHECK(area == doctest::Approx(surface.area()).epsilon(1e-12));
+        }
+}
+
+TEST_CASE("points on or just beyond the border fall into cells at the border")
+{
+    const Tessellation grid{Shape::parallelogram, 3, 4};
+    CHECK(grid.cell_at(-1e-17, 0.0) == 0);
+    CHECK(grid.cell_at(1.0, 1.0 + 1e-16) == 11);
+    const Tessellation triangles{Shape::triangle, 3, 3};
+    for (const double u : {0.0, 1.0 / 3, 0.5, 2.0 / 3, 0.9, 1.0})
+        for (const double beyond : {0.0, 1e-16, 1e-15})
+            CHECK(triangles.cell_at(u, 1.0 - u + beyond) < 9);
+    CHECK(triangles.cell_at(1.0, 0.0) == 8);
+    CHECK(triangles.cell_at(0.0, 1.0) == 4);
+}
+
+TEST_CASE("a scene's patches cover its surfaces on the sides that exist")
+{
+    SceneBuilder builder;
+    const std::uint32_t lamp = builder.material({0.5, 0.4, 0.3}, {3, 2, 1});
+    const std::uint32_t wall = builder.grey(0.8, 0.0);
+    builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 0, 1}, lamp).triangle({0, 1, 0}, {2, 1, 0}, {0, 1, 3}, wall);
+    for (const bool two_sided : {false, true}) {
+        const Scene scene = builder.scene(0.4, two_sided);
+        double area = 0.0;
+        Rgb power;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            area += scene.area(i);
+            power += scene.area(i) * scene.emittance(i);
+            CHECK(scene.patch(i).shape.area() == doctest::Approx(scene.area(i)));
+        }
+        CHECK(area == doctest::Approx(two_sided ? 10.0 : 5.0).epsilon(1e-12));
+        CHECK(area == doctest::Approx(scene.total_area()).epsilon(1e-12));
+        CHECK(power.r == doctest::Approx(6.0).epsilon(1e-12)); // fronts alone emit
+        CHECK(scene.source_power().g == doctest::Approx(4.0));
+        CHECK(scene.average_reflectance().r == doctest::Approx((2 * 0.5 + 3 * 0.8) / 5));
+        CHECK((scene.patch_at(0, 0.5, 0.5, false) == Scene::no_patch) == !two_sided);
+    }
+    const Scene scene = builder.scene(0.4, true);
+    const std::uint32_t front = scene.patch_at(1, 0.3, 0.2, true);
+    const std::uint32_t back = scene.patch_at(1, 0.3, 0.2, false);
+    CHECK(dot(scene.patch(front).shape.normal(), scene.patch(back).shape.normal()) == doctest::Approx(-1.0));
+    CHECK(length(scene.patch(front).shape.centre() - scene.patch(back).shape.centre()) < 1e-15);
+}
+
+TEST_CASE("a scene without light or surfaces is refused")
+{
+    SceneBuilder dark;
+    const std::uint32_t wall = dark.grey(0.5, 0.0);
+    CHECK_THROWS_AS(dark.scene(1.0), InputError);
+    dark.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, wall);
+    CHECK_THROWS_AS(dark.scene(1.0), InputError);
+}
+
+TEST_CASE("the default patch size is a round number that gives some thousand patches")
+{
+    for (const double edge : {1e-3, 0.5, 1.0, 3.0, 6.4, 700.0}) {
+        SceneBuilder builder;
+        const SceneFile file = builder.room({0, 0, 0}, {edge, edge, edge}, builder.grey(0.5, 1.0)).file();
+        const std::uint32_t patches = Scene(file, default_patch_size(file.surfaces)).patch_count();
+        CHECK(patches >= 2000);
+        CHECK(patches <= 5500);
+    }
+}
+
+TEST_CASE("the scene's hash tells what changes the result from what does not")
+{
+    const auto hash = [](double y, double reflectance, double size, const char* name) {
+        SceneBuilder builder;
+        SceneFile file = builder.rectangle({0, y, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(reflectance, 1.0)).file();
+        file.materials[0].name = name;
+        return Scene(file, size).hash();
+    };
+    CHECK(hash(0.0, 0.5, 1.0, "a") == hash(-0.0, 0.5, 1.0, "b"));
+    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(1e-9, 0.5, 1.0, "a"));
+    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.6, 1.0, "a"));
+    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.5, 0.5, "a"));
+}
