@@ -23,7 +23,7 @@ OptionGroup picture_option_group()
 {
     return {"Picture",
             {{"size", 0, "WxH", "800x600", "Width and height in pixels."},
-             {"samples", 0, "N", "16", "Rays per pixel against jagged edges, rounded up to a square number."},
+             {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
              {"shading",
               0,
               "HOW",
@@ -39,7 +39,7 @@ OptionGroup picture_option_group()
              {"tone-map",
               0,
               "HOW",
-              "aces",
+              "reinhard",
               "How radiosity becomes screen brightness.",
               false,
               {"linear", "reinhard", "aces", "percentile"}}}};

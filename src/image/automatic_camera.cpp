@@ -1,5 +1,6 @@
-// Many places where a photographer might stand are tried: along the walls and in the corners at several heights, and
-// outside in front of each side. A coarse grid of rays tells what each would see, a finer one decides among the best.
+// Many places where a photographer might stand are tried: along the walls and in the corners at several heights, behind
+// each wall, and outside in front of each side. A coarse grid of rays tells what each would see, a finer one decides
+// among the best. A scene that can be seen from outside without looking through anything is seen from there.
 
 #include "image/automatic_camera.h"
 
@@ -89,7 +90,7 @@ void append_inside(const Room& room, Vec3 up, double angle, std::vector<Camera>&
 /// Eyes behind a wall that is looked through, where a room is too small to step back in.
 void append_behind_walls(const Room& room, Vec3 up, double angle, std::vector<Camera>& cameras)
 {
-    for (const double outside : {-0.3, -0.45, -0.6})
+    for (const double outside : {-0.35, -0.5, -0.65})
         for (const double eye_height : {0.55, 0.65})
             for (const double place : {outside, 1.0 - outside}) {
                 cameras.push_back({room.at(place, eye_height, 0.5), room.at(0.5, 0.45, 0.5), up, angle});
@@ -161,7 +162,7 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up)
     std::vector<Camera> cameras = outside;
     for (const double vertical : {58.0, 68.0})
         append_inside(room, up, field_of_view(vertical, vertical + 20.0, aspect), cameras);
-    append_behind_walls(room, up, field_of_view(55.0, 75.0, aspect), cameras);
+    append_behind_walls(room, up, field_of_view(54.0, 74.0, aspect), cameras);
     const std::vector<Camera> shortlist = best_cameras(scene, cameras, aspect, coarse_rows, 8);
     return best_cameras(scene, shortlist, aspect, fine_rows, 1).front();
 }

@@ -5,7 +5,7 @@
 #include "image/render.h"
 
 #include "image/smooth_shading.h"
-#include "image/visible_hit.h"
+#include "image/visible_hits.h"
 #include "parallel/ordered_blocks.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ public:
 
     /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
     /// that is almost horizontal passes k^2 shades, not k.
-    Rgb pixel(int x, int y) const
+    Rgb pixel(int x, int y, VisibleHits& visible) const
     {
         const double k = grid_;
         Rgb sum;
@@ -45,15 +45,15 @@ public:
             for (int column = 0; column < grid_; ++column) {
                 const double u = (column + (row + 0.5) / k) / k;
                 const double v = (row + (grid_ - column - 0.5) / k) / k;
-                sum += seen(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v));
+                sum += seen(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v), visible);
             }
         return 1.0 / (k * k) * sum;
     }
 
 private:
-    Rgb seen(double x, double y) const
+    Rgb seen(double x, double y, VisibleHits& visible) const
     {
-        const std::optional<Hit> hit = visible_hit(scene_, rays_.through(x, y));
+        const std::optional<Hit> hit = visible.first(rays_.through(x, y));
         if (!hit)
             return {};
         const Rgb value =
@@ -79,8 +79,9 @@ Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera
     image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
     parallel_blocks(static_cast<std::uint64_t>(image.height), options.threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
+        VisibleHits visible(scene);
         for (int x = 0; x < image.width; ++x)
-            image.at(x, y) = painter.pixel(x, y);
+            image.at(x, y) = painter.pixel(x, y, visible);
     });
     return image;
 }

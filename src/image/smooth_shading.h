@@ -10,8 +10,8 @@
 namespace multipath {
 
 /// Continuous values over the surfaces of a scene, made from one value per patch. Each surface is interpolated from its
-/// own patches; surfaces share values only along an edge that they have in common, with one material and without a
-/// crease. A linear ramp over a parallelogram is reproduced; sources keep the plain values of their patches.
+/// own patches; surfaces share values only at corners that they have in common, with one material and without a crease.
+/// A linear ramp over a parallelogram is reproduced; sources keep the plain values of their patches.
 class SmoothShading
 {
 public:

@@ -1,6 +1,6 @@
 #include "image/view_quality.h"
 
-#include "image/visible_hit.h"
+#include "image/visible_hits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +38,12 @@ std::uint64_t place_of(const Scene& scene, Vec3 point)
     return place;
 }
 
-void look(const Scene& scene, const Line& ray, Vec3 up, View& view)
+void look(const Scene& scene, const Line& ray, Vec3 up, VisibleHits& visible, View& view)
 {
     const std::optional<Hit> nearest = scene.intersector().closest_hit(ray);
     if (nearest && !nearest->front)
         ++view.backs;
-    const std::optional<Hit> hit = nearest && nearest->front ? nearest : visible_hit(scene, ray);
+    const std::optional<Hit> hit = nearest && nearest->front ? nearest : visible.first(ray);
     if (!hit)
         ++view.escaped;
     if (!hit || !hit->front)
@@ -83,10 +83,12 @@ ViewQuality view_quality(const Scene& scene, const Camera& camera, double aspect
 {
     const int columns = std::max(1, static_cast<int>(std::lround(aspect * rows)));
     const PixelRays rays(camera, columns, rows);
+    const Vec3 up = normalized(camera.up);
+    VisibleHits visible(scene);
     View view;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x)
-            look(scene, rays.through(x + 0.5, y + 0.5), normalized(camera.up), view);
+            look(scene, rays.through(x + 0.5, y + 0.5), up, visible, view);
     keep_distinct(view.places);
     keep_distinct(view.surfaces);
     keep_distinct(view.materials);

@@ -165,6 +165,8 @@ void ObjParser::vertex(std::string_view rest, TextPlace place)
         if (std::abs(coordinate) > largest_coordinate)
             refuse(place, "coordinate beyond 1e30, expected a scene of sensible size");
     }
+    if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
+        refuse(place, "more than 2^31 vertices do not fit");
     mesh_.vertices.push_back({x[0], x[1], x[2]});
 
     double fourth = 1.0;

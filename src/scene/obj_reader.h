@@ -8,9 +8,10 @@ namespace multipath {
 
 enum class EmissionFrom { ke, ka };
 
-/// Reads an OBJ file and the MTL files that it names. Lenient in syntax, strict in meaning: nothing that changes
-/// the light of the scene is dropped, guessed or clipped without a word. Parallelogram quads become one surface, other
-/// polygons triangles. Throws InputError ("file:line: what is wrong, what was expected").
+/// Reads an OBJ file and the MTL files that it names. Lenient in syntax, strict in meaning: nothing that changes the
+/// light of the scene is dropped, guessed or clipped without a word. Parallelograms become one surface, also those that
+/// were cut into two triangles; other polygons become triangles. What has no defined material is grey, reflectance 0.5.
+/// SceneFile::materials holds the used ones only. Throws InputError ("file:line: what is wrong, what was expected").
 SceneFile read_obj(const std::string& path, EmissionFrom emission_from = EmissionFrom::ke);
 
 } // namespace multipath

@@ -96,13 +96,12 @@ void TriangleMerger::merge_across_edges(bool longest)
 /// Looks for a later triangle that runs through the edge the other way.
 void TriangleMerger::merge_across_edge(std::uint32_t first, std::size_t edge)
 {
-    // A vertex with more triangles than this is the middle of a fan or a trap; the search must stay linear.
-    constexpr std::uint32_t most_candidates = 64;
+    constexpr std::ptrdiff_t most_candidates = 64; // a file with all triangles at one vertex must not take for ever
     const std::uint32_t vertex = pieces_[first].corners[edge];
-    const std::uint32_t begin = ends_[vertex];
-    const std::uint32_t end = std::min(ends_[vertex + 1], begin + most_candidates);
-    for (std::uint32_t k = begin; k < end; ++k)
-        if (triangles_[k] > first && is_open(triangles_[k]) && merge_pair(first, edge, triangles_[k]))
+    const auto end = triangles_.begin() + ends_[vertex + 1];
+    const auto begin = std::upper_bound(triangles_.begin() + ends_[vertex], end, first);
+    for (auto other = begin; other != end && other - begin < most_candidates; ++other)
+        if (is_open(*other) && merge_pair(first, edge, *other))
             return;
 }
 

@@ -10,7 +10,7 @@ namespace multipath {
 
 inline bool is_blank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+    return c == ' ' || (c <= '\f' && (c == '\t' || c == '\v' || c == '\f'));
 }
 
 /// Without blanks at both ends.

@@ -109,3 +109,15 @@ TEST_CASE("a step does not overshoot and nothing becomes negative")
         CHECK(corner.b >= 0.0);
     }
 }
+
+// By hand: from the border inward 5, 1, 0.9 the slopes are 4 and 0.1, so the corner is 5 + 0.1 / 2; for 2, 1, 2 they
+// disagree in sign, so the border patch goes on level.
+TEST_CASE("the border continues the smaller slope, and none where slopes disagree")
+{
+    const CornerLattice lattice({Shape::parallelogram, 3, 1});
+    const std::vector<Rgb> corners = lattice.corner_values([](double u, double) {
+        return u < 1.0 / 3.0 ? Rgb{5.0, 2.0, 0.0} : u < 2.0 / 3.0 ? Rgb{1.0, 1.0, 0.0} : Rgb{0.9, 2.0, 0.0};
+    });
+    CHECK(corners[lattice.number(0, 0)].r == doctest::Approx(5.05));
+    CHECK(corners[lattice.number(0, 0)].g == doctest::Approx(2.0));
+}

@@ -133,6 +133,7 @@ TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open o
     const std::string grey = "newmtl grey\nKd 0.5\n";
     const std::string last_wall = "usemtl grey\n" + cube.substr(cube.rfind("f "));
     CHECK(SceneText{start + open_cube + last_wall, white + grey}.read().surfaces.size() == 6);
+    CHECK(SceneText{start + open_cube + last_wall, white}.read().surfaces.size() == 6); // not defined, so grey
 }
 
 TEST_CASE("a material without Kd reflects nothing, with a warning")

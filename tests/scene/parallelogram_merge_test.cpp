@@ -131,3 +131,8 @@ TEST_CASE("coincident triangles do not merge with themselves or lose area")
     CHECK(pieces.size() - static_cast<std::size_t>(triangle_count) == 2);
     CHECK(triangle_count == 1);
 }
+
+TEST_CASE("zero and minus zero are the same position")
+{
+    CHECK(Triangles().add(p0, p1, p2).add({-0.0, 0, -0.0}, {2, 1, -0.0}, p3).merged().size() == 1);
+}

@@ -1,4 +1,4 @@
-#include "image/visible_hit.h"
+#include "image/visible_hits.h"
 
 #include "test_scenes.h"
 
@@ -15,11 +15,14 @@ TEST_CASE("the first front along a ray is seen, whatever backs come before it")
     const Line from_outside = {{0.1, 0.2, 5.0}, {0.0, 0.0, -1.0}};
     const Line from_inside_box = {{0.1, 0.2, 0.0}, {0.0, 0.0, -1.0}};
     const Scene scene = builder.scene(1.0);
-    CHECK(visible_hit(scene, from_outside)->t == doctest::Approx(4.0));    // through the room's back to the box
-    CHECK(visible_hit(scene, from_inside_box)->t == doctest::Approx(2.0)); // through the box's back to the room
-    CHECK(!visible_hit(scene, {{0.0, 0.0, 5.0}, {0.0, 0.0, 1.0}}));
+    VisibleHits visible(scene);
+    CHECK(visible.first(from_outside)->t == doctest::Approx(4.0));    // through the room's back to the box
+    CHECK(visible.first(from_inside_box)->t == doctest::Approx(2.0)); // through the box's back to the room
+    const Line between = {{1.5, 0.2, 0.0}, {1.0, 0.0, 0.0}};
+    CHECK(visible.first(between)->t == doctest::Approx(0.5)); // no back, right after rays that passed some
+    CHECK(!visible.first({{0.0, 0.0, 5.0}, {0.0, 0.0, 1.0}}));
 
     const Scene two_sided = builder.scene(1.0, true);
-    CHECK(visible_hit(two_sided, from_outside)->t == doctest::Approx(3.0));
-    CHECK(!visible_hit(two_sided, from_outside)->front);
+    CHECK(VisibleHits(two_sided).first(from_outside)->t == doctest::Approx(3.0));
+    CHECK(!VisibleHits(two_sided).first(from_outside)->front);
 }

@@ -1,0 +1,101 @@
+# The main job as a user runs it: a scene in, pictures, a table and a summary out.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/5cubes.obj
+quick="--lines 20000 --size 80x60 --samples 1"
+
+default_outputs() {
+    ends 0 solve "$scene" $quick && silent out && says err "absorbed" && says err "lines/s" &&
+        [ "$(head -c 2 5cubes.ppm)" = P6 ] && [ "$(head -c 4 5cubes.png | tail -c 3)" = PNG ]
+}
+check "without -o a scene gives a PPM and a PNG of its name in the working folder" default_outputs
+
+not_black() { tail -c 14400 5cubes.ppm | od -An -v -tu1 | awk '{for (i = 1; i <= NF; ++i) s += $i} END {exit s / 14400 < 40}'; }
+check "the picture is not black" not_black
+
+same_bytes() {
+    for run in 1 2; do
+        for threads in 1 2; do
+            ends 0 solve "$scene" $quick --threads $threads -o $run-$threads.png -o $run-$threads.csv -o $run-$threads.ppm ||
+                return
+        done
+    done
+    for kind in png csv ppm; do
+        cmp 1-1.$kind 1-2.$kind && cmp 1-1.$kind 2-1.$kind && cmp 1-1.$kind 2-2.$kind || return
+    done
+}
+check "one and two threads give the same bytes, run after run" same_bytes
+
+table() {
+    ends 0 solve "$scene" $quick --patch-size 1 -o room.csv || return
+    grep -q '^# command: multipath solve .*5cubes.obj.* --lines 20000' room.csv && grep -q '^# seed: 1$' room.csv &&
+        grep -Eq '^# scene: [0-9a-f]{16}$' room.csv || { head -5 room.csv; return 1; }
+    # 6 walls of 3 x 3 patches, 5 cubes of 6 and a lamp of 6; areas add up to the scene's 70.3446 m^2
+    grep -v '^#' room.csv | awk -F, 'NR == 1 { if (NF != 19 || $19 != "radiosity_b") exit 1; next }
+        { if (NF != 19 || $17 < 0) exit 1; area += $10 } END { exit !(NR == 91 && area > 70.34463 && area < 70.34465) }'
+}
+check "the table says where it comes from and has a row per patch" table
+
+summary() {
+    ends 0 solve "$scene" $quick --json --quiet -o room.csv && silent err || return
+    for key in scene patches surfaces area_m2 average_reflectance source_power_w method sequence lines local_lines \
+        global_lines mean_radiosity unshot_power_w escaped_power_w back_face_power_w balance_error seconds \
+        seconds_trace lines_per_second threads relative_standard_error; do
+        says out "\"$key\": " || return
+    done
+    says out '"lines": 20000' && says out '"escaped_power_w": 0,' && says out '"sequence": "sobol"'
+}
+check "--json prints a summary with the promised keys" summary
+
+piped() { "$program" solve "$scene" $quick -o - 2>err | head -c 2 | grep -q P6; }
+check "-o - writes a PPM to standard output" piped
+
+reader_gone() { "$program" solve "$scene" $quick --quiet -o - 2>err | head -c 100 >/dev/null; [ "$(wc -l <err)" -le 1 ]; }
+check "a reader that leaves early costs at most one line" reader_gone
+
+not_the_input() {
+    cp "$scene" copy.csv && ends 2 solve copy.csv $quick -o ./copy.csv && says err "is the input" && cmp "$scene" copy.csv
+}
+check "an output never replaces the input" not_the_input
+
+twice() { ends 2 solve "$scene" $quick -o a.png -o ./a.png && says err "twice" || ends 2 solve "$scene" $quick -o a.png -o a.png; }
+check "an output named twice is refused" twice
+
+old_file_kept() {
+    echo old >kept.csv && ends 1 solve missing.obj $quick -o kept.csv && grep -q old kept.csv && [ -z "$(find . -name '.*part*')" ]
+}
+check "when the scene cannot be read, an old result stays and nothing is left behind" old_file_kept
+
+dark() {
+    printf 'mtllib dark.mtl\nusemtl wall\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >dark.obj
+    printf 'newmtl wall\nKd 0.5 0.5 0.5\n' >dark.mtl
+    ends 1 solve dark.obj $quick && says err "no emitter" && [ ! -e dark.png ]
+}
+check "a scene without light is refused and leaves no black picture" dark
+
+broken() {
+    printf 'v 0 0 0\nv 1 0 zero\n' >broken.obj
+    ends 1 solve broken.obj $quick && lines_are err 1 && says err "broken.obj:2: "
+}
+check "a broken scene is one line that names the place" broken
+
+huge() { ends 1 solve "$scene" --lines 1000 --patch-size 1e-6 && lines_are err 2 && says err "2^31"; }
+check "more patches than there are numbers for is refused" huge
+
+every_sequence() {
+    for sequence in random sobol halton halton:11,13,17,19; do
+        for method in first-shot global; do
+            ends 0 solve "$scene" $quick --json -q --sequence $sequence --method $method -o room.csv || return
+            awk -F': ' '/balance_error/ {exit !($2 + 0 < 1e-9)}' out || { cat out; return 1; }
+        done
+    done
+    ends 2 solve "$scene" --sequence halton:4,6,5,7 && says err "4 and 6 have"
+}
+check "every method and sequence keeps the power balance, and bases that cannot work are refused" every_sequence
+
+camera() {
+    ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 70 -o a.ppm &&
+        ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 40 -o b.ppm && ! cmp -s a.ppm b.ppm &&
+        ends 2 solve "$scene" $quick --eye 1,1 -o a.ppm && ends 2 solve "$scene" $quick --up 0,0,0 -o a.ppm
+}
+check "the camera follows its options" camera
+finish
