@@ -5,7 +5,7 @@
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
 # the commands.
 
-CXXFLAGS ?= -O3 -g
+CXXFLAGS ?= -O3
 BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wconversion

@@ -19,5 +19,6 @@ struct Command
 std::vector<Command> commands();
 
 Command solve_command();
+Command check_command();
 
 } // namespace multipath

@@ -4,6 +4,7 @@
 #include "cli/planned_outputs.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "cli/scene_options.h"
 #include "cli/solve_summary.h"
 #include "cli/usage_error.h"
 #include "export/patch_table.h"
@@ -13,13 +14,11 @@
 #include "image/ppm.h"
 #include "radiosity/solve.h"
 #include "sampling/sequence.h"
-#include "scene/obj_reader.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
-#include <thread>
 
 namespace multipath {
 
@@ -69,24 +68,13 @@ CommandTable solve_table()
             false,
             {"4d", "2d"}},
            {"seed", 0, "N", "1", "Chooses among random sequences."},
-           {"threads", 't', "N", "", "Threads to use; the result does not depend on it. Without it, all processors."}}},
-         {"Scene",
-          {{"patch-size", 'p', "SIZE", "",
-            "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
-           {"two-sided", 0, "", "", "Give every surface patches on its back too."},
-           {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}},
+           threads_option()}},
+         scene_option_group(),
          picture_option_group()},
         "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
         "\n"
         "  multipath solve room.obj\n"
         "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
-}
-
-int thread_count(const CommandLine& line)
-{
-    if (line.has("threads"))
-        return static_cast<int>(read_count("--threads", line.text("threads"), 1, 1024));
-    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 SolveOptions read_solve_options(const CommandLine& line)
@@ -125,18 +113,11 @@ std::vector<std::string> default_outputs(const std::string& scene_path)
     return {name + ".ppm", name + ".png"};
 }
 
-Scene read_scene(const CommandLine& line, bool quiet)
+void print_what_was_read(const SceneFile& file)
 {
-    const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
-    SceneFile file = read_obj(line.operands()[0], emission);
-    if (!quiet) {
-        for (const std::string& warning : file.warnings)
-            std::fprintf(stderr, "%s\n", warning.c_str());
-        std::fprintf(stderr, "%s: %s\n", file.path.c_str(), file.counts.c_str());
-    }
-    const double patch_size = line.has("patch-size") ? read_positive("--patch-size", line.text("patch-size"))
-                                                     : default_patch_size(file.surfaces);
-    return Scene(std::move(file), patch_size, line.has("two-sided"));
+    for (const std::string& warning : file.warnings)
+        std::fprintf(stderr, "%s\n", warning.c_str());
+    std::fprintf(stderr, "%s: %s\n", file.path.c_str(), file.counts.c_str());
 }
 
 bool is_picture(const PlannedOutput& output)
@@ -194,7 +175,9 @@ int run_solve(const CommandLine& line)
     std::vector<PlannedOutput> outputs =
         open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
 
-    const Scene scene = read_scene(line, quiet);
+    const Scene scene = read_scene(line);
+    if (!quiet)
+        print_what_was_read(scene.file());
     const Clock::time_point solve_start = Clock::now();
     Solution solution;
     {

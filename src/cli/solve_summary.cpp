@@ -1,7 +1,6 @@
 #include "cli/solve_summary.h"
 
-#include <array>
-#include <cstdio>
+#include "cli/text_format.h"
 
 namespace multipath {
 
@@ -14,23 +13,6 @@ Rgb mean_radiosity(const SolveSummary& s)
     for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i)
         power += s.scene.area(i) * s.solution.radiosity[i];
     return (1.0 / s.scene.total_area()) * power;
-}
-
-template <class... Values>
-std::string format(const char* pattern, Values... values)
-{
-    std::array<char, 256> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
-
-/// 4194304 as "4,194,304".
-std::string grouped(std::uint64_t count)
-{
-    std::string digits = std::to_string(count);
-    for (std::size_t place = digits.size(); place > 3; place -= 3)
-        digits.insert(place - 3, ",");
-    return digits;
 }
 
 double lines_per_second(const SolveSummary& s)
@@ -62,6 +44,11 @@ std::string summary_text(const SolveSummary& s)
                    "surfaces; balance to %.0e\n",
                    mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
                    percent(balance.behind), balance.relative_error());
+    if (percent(balance.behind) > 0.01)
+        text += format(
+            "warning    %.2g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
+            "'multipath check' names them, --two-sided gives them backs\n",
+            percent(balance.behind));
     text += format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s\n", s.seconds,
                    s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads, s.options.threads == 1 ? "" : "s");
     return text;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -27,30 +28,58 @@ struct Face
     bool alive = true;
 };
 
-class Hull
+class HullBuilder
 {
 public:
-    Hull(const std::vector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
+    HullBuilder(const std::vector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
-    double area()
+    /// Triangles that cover the hull; none when all points lie in one plane.
+    std::vector<Face> faces()
     {
         if (!start())
-            return flat_area();
+            return {};
         for (std::size_t f = 0; f < faces_.size(); ++f)
             while (faces_[f].alive && !faces_[f].outside.empty())
                 add_corner(farthest(faces_[f]));
-        double area = 0.0;
+        std::vector<Face> result;
         for (const Face& face : faces_)
             if (face.alive)
-                area += triangle_area(face.corners);
-        return area;
+                result.push_back(face);
+        return result;
+    }
+
+    double area_of(const Face& face) const
+    {
+        const std::array<Corner, 3>& c = face.corners;
+        return 0.5 * length(cross(points_[c[1]] - points_[c[0]], points_[c[2]] - points_[c[0]]));
+    }
+
+    /// All points in one plane: their hull is a polygon, whose corners are found by walking around it (gift wrapping).
+    double flat_area() const
+    {
+        if (points_.size() < 3)
+            return 0.0;
+        const Vec3 normal = make_face(a_, b_, c_).normal;
+        Vec3 twice_area;
+        Corner corner = a_; // the farthest from some point, so a corner of the hull
+        for (std::size_t step = 0; step < points_.size(); ++step) {
+            Corner next = corner == 0 ? 1 : 0;
+            for (Corner p = 0; p < points_.size(); ++p) {
+                const Vec3 to_next = points_[next] - points_[corner];
+                const Vec3 to_p = points_[p] - points_[corner];
+                const double turn = dot(normal, cross(to_next, to_p));
+                if (turn < 0.0 || (turn == 0.0 && length(to_p) > length(to_next)))
+                    next = p;
+            }
+            twice_area = twice_area + cross(points_[corner] - points_[a_], points_[next] - points_[a_]);
+            corner = next;
+            if (points_[corner] == points_[a_])
+                break;
+        }
+        return length(twice_area);
     }
 
 private:
-    double triangle_area(const std::array<Corner, 3>& c) const
-    {
-        return 0.5 * length(cross(points_[c[1]] - points_[c[0]], points_[c[2]] - points_[c[0]]));
-    }
     double distance(const Face& face, Corner p) const { return dot(face.normal, points_[p]) - face.offset; }
 
     Face make_face(Corner a, Corner b, Corner c) const
@@ -135,31 +164,6 @@ private:
         distribute(orphans, first_new);
     }
 
-    /// All points in one plane: their hull is a polygon, whose corners are found by walking around it (gift wrapping).
-    double flat_area() const
-    {
-        if (points_.size() < 3)
-            return 0.0;
-        const Vec3 normal = make_face(a_, b_, c_).normal;
-        Vec3 twice_area;
-        Corner corner = a_; // the farthest from some point, so a corner of the hull
-        for (std::size_t step = 0; step < points_.size(); ++step) {
-            Corner next = corner == 0 ? 1 : 0;
-            for (Corner p = 0; p < points_.size(); ++p) {
-                const Vec3 to_next = points_[next] - points_[corner];
-                const Vec3 to_p = points_[p] - points_[corner];
-                const double turn = dot(normal, cross(to_next, to_p));
-                if (turn < 0.0 || (turn == 0.0 && length(to_p) > length(to_next)))
-                    next = p;
-            }
-            twice_area = twice_area + cross(points_[corner] - points_[a_], points_[next] - points_[a_]);
-            corner = next;
-            if (points_[corner] == points_[a_])
-                break;
-        }
-        return length(twice_area);
-    }
-
     const std::vector<Vec3>& points_;
     double tolerance_;
     std::vector<Face> faces_;
@@ -168,12 +172,36 @@ private:
 
 } // namespace
 
-double convex_hull_area(const std::vector<Vec3>& points)
+ConvexHull::ConvexHull(const std::vector<Vec3>& points)
 {
     Bounds bounds;
     for (const Vec3 p : points)
         bounds.include(p);
-    return points.empty() ? 0.0 : Hull(points, 1e-7 * bounds.diagonal()).area();
+    HullBuilder builder(points, 1e-7 * bounds.diagonal());
+    const std::vector<Face> faces = points.empty() ? std::vector<Face>{} : builder.faces();
+    for (const Face& face : faces) {
+        area_ += builder.area_of(face);
+        sides_.push_back({face.normal, face.offset});
+    }
+    if (faces.empty())
+        area_ = builder.flat_area();
+}
+
+bool ConvexHull::meets(const Line& line) const
+{
+    double entry = -std::numeric_limits<double>::infinity();
+    double exit = std::numeric_limits<double>::infinity();
+    for (const HalfSpace& side : sides_) {
+        const double height = dot(side.normal, line.origin) - side.offset;
+        const double climb = dot(side.normal, line.direction);
+        if (climb < 0.0)
+            entry = std::max(entry, -height / climb);
+        else if (climb > 0.0)
+            exit = std::min(exit, -height / climb);
+        else if (height > 0.0)
+            return false;
+    }
+    return !sides_.empty() && entry <= exit;
 }
 
 } // namespace multipath

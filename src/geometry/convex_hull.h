@@ -1,13 +1,32 @@
 #pragma once
 
+#include "geometry/line.h"
 #include "geometry/vec3.h"
 
 #include <vector>
 
 namespace multipath {
 
-/// Surface area of the convex hull of the points, to about 1e-6 relative. A flat set counts both of its sides, as
-/// integral geometry does; fewer than three distinct points give 0.
-double convex_hull_area(const std::vector<Vec3>& points);
+/// The convex hull of points, to about 1e-7 of their extent. A flat set counts both of its sides, as integral geometry
+/// does; fewer than three distinct points have no area.
+class ConvexHull
+{
+public:
+    explicit ConvexHull(const std::vector<Vec3>& points);
+
+    double area() const { return area_; }
+    /// Does the line, taken without ends, meet the hull? Never true of a flat hull.
+    bool meets(const Line& line) const;
+
+private:
+    struct HalfSpace
+    {
+        Vec3 normal; ///< outward
+        double offset;
+    };
+
+    double area_ = 0.0;
+    std::vector<HalfSpace> sides_;
+};
 
 } // namespace multipath

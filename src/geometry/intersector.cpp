@@ -122,22 +122,30 @@ std::optional<Hit> Intersector::nearest(const Line& line, std::uint32_t excluded
     return best;
 }
 
-std::optional<Hit> Intersector::facing_coincident_hit(std::uint32_t from, const Line& ray) const
+std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Vec3 point) const
 {
-    std::optional<Hit> lid;
+    std::vector<std::uint32_t> found;
     const auto consider = [&](std::uint32_t surface) {
-        if (surface == from || plane_[surface] != plane_[from])
-            return;
-        const std::optional<Hit> hit = table_.hit_at_point(ray.origin, ray.direction, surface);
-        if (hit && hit->front && (!lid || hit->surface < lid->surface))
-            lid = hit;
+        if (surface != of && plane_[surface] == plane_[of] && table_.hit_at_point(point, {}, surface))
+            found.push_back(surface);
     };
     if (bvh_.empty())
         for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
             consider(surface);
     else
         bvh_.for_each_met(
-            {ray.origin, ray.direction, 0.0}, [] { return 0.0; }, consider);
+            {point, {1.0, 1.0, 1.0}, 0.0}, [] { return 0.0; }, consider);
+    return found;
+}
+
+std::optional<Hit> Intersector::facing_coincident_hit(std::uint32_t from, const Line& ray) const
+{
+    std::optional<Hit> lid;
+    for (const std::uint32_t surface : coincident_surfaces(from, ray.origin)) {
+        const std::optional<Hit> hit = table_.hit_at_point(ray.origin, ray.direction, surface);
+        if (hit && hit->front && (!lid || hit->surface < lid->surface))
+            lid = hit;
+    }
     return lid;
 }
 

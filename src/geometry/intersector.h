@@ -30,6 +30,9 @@ public:
     /// except a coincident face that closes off the point where the ray starts (a box resting on a floor).
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
+    /// The surfaces that share the plane of `of` and hold `point`, a point of `of`; without `of` itself.
+    std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
+
 private:
     Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes);
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;

@@ -6,6 +6,7 @@
 #include "sampling/radical_inverse.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace multipath {
 
@@ -42,16 +43,26 @@ Vec3 point_on(const Surface& shape, double a, double b)
     return shape.at(a, b);
 }
 
+/// One of five places from border to border: what is barely lit is lit at its border, from the border of a source.
+double snapped(double x)
+{
+    constexpr double inset = 1e-4;
+    return inset + (1.0 - 2.0 * inset) * 0.25 * std::floor(5.0 * x);
+}
+
 /// Does light go straight from one of `tries` points of the sources to one of the patch?
 bool is_lit(const Scene& scene, const Sources& sources, std::uint32_t patch, std::uint64_t tries)
 {
     const Surface receiver_shape = scene.patch(patch).shape;
     const Vec3 normal = receiver_shape.normal();
-    for (std::uint64_t k = 0; k < tries; ++k) {
-        const std::uint64_t n = patch + k * 0x9e3779b9u; // other points for every patch
-        const Patch source = scene.patch(sources.at(radical_inverse(2, k + 1)));
-        const Vec3 to = point_on(receiver_shape, radical_inverse(3, n + 1), radical_inverse(5, n + 1));
-        const Vec3 from = point_on(source.shape, radical_inverse(7, n + 1), radical_inverse(11, n + 1));
+    for (std::uint64_t k = 1; k <= tries; ++k) {
+        const auto place = [&](std::uint64_t base) {
+            const double x = radical_inverse(base, k);
+            return k % 2 == 0 ? x : snapped(x);
+        };
+        const Patch source = scene.patch(sources.at(radical_inverse(13, k)));
+        const Vec3 to = point_on(receiver_shape, place(2), place(3));
+        const Vec3 from = point_on(source.shape, place(5), place(7));
         const Line ray = {from, to - from};
         if (dot(ray.direction, source.shape.normal()) > 0.0 && dot(ray.direction, normal) < 0.0 &&
             receiver(scene, source.surface, ray) == patch)
@@ -63,7 +74,7 @@ bool is_lit(const Scene& scene, const Sources& sources, std::uint32_t patch, std
 double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
 {
     const Sources sources(scene);
-    const std::uint64_t tries = std::clamp<std::uint64_t>(shadow_rays / scene.patch_count(), 8, 256);
+    const std::uint64_t tries = std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096);
     constexpr std::uint64_t patches_per_block = 256;
     const std::uint64_t block_count = (scene.patch_count() + patches_per_block - 1) / patches_per_block;
     std::vector<double> area(block_count, 0.0);

@@ -1,7 +1,5 @@
 #include "radiosity/line_budget.h"
 
-#include "geometry/convex_hull.h"
-
 #include <cmath>
 
 namespace multipath {
@@ -23,7 +21,7 @@ BudgetFigures extended_figures(BudgetFigures figures)
     return figures;
 }
 
-double intersections_of_hull_line(const Scene& scene)
+ConvexHull scene_hull(const Scene& scene)
 {
     std::vector<Vec3> corners;
     for (const Surface& surface : scene.surfaces()) {
@@ -33,7 +31,13 @@ double intersections_of_hull_line(const Scene& scene)
         if (surface.shape == Shape::parallelogram)
             corners.push_back(surface.at(1.0, 1.0));
     }
-    return 2.0 * scene.total_area() / convex_hull_area(corners); // (G2)
+    return ConvexHull(corners);
+}
+
+double intersections_of_hull_line(const Scene& scene)
+{
+    const double area = scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // a crossing is one, whatever the sides
+    return 2.0 * area / scene_hull(scene).area();                             // (G2)
 }
 
 double threshold_radiosity(const Scene& scene)

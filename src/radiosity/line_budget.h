@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/convex_hull.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -21,6 +22,9 @@ double optimal_ratio(const BudgetFigures& figures);
 /// The figures for the extended first shot: after it all patches are taken to have received power, so f = 1 and R_s' =
 /// R_ave.
 BudgetFigures extended_figures(BudgetFigures figures);
+
+/// The convex hull of all surfaces.
+ConvexHull scene_hull(const Scene& scene);
 
 /// n_int = 2 A_T / A_hull (G2).
 double intersections_of_hull_line(const Scene& scene);

@@ -173,6 +173,10 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
     add_surfaces(cut.pieces, mesh, scene);
+    scene.unknown_materials = list.by_origin.unknown_names;
+    for (const MtlMaterial& unused : list.by_origin.unused)
+        scene.unused_materials.push_back(unused.material.source + ": " + unused.material.name);
+    scene.dropped_faces = cut.zero_area_faces + mesh.faces_without_corners;
     scene.counts = summary(scene, mesh, list.by_origin, {merged_pairs, cut.zero_area_faces});
     return scene;
 }

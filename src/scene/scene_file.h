@@ -3,6 +3,7 @@
 #include "geometry/surface.h"
 #include "scene/material.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,7 +23,10 @@ struct SceneFile
     std::vector<std::uint32_t> group;    ///< index into groups
     std::vector<std::uint32_t> line;     ///< line of the face in the file; two surfaces of one polygon share it
 
-    std::vector<std::string> warnings; ///< one plain line each, with file:line
+    std::vector<std::string> warnings;          ///< one plain line each, with file:line
+    std::vector<std::string> unknown_materials; ///< names that faces use and no file defines; grey stands in
+    std::vector<std::string> unused_materials;  ///< "file:line: name", defined and used by no face
+    std::size_t dropped_faces = 0;              ///< without an area
     std::string counts; ///< "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
 };
 

@@ -66,17 +66,61 @@ Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
             (-1.0 / n_u) * surface.edge_v};
 }
 
+namespace {
+
+/// Real numbers, since a small patch size gives more cells than an integer holds.
+struct CellCounts
+{
+    double along_u;
+    double along_v;
+};
+
+CellCounts cell_counts(const Surface& surface, double patch_size)
+{
+    const double along_u = cells_along(length(surface.edge_u), patch_size);
+    const double along_v = cells_along(length(surface.edge_v), patch_size);
+    if (surface.shape == Shape::parallelogram)
+        return {along_u, along_v};
+    const double third_edge = cells_along(length(surface.edge_u - surface.edge_v), patch_size);
+    const double most = std::max({along_u, along_v, third_edge});
+    return {most, most};
+}
+
+} // namespace
+
 Tessellation tessellate(const Surface& surface, double patch_size)
 {
-    double cells_u = cells_along(length(surface.edge_u), patch_size);
-    double cells_v = cells_along(length(surface.edge_v), patch_size);
-    if (surface.shape == Shape::triangle) {
-        const double third_edge = cells_along(length(surface.edge_u - surface.edge_v), patch_size);
-        cells_u = cells_v = std::max({cells_u, cells_v, third_edge});
-    }
-    if (!(cells_u * cells_v < cell_limit))
+    const CellCounts cells = cell_counts(surface, patch_size);
+    if (!(cells.along_u * cells.along_v < cell_limit))
         throw InputError("the patch size is too small: one surface alone would have 2^31 patches or more");
-    return {surface.shape, static_cast<std::uint32_t>(cells_u), static_cast<std::uint32_t>(cells_v)};
+    return {surface.shape, static_cast<std::uint32_t>(cells.along_u), static_cast<std::uint32_t>(cells.along_v)};
+}
+
+double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t wanted)
+{
+    const auto count = [&](double patch_size) {
+        double sum = 0.0;
+        for (const Surface& surface : surfaces) {
+            const CellCounts cells = cell_counts(surface, patch_size);
+            sum += cells.along_u * cells.along_v;
+        }
+        return sum;
+    };
+    Bounds bounds;
+    double area = 0.0;
+    for (const Surface& surface : surfaces) {
+        bounds.include(surface.bounds());
+        area += surface.area();
+    }
+    // The count falls with the size: bisection between squares of the mean area, which are too small, and no cut at
+    // all.
+    double too_small = 0.5 * std::sqrt(area / static_cast<double>(wanted));
+    double enough = bounds.diagonal();
+    for (int step = 0; step < 50 && enough > too_small; ++step) {
+        const double middle = 0.5 * (too_small + enough);
+        (count(middle) > static_cast<double>(wanted) ? too_small : enough) = middle;
+    }
+    return enough;
 }
 
 } // namespace multipath

@@ -3,6 +3,7 @@
 #include "geometry/surface.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace multipath {
 
@@ -24,5 +25,9 @@ struct Tessellation
 /// Cells along an edge = ceil(edge / patch_size), at least one; a triangle is cut by its longest edge.
 /// Throws InputError when a surface would get 2^31 cells or more.
 Tessellation tessellate(const Surface& surface, double patch_size);
+
+/// The patch size [scene units] that cuts the surfaces into a number of patches close to `wanted`, never above it
+/// unless the surfaces alone are more.
+double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t wanted);
 
 } // namespace multipath

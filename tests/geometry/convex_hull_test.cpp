@@ -12,7 +12,7 @@ TEST_CASE("the hull of a box, whatever lies inside or on its faces, is the box")
         for (int j = 0; j <= 4; ++j)
             for (int k = 0; k <= 4; ++k)
                 points.push_back({1.0 * i / 4, 2.0 * j / 4, 3.0 * k / 4});
-    CHECK(convex_hull_area(points) == doctest::Approx(2.0 * (2 + 6 + 3)));
+    CHECK(ConvexHull(points).area() == doctest::Approx(2.0 * (2 + 6 + 3)));
 }
 
 // Points on a sphere: the hull has them all as corners and nearly the sphere's area, 4 pi (1 - O(1/n)).
@@ -26,22 +26,47 @@ TEST_CASE("the hull of a sphere is nearly the sphere")
         points.push_back({100 + r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z});
     }
     const double sphere = 4 * 3.14159265358979323846;
-    CHECK(convex_hull_area(points) < sphere);
-    CHECK(convex_hull_area(points) > 0.996 * sphere);
+    CHECK(ConvexHull(points).area() < sphere);
+    CHECK(ConvexHull(points).area() > 0.996 * sphere);
 }
 
 TEST_CASE("an octahedron and a tetrahedron have their textbook areas")
 {
-    CHECK(convex_hull_area({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) ==
+    CHECK(ConvexHull({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}).area() ==
           doctest::Approx(4 * std::sqrt(3.0)));
-    CHECK(convex_hull_area({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) == doctest::Approx(8 * std::sqrt(3.0)));
+    CHECK(ConvexHull({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}).area() == doctest::Approx(8 * std::sqrt(3.0)));
 }
 
 TEST_CASE("a flat set counts both sides, a line or a point has no area")
 {
-    CHECK(convex_hull_area({{0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}, {1, 1, 5}, {2, 1, 5}}) ==
+    CHECK(ConvexHull({{0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}, {1, 1, 5}, {2, 1, 5}}).area() ==
           doctest::Approx(12.0));
-    CHECK(convex_hull_area({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}) == doctest::Approx(0.0));
-    CHECK(convex_hull_area({{1, 2, 3}}) == 0.0);
-    CHECK(convex_hull_area({}) == 0.0);
+    CHECK(ConvexHull({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).area() == doctest::Approx(0.0));
+    CHECK(ConvexHull({{1, 2, 3}}).area() == 0.0);
+    CHECK(ConvexHull({}).area() == 0.0);
+}
+
+// A line meets the cube's hull exactly when it meets one of the cube's six faces.
+TEST_CASE("lines meet the hull of a box when they meet its faces")
+{
+    const ConvexHull hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+    int met = 0;
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j) {
+            const Line line = chord({-1.03 + 0.077 * i, -1, 0.31}, {0.2, -1.01 + 0.079 * j, 2});
+            bool expected = false;
+            for (int axis = 0; axis < 3; ++axis)
+                for (int side = 0; side < 2; ++side) {
+                    const auto part = [&](Vec3 v, int a) { return a == 0 ? v.x : a == 1 ? v.y : v.z; };
+                    const double d = part(line.direction, axis);
+                    const Vec3 p = line.at((side - part(line.origin, axis)) / d);
+                    const double a = part(p, (axis + 1) % 3);
+                    const double b = part(p, (axis + 2) % 3);
+                    expected = expected || (d != 0.0 && a >= 0 && a <= 1 && b >= 0 && b <= 1);
+                }
+            met += expected ? 1 : 0;
+            CHECK(hull.meets(line) == expected);
+        }
+    CHECK(met > 100);
+    CHECK(met < 1400);
 }

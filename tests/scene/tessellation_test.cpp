@@ -105,6 +105,23 @@ TEST_CASE("the default patch size is a round number that gives some thousand pat
     }
 }
 
+TEST_CASE("a wanted number of patches is met closely and not exceeded")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    builder.room({0, 0, 0}, {3, 2, 1}, grey).box({1, 0, 0.2}, {1.3, 0.9, 0.7}, grey);
+    const SceneFile file = builder.file();
+    for (const std::uint64_t wanted : {100ull, 1000ull, 30000ull, 1000000ull}) {
+        const double size = patch_size_for_count(file.surfaces, wanted);
+        std::uint64_t count = 0;
+        for (const Surface& surface : file.surfaces)
+            count += tessellate(surface, size).cell_count();
+        CHECK(count <= wanted);
+        CHECK(static_cast<double>(count) > 0.8 * static_cast<double>(wanted));
+    }
+    CHECK(Scene(file, patch_size_for_count(file.surfaces, 1)).patch_count() == 12); // the surfaces alone
+}
+
 TEST_CASE("the scene's hash tells what changes the result from what does not")
 {
     const auto hash = [](double y, double reflectance, double size, const char* name) {

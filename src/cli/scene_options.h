@@ -1,0 +1,19 @@
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/option_table.h"
+#include "scene/scene.h"
+
+namespace multipath {
+
+/// The options of every command that reads an OBJ scene.
+OptionGroup scene_option_group();
+
+/// The scene that the first operand names, cut into patches as the options say. Throws UsageError, InputError.
+Scene read_scene(const CommandLine& line);
+
+/// `--threads`: a definition for the tables, and its value; without it, all processors.
+Option threads_option();
+int thread_count(const CommandLine& line);
+
+} // namespace multipath

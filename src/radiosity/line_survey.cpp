@@ -1,0 +1,91 @@
+#include "radiosity/line_survey.h"
+
+#include "parallel/ordered_blocks.h"
+#include "radiosity/intersection_list.h"
+#include "radiosity/line_budget.h"
+#include "radiosity/line_sampling.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t lines_per_block = 4096;
+
+LineSurvey empty_survey(const Scene& scene)
+{
+    const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
+    return {0, 0, 0, zeros, zeros, zeros, zeros};
+}
+
+/// Counts what light finds that leaves hit `from` towards hit `to`; `to` is nullptr when nothing is there.
+/// `forward`: along the line's direction.
+void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool forward, LineSurvey& survey)
+{
+    const bool leaves_front = from.front != forward;
+    if (!leaves_front && !scene.two_sided())
+        return;
+    ++survey.departures[from.surface];
+    if (to == nullptr)
+        ++survey.escapes[from.surface];
+    else if (to->front == forward || scene.two_sided())
+        ++survey.arrivals[from.surface];
+    else
+        ++survey.met_behind[to->surface];
+}
+
+void count_line(const Scene& scene, const std::vector<Hit>& hits, LineSurvey& survey)
+{
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        count_departure(scene, hits[i], i + 1 < hits.size() ? &hits[i + 1] : nullptr, true, survey);
+        count_departure(scene, hits[i], i > 0 ? &hits[i - 1] : nullptr, false, survey);
+    }
+    survey.crossings += hits.size();
+    ++survey.lines;
+}
+
+void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& counts)
+{
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += counts[i];
+}
+
+} // namespace
+
+LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
+{
+    const GlobalLines global_lines(scene.bounds());
+    const ConvexHull hull = scene_hull(scene);
+    const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
+    std::vector<LineSurvey> slots(static_cast<std::size_t>(slot_count(threads)), empty_survey(scene));
+    const auto cast_block = [&](std::uint64_t block, int slot) {
+        LineSurvey& survey = slots[static_cast<std::size_t>(slot)];
+        const std::uint64_t first = block * lines_per_block;
+        std::vector<Item> items(static_cast<std::size_t>(std::min(lines_per_block, lines - first)));
+        sequence->generate(first, items);
+        std::vector<Hit> hits;
+        for (const Item& item : items) {
+            const Line line = global_lines.line(item);
+            scene.intersector().all_hits(line, hits);
+            order_coincident_hits(hits);
+            count_line(scene, hits, survey);
+            survey.lines_into_hull += hull.meets(line) ? 1 : 0;
+        }
+    };
+    ordered_blocks((lines + lines_per_block - 1) / lines_per_block, threads, cast_block, [](std::uint64_t, int) {});
+
+    LineSurvey total = empty_survey(scene);
+    for (const LineSurvey& survey : slots) { // counts: their order does not matter
+        total.lines += survey.lines;
+        total.lines_into_hull += survey.lines_into_hull;
+        total.crossings += survey.crossings;
+        add(total.departures, survey.departures);
+        add(total.arrivals, survey.arrivals);
+        add(total.escapes, survey.escapes);
+        add(total.met_behind, survey.met_behind);
+    }
+    return total;
+}
+
+} // namespace multipath

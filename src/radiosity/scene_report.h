@@ -1,0 +1,37 @@
+#pragma once
+
+#include "radiosity/direct_light.h"
+#include "radiosity/line_budget.h"
+#include "radiosity/line_survey.h"
+#include "radiosity/power_state.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+
+namespace multipath {
+
+/// The numbers of the paper for one scene, and what a short trial run finds.
+struct SceneReport
+{
+    double hull_area = 0.0;   ///< [m^2]
+    double sphere_area = 0.0; ///< [m^2] of the sphere around the scene's box
+
+    double intersections_per_hull_line = 0.0;            ///< [1] n_int = 2 A_T' / A_hull (G2), A_T' each surface once
+    double intersections_per_hull_line_measured = 0.0;   ///< [1] the same, counted along lines
+    double intersections_per_sphere_line = 0.0;          ///< [1] 2 A_T' / A_sphere
+    double intersections_per_sphere_line_measured = 0.0; ///< [1]
+
+    DirectLight direct;
+    BudgetFigures figures;            ///< what (3) takes for the first shot
+    double ratio_first_shot = 0.0;    ///< [1] N_l / N_g (3)
+    double ratio_extended = 0.0;      ///< [1] N_l / N_g (3) for the extended first shot
+    double threshold_radiosity = 0.0; ///< [W/m^2] (4)
+
+    LineSurvey survey;
+    PowerBalance balance; ///< of a short run: what escapes and what is lost behind surfaces
+};
+
+/// Measures with about `lines` lines for each figure; always the same lines.
+SceneReport report_on(const Scene& scene, std::uint64_t lines, int threads);
+
+} // namespace multipath

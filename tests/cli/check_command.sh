@@ -1,0 +1,71 @@
+# `multipath check`: the report of a scene, as text and as JSON.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/5cubes.obj
+
+report() {
+    ends 0 check "$scene" --lines 20000 && silent err && for word in R_ave Phi_T n_int "faces (0, -1, 0) (down)" "(4)" "9 W" \
+        "42 surfaces"; do says out "$word" || return; done
+}
+check "a sound scene is reported with exit code 0" report
+
+json() {
+    ends 0 check "$scene" --lines 20000 --json && silent err && for key in average_reflectance intersections_hull \
+        intersections_hull_measured intersections_sphere lit_fraction lit_fraction_effective secondary_reflectance \
+        ratio_first_shot ratio_extended threshold_radiosity escaped_share back_face_share emitters findings; do
+        says out "\"$key\":" || return
+    done
+    says out '"surfaces": 42,'
+}
+check "--json gives the same figures to programs" json
+
+repeatable() {
+    ends 0 check "$scene" --lines 20000 --threads 1 && mv out one && ends 0 check "$scene" --lines 20000 --threads 2 && cmp out one
+}
+check "the report does not depend on the number of threads" repeatable
+
+covered_floor() {
+    cat >covered.obj <<'OBJ'
+mtllib covered.mtl
+v 0 0 0
+v 2 0 0
+v 2 0 2
+v 0 0 2
+v 0 2 0
+v 2 2 0
+v 2 2 2
+v 0 2 2
+usemtl lamp
+o floor
+f 1 4 3 2
+usemtl wall
+o walls
+f 5 6 7 8
+f 1 2 6 5
+f 3 4 8 7
+f 4 1 5 8
+f 2 3 7 6
+v 0.5 0 0.5
+v 1.5 0 0.5
+v 1.5 0 1.5
+v 0.5 0 1.5
+v 0.5 1 0.5
+v 1.5 1 0.5
+v 1.5 1 1.5
+v 0.5 1 1.5
+o box
+f 13 16 15 14
+f 10 9 13 14
+f 12 11 15 16
+f 9 12 16 13
+f 11 10 14 15
+OBJ
+    printf 'newmtl wall\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0.5 0.5 0.5\nKe 1 1 1\n' >covered.mtl
+    ends 1 check covered.obj --lines 20000 && says out WRONG && says out "lost" && says out "box (line" && says out "bottom" &&
+        ends 0 solve covered.obj --lines 20000 -o covered.csv && says err "multipath check" &&
+        ends 0 check covered.obj --lines 20000 --two-sided
+}
+check "a box without a bottom on a floor is found, named and helped" covered_floor
+
+unreadable() { ends 1 check nowhere.obj && lines_are err 1 && silent out; }
+check "a scene that cannot be read is one line and exit code 1" unreadable
+finish
