@@ -1,7 +1,9 @@
 #pragma once
 
+#include "sampling/random.h"
 #include "scene/scene.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,6 +83,39 @@ public:
 
 private:
     SceneFile file_;
+};
+
+/// A rotation about a random axis, a scale from 1e-3 to 1e3 and a shift of up to some scene sizes, all from one number.
+class RigidMotion
+{
+public:
+    explicit RigidMotion(std::uint64_t key)
+    {
+        std::uint64_t counter = 0;
+        const auto within = [&](double low, double high) {
+            return low + (high - low) * bits_to_unit(random_bits(key, counter++));
+        };
+        scale_ = std::pow(10.0, within(-3, 3));
+        shift_ = scale_ * Vec3{within(-5, 5), within(-5, 5), within(-5, 5)};
+        x_ = normalized({within(-1, 1), within(-1, 1), within(-1, 1)});
+        y_ = normalized(cross(x_, {within(-1, 1), within(-1, 1), within(-1, 1)}));
+        z_ = cross(x_, y_);
+    }
+
+    double scale() const { return scale_; }
+    SceneFile moved(SceneFile file) const
+    {
+        for (Surface& surface : file.surfaces)
+            surface = {surface.shape, turned(surface.origin) + shift_, turned(surface.edge_u), turned(surface.edge_v)};
+        return file;
+    }
+
+private:
+    Vec3 turned(Vec3 p) const { return scale_ * (p.x * x_ + p.y * y_ + p.z * z_); }
+
+    double scale_;
+    Vec3 shift_;
+    Vec3 x_, y_, z_;
 };
 
 } // namespace multipath

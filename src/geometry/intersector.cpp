@@ -29,6 +29,17 @@ Bounds box_of(const std::vector<Surface>& surfaces)
     return widened(box);
 }
 
+/// The volume that the fronts of the surfaces bound from outside, negative for a room seen from inside (divergence
+/// theorem). A room without one wall still counts as a room.
+bool encloses(const std::vector<Surface>& surfaces, const Bounds& box)
+{
+    double volume = 0.0;
+    for (const Surface& surface : surfaces)
+        volume += surface.area() * dot(surface.normal(), surface.centre() - box.centre()) / 3.0;
+    const double size = box.diagonal();
+    return volume < -1e-9 * size * size * size;
+}
+
 bool may_meet(const Bounds& box, const Line& line)
 {
     const Vec3 inverse = {1.0 / line.direction.x, 1.0 / line.direction.y, 1.0 / line.direction.z};
@@ -59,6 +70,7 @@ Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlane
     : table_(surfaces, planes),
       box_(box_of(surfaces)),
       bvh_(surfaces.size() > few_surfaces ? Bvh(boxes_of(surfaces)) : Bvh()),
+      outside_is_solid_(encloses(surfaces, box_)),
       plane_(planes.plane_number),
       plane_has_two_sides_(planes.has_two_sides)
 {
@@ -77,6 +89,7 @@ void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
     else if (may_meet(box_, line)) // a third of the chords of the scene's sphere pass its box
         table_.for_each_candidate(line, collect);
     sort_by_t(hits);
+    order_coincident_hits(hits, outside_is_solid_);
 }
 
 std::optional<Hit> Intersector::closest_hit(const Line& line) const
@@ -84,20 +97,15 @@ std::optional<Hit> Intersector::closest_hit(const Line& line) const
     return nearest(line, no_plane);
 }
 
-// Two coincident faces that face each other across nothing are either a gap (a box standing on a floor) or the two
-// sides of a thin sheet. Crossing surfaces leave and enter solids in turn: whoever comes out of a solid is in a gap.
-// What lies behind the ray's start tells, and if there is nothing, what comes next. Global lines follow the same rule.
 std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
 {
-    const std::optional<Hit> beyond = nearest(ray, plane_[from]);
-    if (!plane_has_two_sides_[plane_[from]])
-        return beyond;
-    const std::optional<Hit> lid = facing_coincident_hit(from, ray);
-    if (!lid)
-        return beyond;
-    const std::optional<Hit> before = nearest({ray.origin, -ray.direction}, plane_[from]);
-    const bool inside_solid = before ? !before->front : beyond && !beyond->front;
-    return inside_solid ? lid : beyond;
+    // Where another face lies on the start, its place in the order of coincident faces decides whether the ray meets
+    // it.
+    if (plane_has_two_sides_[plane_[from]])
+        for (const std::uint32_t other : coincident_surfaces(from, ray.origin))
+            if (table_.hit_at_point(ray.origin, ray.direction, other)->front)
+                return next_along_whole_line(from, ray);
+    return nearest(ray, plane_[from]);
 }
 
 std::optional<Hit> Intersector::nearest(const Line& line, std::uint32_t excluded_plane) const
@@ -138,15 +146,20 @@ std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Ve
     return found;
 }
 
-std::optional<Hit> Intersector::facing_coincident_hit(std::uint32_t from, const Line& ray) const
+std::optional<Hit> Intersector::next_along_whole_line(std::uint32_t from, const Line& ray) const
 {
-    std::optional<Hit> lid;
-    for (const std::uint32_t surface : coincident_surfaces(from, ray.origin)) {
-        const std::optional<Hit> hit = table_.hit_at_point(ray.origin, ray.direction, surface);
-        if (hit && hit->front && (!lid || hit->surface < lid->surface))
-            lid = hit;
-    }
-    return lid;
+    const double reach = (box_.diagonal() + length(ray.origin - box_.centre())) / length(ray.direction);
+    std::vector<Hit> hits;
+    all_hits({ray.at(-reach), ray.direction}, hits);
+    const auto own = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.surface == from; });
+    if (own == hits.end()) // rounding put the start beyond the border
+        return nearest(ray, plane_[from]);
+    const auto next = own + 1;
+    if (next == hits.end())
+        return std::nullopt;
+    Hit result = *next;
+    result.t = std::max(0.0, result.t - reach);
+    return result;
 }
 
 } // namespace multipath

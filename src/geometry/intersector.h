@@ -19,7 +19,7 @@ public:
     /// Surfaces are numbered by their place in the list; each must have area.
     explicit Intersector(const std::vector<Surface>& surfaces);
 
-    /// Every surface that the line meets, by increasing t (ties in no particular order; see order_along_line).
+    /// Every surface that the line meets, in the order in which it passes them (see order_coincident_hits for equal t).
     /// Replaces what `hits` held.
     void all_hits(const Line& line, std::vector<Hit>& hits) const;
 
@@ -36,11 +36,12 @@ public:
 private:
     Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes);
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
-    std::optional<Hit> facing_coincident_hit(std::uint32_t from, const Line& ray) const;
+    std::optional<Hit> next_along_whole_line(std::uint32_t from, const Line& ray) const;
 
     SurfaceTable table_;
     Bounds box_;                            ///< around all surfaces, widened
     Bvh bvh_;                               ///< empty for few surfaces
+    bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
     std::vector<std::uint32_t> plane_;      ///< plane number of each surface
     std::vector<bool> plane_has_two_sides_; ///< some surfaces in the plane face one way, some the other
 };

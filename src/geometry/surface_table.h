@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/hit.h"
 #include "geometry/line.h"
 #include "geometry/shared_planes.h"
 #include "geometry/surface.h"
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace multipath {
-
-/// One meeting of a line with a surface.
-struct Hit
-{
-    double t = 0.0;            ///< parameter of the line
-    std::uint32_t surface = 0; ///< number of the surface
-    double u = 0.0;            ///< position on the surface, 0 ... 1
-    double v = 0.0;
-    bool front = false; ///< the line arrives at the front; otherwise it comes from behind and leaves through the front
-};
 
 /// The surfaces in the form in which lines are tested against them: a plane for t and two affine functions for
 /// (u, v), eight surfaces side by side, so that a compiler can test several at once.

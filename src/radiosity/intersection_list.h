@@ -24,11 +24,7 @@ struct Segment
     bool joins_patches() const { return is_patch(from) && is_patch(to); }
 };
 
-/// Puts hits of equal t, already sorted by t, in the order in which a line passes coincident surfaces: departures
-/// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene.
-void order_coincident_hits(std::vector<Hit>& hits);
-
-/// Appends the segments of one line, given its ordered hits. Those that touch no patch are left out.
+/// Appends the segments of one line, given its hits in order. Those that touch no patch are left out.
 void append_segments(const Scene& scene, const std::vector<Hit>& hits, std::vector<Segment>& segments);
 
 } // namespace multipath

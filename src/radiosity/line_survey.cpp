@@ -68,7 +68,6 @@ LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
         for (const Item& item : items) {
             const Line line = global_lines.line(item);
             scene.intersector().all_hits(line, hits);
-            order_coincident_hits(hits);
             count_line(scene, hits, survey);
             survey.lines_into_hull += hull.meets(line) ? 1 : 0;
         }

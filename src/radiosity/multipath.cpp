@@ -121,7 +121,6 @@ void trace(const Scene& scene, const GlobalLines& lines, LineBlock& block)
     block.segments.clear();
     for (const Item& item : block.items) {
         scene.intersector().all_hits(lines.line(item), block.hits);
-        order_coincident_hits(block.hits);
         append_segments(scene, block.hits, block.segments);
     }
 }

@@ -3,64 +3,8 @@
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
-#include <string>
 
 using namespace multipath;
-
-namespace {
-
-/// "A" arrives at a front, "D" departs through one, in order of t; letters joined by '=' share their t.
-/// Returns the order after order_coincident_hits, as numbers of the letters.
-std::string ordered(const std::string& pattern)
-{
-    std::vector<Hit> hits;
-    double t = 0.0;
-    for (const char c : pattern) {
-        if (c == '=')
-            t -= 1.0;
-        else
-            hits.push_back({t++, static_cast<std::uint32_t>(hits.size()), 0.5, 0.5, c == 'A'});
-    }
-    order_coincident_hits(hits);
-    std::string order;
-    for (const Hit& hit : hits)
-        order += std::to_string(hit.surface);
-    return order;
-}
-
-} // namespace
-
-TEST_CASE("hits of different t stay where they are")
-{
-    CHECK(ordered("DADA") == "0123");
-    CHECK(ordered("AADD") == "0123");
-}
-
-// A box resting on a floor: the line leaves the box through its bottom and arrives at the floor, both at one t.
-TEST_CASE("coincident faces continue the alternation of departures and arrivals")
-{
-    CHECK(ordered("DAA=D") ==
-          "0132"); // down through the box: top (arrival), then bottom departs before the floor is met
-    CHECK(ordered("DAD=A") == "0123");
-    CHECK(ordered("DD=AA") == "0213"); // a thin sheet: arrival at one face, departure from the other
-    CHECK(ordered("DA=DA") == "0123");
-}
-
-TEST_CASE("at the start of a line what comes next decides")
-{
-    CHECK(ordered("A=DDA") ==
-          "1023"); // from below a floor with a box on it: floor departs, bottom is met, box top departs
-    CHECK(ordered("D=ADA") == "0123");
-    CHECK(ordered("D=AA") == "102"); // a sheet lit from both sides: arrival first
-    CHECK(ordered("D=A") == "10");
-}
-
-TEST_CASE("no hit is lost when coincident faces do not alternate")
-{
-    CHECK(ordered("DA=A=D") == "0132"); // two arrivals cannot alternate: the second comes last
-    CHECK(ordered("A=A") == "01");
-    CHECK(ordered("D=D=D") == "012");
-}
 
 TEST_CASE("segments join departures and arrivals and name what has no patch")
 {

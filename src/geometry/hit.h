@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// One meeting of a line with a surface.
+struct Hit
+{
+    double t = 0.0;            ///< parameter of the line
+    std::uint32_t surface = 0; ///< number of the surface
+    double u = 0.0;            ///< position on the surface, 0 ... 1
+    double v = 0.0;
+    bool front = false; ///< the line arrives at the front; otherwise it comes from behind and leaves through the front
+};
+
+/// Puts hits of equal t, already sorted by t, in the order in which a line passes coincident surfaces: departures
+/// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene.
+/// `starts_in_solid`: what the beginning of the line is taken for when nothing along it tells.
+void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid);
+
+} // namespace multipath

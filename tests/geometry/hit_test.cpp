@@ -1,0 +1,70 @@
+#include "geometry/hit.h"
+
+#include <doctest/doctest.h>
+#include <string>
+
+using namespace multipath;
+
+namespace {
+
+/// "A" arrives at a front, "D" departs through one, in order of t; letters joined by '=' share their t.
+/// Returns the order after order_coincident_hits, as numbers of the letters.
+std::string ordered(const std::string& pattern, bool starts_in_solid = false)
+{
+    std::vector<Hit> hits;
+    double t = 0.0;
+    for (const char c : pattern) {
+        if (c == '=')
+            t -= 1.0;
+        else
+            hits.push_back({t++, static_cast<std::uint32_t>(hits.size()), 0.5, 0.5, c == 'A'});
+    }
+    order_coincident_hits(hits, starts_in_solid);
+    std::string order;
+    for (const Hit& hit : hits)
+        order += std::to_string(hit.surface);
+    return order;
+}
+
+} // namespace
+
+TEST_CASE("hits of different t stay where they are")
+{
+    CHECK(ordered("DADA") == "0123");
+    CHECK(ordered("AADD") == "0123");
+}
+
+// A box resting on a floor: the line leaves the box through its bottom and arrives at the floor, both at one t.
+TEST_CASE("coincident faces continue the alternation of departures and arrivals")
+{
+    CHECK(ordered("DAA=D") ==
+          "0132"); // down through the box: top (arrival), then bottom departs before the floor is met
+    CHECK(ordered("DAD=A") == "0123");
+    CHECK(ordered("DD=AA") == "0213"); // a thin sheet: arrival at one face, departure from the other
+    CHECK(ordered("DA=DA") == "0123");
+}
+
+TEST_CASE("at the start of a line the first hit that tells decides")
+{
+    CHECK(ordered("A=DDA") ==
+          "1023"); // from below a floor with a box on it: floor departs, bottom is met, box top departs
+    CHECK(ordered("D=ADA") == "0123");
+    CHECK(ordered("D=AA") == "102");      // a sheet lit from both sides: arrival first
+    CHECK(ordered("D=AA=DD") == "01324"); // a box in a corner: two gaps, then something departs: still inside
+    CHECK(ordered("D=AA=DA") == "10234"); // two sheets in front of something
+}
+
+TEST_CASE("when no hit tells, the kind of scene decides")
+{
+    CHECK(ordered("D=A") == "10"); // a sheet in the open
+    CHECK(ordered("D=A", true) == "01");
+    CHECK(ordered("D=AA=D", true) == "0132"); // from wall to wall through a box in a corner
+    CHECK(ordered("D=AA=D") == "1023");
+}
+
+TEST_CASE("no hit is lost when coincident faces do not alternate")
+{
+    CHECK(ordered("DA=A=D") == "0132"); // two arrivals cannot alternate: the second comes last
+    CHECK(ordered("A=A") == "01");
+    CHECK(ordered("D=D=D") == "012");
+}
