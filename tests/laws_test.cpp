@@ -3,6 +3,7 @@
 // 16,000 cases.
 
 #include "radiosity/error_measure.h"
+#include "radiosity/first_shot.h"
 #include "radiosity/solve.h"
 #include "statistics.h"
 #include "test_scenes.h"
@@ -82,7 +83,7 @@ double opposite_form_factor()
 TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)")
 {
     SceneBuilder builder;
-    const std::uint32_t wall = builder.grey(0.5, 1.0);
+    const std::uint32_t wall = builder.grey(0.3, 1.4);
     builder.room({0, 0, 0}, {1, 2, 3}, wall).box({0.3, 0.5, 0.4}, {0.6, 0.9, 1.0}, wall);
     const Scene scene = builder.scene(1.0);
     for (const Method method : {Method::global, Method::first_shot}) {
@@ -99,7 +100,7 @@ TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)")
 TEST_CASE("the furnace law holds with coincident faces")
 {
     SceneBuilder builder;
-    const std::uint32_t wall = builder.grey(0.5, 1.0);
+    const std::uint32_t wall = builder.grey(0.3, 1.4); // below 0.5, so that the threshold (4) leaves something to shoot
     builder.room({0, 0, 0}, {1, 1, 1}, wall).box({0.2, 0.0, 0.2}, {0.5, 0.3, 0.5}, wall);
     builder.rectangle({0.6, 0.5, 0.6}, {0.3, 0, 0}, {0, 0, 0.3}, wall); // faces down
     builder.rectangle({0.6, 0.5, 0.6}, {0, 0, 0.3}, {0.3, 0, 0}, wall); // faces up
@@ -120,7 +121,7 @@ TEST_CASE("the furnace law holds with coincident faces")
 TEST_CASE("the furnace law holds for touching solids under any rigid motion and scale")
 {
     SceneBuilder builder;
-    const std::uint32_t wall = builder.grey(0.5, 1.0);
+    const std::uint32_t wall = builder.grey(0.3, 1.4); // below 0.5, so that the threshold (4) leaves something to shoot
     builder.room({0, 0, 0}, {1, 1, 1}, wall).box({0.2, 0.0, 0.2}, {0.5, 0.3, 0.5}, wall);
     builder.box({0.2, 0.3, 0.2}, {0.5, 0.5, 0.5}, wall);                // on the first, with the same footprint
     builder.box({0.6, 0.0, 0.6}, {1.0, 0.4, 1.0}, wall);                // in a corner
@@ -134,6 +135,7 @@ TEST_CASE("the furnace law holds for touching solids under any rigid motion and 
         const Method method = key % 2 == 0 ? Method::global : Method::first_shot;
         const Solution solution = solve(scene, random_lines(method, 1u << 14, key), silent);
         CAPTURE(key);
+        CHECK((solution.local_lines > 1000) == (method == Method::first_shot));
         CHECK(solution.balance.escaped.g == 0.0);
         CHECK(solution.balance.behind.g == 0.0);
         for (std::size_t i = 0; i < samples.size(); ++i)
@@ -142,6 +144,41 @@ TEST_CASE("the furnace law holds for touching solids under any rigid motion and 
     for (std::size_t i = 0; i < samples.size(); ++i) {
         CAPTURE(i);
         CHECK(estimate(samples[i]).agrees_with(2.0));
+    }
+}
+
+// Every patch of a closed scene that shoots all its light at B = 1 receives H = 1: sum_j F_ij = 1, with rays alone.
+// Here every way of touching appears: floor to ceiling, in corners, side by side, one on the other, a table on legs, a
+// sheet on a box.
+TEST_CASE("in a closed scene of equal radiosity every patch receives that radiosity, also where solids touch")
+{
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 1.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, black);
+    builder.box({0.0, 0.0, 0.0}, {0.2, 0.3, 0.2}, black); // in a corner
+    builder.box({0.4, 0.0, 0.4}, {0.5, 1.0, 0.5}, black); // a pillar from floor to ceiling
+    builder.box({0.6, 0.0, 0.1}, {0.7, 0.3, 0.3}, black); // two side by side
+    builder.box({0.7, 0.0, 0.1}, {0.8, 0.3, 0.3}, black);
+    builder.box({0.6, 0.3, 0.1}, {0.8, 0.4, 0.3}, black);    // and one on both
+    builder.box({0.65, 0.0, 0.65}, {0.7, 0.4, 0.7}, black);  // a leg
+    builder.box({0.85, 0.0, 0.85}, {0.9, 0.4, 0.9}, black);  // another
+    builder.box({0.6, 0.4, 0.6}, {0.95, 0.45, 0.95}, black); // a table top on them
+    builder.box({0.1, 0.9, 0.6}, {0.3, 1.0, 0.8}, black);    // a lamp at the ceiling
+    for (std::uint64_t key = 1; key <= 6; ++key) {
+        const RigidMotion motion(key);
+        const Scene scene(motion.moved(builder.file()), 10.0 * motion.scale());
+        PowerState state(scene);
+        const auto sequence = make_sequence("random", key);
+        shoot(scene, *sequence, 0, plan_first_shot(scene, state, 0.0, 200000), 2, state, [](std::uint64_t) {});
+        CHECK(state.escaped.g == 0.0);
+        CHECK(state.behind.g == 0.0);
+        const double power_per_ray = scene.source_power().g / 200000;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            CAPTURE(i);
+            const double rays =
+                scene.area(i) / power_per_ray; // a Poisson variable at most: closer, since shots are stratified
+            CHECK(std::abs(state.incident[i].g / power_per_ray - rays) < 5.0 * std::sqrt(rays));
+        }
     }
 }
 

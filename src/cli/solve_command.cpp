@@ -97,7 +97,7 @@ SolveOptions read_solve_options(const CommandLine& line)
 std::string checked_sequence_name(const SolveOptions& options)
 {
     try {
-        return make_sequence(options.sequence, options.seed)->name();
+        return make_line_sequence(options.sequence, options.seed, options.pairing)->name();
     } catch (const std::invalid_argument& error) {
         throw UsageError(std::string("--sequence: ") + error.what());
     }

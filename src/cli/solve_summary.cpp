@@ -44,6 +44,11 @@ std::string summary_text(const SolveSummary& s)
                    "surfaces; balance to %.0e\n",
                    mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
                    percent(balance.behind), balance.relative_error());
+    if (percent(balance.unshot) > 5.0)
+        text += format("warning    %.2g %% of the power is not distributed yet, which makes the result too dark; more "
+                       "lines help, or "
+                       "larger patches\n",
+                       percent(balance.unshot));
     if (percent(balance.behind) > 0.01)
         text += format(
             "warning    %.2g %% of the power met surfaces from behind and is lost, which makes the result too dark; "

@@ -50,8 +50,8 @@ struct Slab
 
 inline Slab clip_to_box(const Bounds& box, Vec3 origin, Vec3 inverse_direction, double t_max)
 {
-    // A direction component of zero gives infinities, or NaN for an origin on the border; the order of the operands
-    // makes min and max ignore the NaN.
+    // A direction component of zero gives infinities, or NaN for an origin exactly on a border, which the widened boxes
+    // keep away from anything that could be met.
     const auto along = [](Slab slab, double low, double high, double o, double inverse) {
         const double a = (low - o) * inverse;
         const double b = (high - o) * inverse;

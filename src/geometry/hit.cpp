@@ -37,15 +37,18 @@ bool first_is_arrival(const std::vector<Hit>& hits, bool starts_in_solid)
 void order_group(std::vector<Hit>& hits, std::size_t first, std::size_t last, bool arrival_expected)
 {
     const auto at = [&](std::size_t i) { return hits.begin() + static_cast<std::ptrdiff_t>(i); };
-    for (std::size_t place = first; place < last; ++place) {
-        std::size_t chosen = place;
-        while (chosen < last && hits[chosen].front != arrival_expected)
-            ++chosen;
-        if (chosen == last)
-            chosen = place;
-        // Rotate rather than swap: hits that are alike stay in the order of their surfaces.
-        std::rotate(at(place), at(chosen), at(chosen + 1));
-        arrival_expected = !hits[place].front;
+    std::vector<Hit> arrivals;
+    std::vector<Hit> departures;
+    for (std::size_t i = first; i < last; ++i)
+        (hits[i].front ? arrivals : departures).push_back(hits[i]);
+    std::reverse(departures.begin(), departures.end());
+
+    auto arrival = arrivals.begin();
+    auto departure = departures.begin();
+    for (auto place = at(first); place != at(last); ++place) {
+        const bool take_arrival = departure == departures.end() || (arrival_expected && arrival != arrivals.end());
+        *place = take_arrival ? *arrival++ : *departure++;
+        arrival_expected = !take_arrival;
     }
 }
 

@@ -4,6 +4,7 @@
 #include "geometry/intersector.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace multipath {
 
@@ -12,13 +13,11 @@ namespace {
 constexpr std::size_t few_surfaces = 96; // where testing all of them stops being faster than the hierarchy
 constexpr std::uint32_t no_plane = 0xffffffffu;
 
-std::vector<Bounds> boxes_of(const std::vector<Surface>& surfaces)
+/// Hits are computed on shared planes: a surface may be met a little beside where its corners say.
+Bounds with_play(const Bounds& box, double play)
 {
-    std::vector<Bounds> boxes;
-    boxes.reserve(surfaces.size());
-    for (const Surface& surface : surfaces)
-        boxes.push_back(surface.bounds());
-    return boxes;
+    const Vec3 margin = {play, play, play};
+    return {box.low - margin, box.high + margin};
 }
 
 Bounds box_of(const std::vector<Surface>& surfaces)
@@ -26,7 +25,33 @@ Bounds box_of(const std::vector<Surface>& surfaces)
     Bounds box;
     for (const Surface& surface : surfaces)
         box.include(surface.bounds());
-    return widened(box);
+    return widened(with_play(box, 2.0 * coplanar_distance * box.diagonal()));
+}
+
+std::vector<Bounds> boxes_of(const std::vector<Surface>& surfaces, double play)
+{
+    std::vector<Bounds> boxes;
+    boxes.reserve(surfaces.size());
+    for (const Surface& surface : surfaces)
+        boxes.push_back(with_play(surface.bounds(), play));
+    return boxes;
+}
+
+/// Smallest first; of equal ones the later.
+std::vector<std::uint32_t> size_ranks(const std::vector<Surface>& surfaces)
+{
+    std::vector<double> areas;
+    areas.reserve(surfaces.size());
+    for (const Surface& surface : surfaces)
+        areas.push_back(surface.area());
+    std::vector<std::uint32_t> order(surfaces.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return areas[a] < areas[b] || (areas[a] == areas[b] && a > b); });
+    std::vector<std::uint32_t> rank(surfaces.size());
+    for (std::uint32_t place = 0; place < order.size(); ++place)
+        rank[order[place]] = place;
+    return rank;
 }
 
 /// The volume that the fronts of the surfaces bound from outside, negative for a room seen from inside (divergence
@@ -47,21 +72,6 @@ bool may_meet(const Bounds& box, const Line& line)
     return slab.entry <= slab.exit;
 }
 
-/// Insertion sort: a line meets a handful of surfaces. Equal t keep the order of the surfaces' numbers.
-void sort_by_t(std::vector<Hit>& hits)
-{
-    const auto before = [](const Hit& a, const Hit& b) { return a.t < b.t || (a.t == b.t && a.surface < b.surface); };
-    if (hits.size() > 64)
-        return std::sort(hits.begin(), hits.end(), before);
-    for (std::size_t i = 1; i < hits.size(); ++i) {
-        const Hit moving = hits[i];
-        std::size_t place = i;
-        for (; place > 0 && before(moving, hits[place - 1]); --place)
-            hits[place] = hits[place - 1];
-        hits[place] = moving;
-    }
-}
-
 } // namespace
 
 Intersector::Intersector(const std::vector<Surface>& surfaces) : Intersector(surfaces, share_planes(surfaces)) {}
@@ -69,10 +79,11 @@ Intersector::Intersector(const std::vector<Surface>& surfaces) : Intersector(sur
 Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes)
     : table_(surfaces, planes),
       box_(box_of(surfaces)),
-      bvh_(surfaces.size() > few_surfaces ? Bvh(boxes_of(surfaces)) : Bvh()),
+      bvh_(surfaces.size() > few_surfaces ? Bvh(boxes_of(surfaces, 2.0 * coplanar_distance * box_.diagonal())) : Bvh()),
       outside_is_solid_(encloses(surfaces, box_)),
       plane_(planes.plane_number),
-      plane_has_two_sides_(planes.has_two_sides)
+      size_rank_(size_ranks(surfaces)),
+      plane_is_shared_(planes.is_shared)
 {
 }
 
@@ -88,8 +99,29 @@ void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
             line, [&] { return line.t_max; }, collect);
     else if (may_meet(box_, line)) // a third of the chords of the scene's sphere pass its box
         table_.for_each_candidate(line, collect);
-    sort_by_t(hits);
+    sort_along_line(hits);
     order_coincident_hits(hits, outside_is_solid_);
+}
+
+bool Intersector::comes_before(const Hit& a, const Hit& b) const
+{
+    return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
+}
+
+/// Insertion sort: a line meets a handful of surfaces.
+void Intersector::sort_along_line(std::vector<Hit>& hits) const
+{
+    if (hits.size() > 64) {
+        std::sort(hits.begin(), hits.end(), [this](const Hit& a, const Hit& b) { return comes_before(a, b); });
+        return;
+    }
+    for (std::size_t i = 1; i < hits.size(); ++i) {
+        const Hit moving = hits[i];
+        std::size_t place = i;
+        for (; place > 0 && comes_before(moving, hits[place - 1]); --place)
+            hits[place] = hits[place - 1];
+        hits[place] = moving;
+    }
 }
 
 std::optional<Hit> Intersector::closest_hit(const Line& line) const
@@ -101,10 +133,8 @@ std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line&
 {
     // Where another face lies on the start, its place in the order of coincident faces decides whether the ray meets
     // it.
-    if (plane_has_two_sides_[plane_[from]])
-        for (const std::uint32_t other : coincident_surfaces(from, ray.origin))
-            if (table_.hit_at_point(ray.origin, ray.direction, other)->front)
-                return next_along_whole_line(from, ray);
+    if (plane_is_shared_[plane_[from]] && !coincident_surfaces(from, ray.origin).empty())
+        return next_along_whole_line(from, ray);
     return nearest(ray, plane_[from]);
 }
 
@@ -118,9 +148,9 @@ std::optional<Hit> Intersector::nearest(const Line& line, std::uint32_t excluded
         const std::optional<Hit> hit = table_.hit(line, surface);
         if (!hit)
             return;
-        const bool first_of_equals =
-            best && hit->t == best->t && (hit->front != best->front ? hit->front : hit->surface < best->surface);
-        if (!best || hit->t < best->t || first_of_equals)
+        const bool on_top =
+            best && hit->t == best->t && (hit->front != best->front ? hit->front : comes_before(*hit, *best));
+        if (!best || hit->t < best->t || on_top)
             best = hit;
     };
     if (bvh_.empty())

@@ -38,12 +38,16 @@ private:
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
     std::optional<Hit> next_along_whole_line(std::uint32_t from, const Line& ray) const;
 
+    bool comes_before(const Hit& a, const Hit& b) const;
+    void sort_along_line(std::vector<Hit>& hits) const;
+
     SurfaceTable table_;
-    Bounds box_;                            ///< around all surfaces, widened
-    Bvh bvh_;                               ///< empty for few surfaces
-    bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
-    std::vector<std::uint32_t> plane_;      ///< plane number of each surface
-    std::vector<bool> plane_has_two_sides_; ///< some surfaces in the plane face one way, some the other
+    Bounds box_;                           ///< around all surfaces, widened
+    Bvh bvh_;                              ///< empty for few surfaces
+    bool outside_is_solid_;                ///< the surfaces are the inside of a room rather than the outside of things
+    std::vector<std::uint32_t> plane_;     ///< plane number of each surface
+    std::vector<std::uint32_t> size_rank_; ///< of each surface: 0 for the smallest; what is smaller lies on top
+    std::vector<bool> plane_is_shared_;    ///< by more than one surface
 };
 
 } // namespace multipath

@@ -7,13 +7,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 
 namespace multipath {
 
 namespace {
 
-constexpr double coplanar_distance = 1e-6; // of the scene's diagonal: what six-digit coordinates can mean
 constexpr double normal_cell = 1e-3;
 constexpr double offset_cell = 1e-4; // of the scene's diagonal
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -67,7 +67,7 @@ private:
     /// Key of the cell that holds the coordinates (corner 0) or of a neighbour they almost touch.
     static std::uint64_t cell_key(const std::array<double, 4>& coordinates, int corner)
     {
-        constexpr double almost = 0.05; // of a cell
+        constexpr double almost = 0.3; // of a cell: small faces tilt by more than large ones
         std::uint64_t key = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             const double own = std::floor(coordinates[i]);
@@ -102,30 +102,49 @@ private:
 
 SharedPlanes share_planes(const std::vector<Surface>& surfaces)
 {
-    Bounds bounds;
-    for (const Surface& surface : surfaces)
-        bounds.include(surface.bounds());
-
     SharedPlanes result;
     if (surfaces.empty())
         return result;
-    PlaneIndex index(bounds.centre(), bounds.diagonal());
-    std::vector<std::array<bool, 2>> faces; // per plane: seen with and against its own direction
+    Bounds bounds;
+    std::vector<double> areas;
     for (const Surface& surface : surfaces) {
-        const Vec3 normal = surface.normal();
-        const Plane own = unoriented({normal, dot(normal, surface.centre())});
-        const std::uint32_t number = index.find_or_add(surface, own);
-        if (faces.size() < index.size())
-            faces.push_back({false, false});
-
-        const Plane& shared = index.plane(number);
-        const bool along = dot(shared.normal, normal) > 0.0;
-        faces[number][along ? 0 : 1] = true;
-        result.plane_of_surface.push_back(along ? shared : Plane{-shared.normal, -shared.offset});
-        result.plane_number.push_back(number);
+        bounds.include(surface.bounds());
+        areas.push_back(surface.area());
     }
-    for (const std::array<bool, 2>& sides : faces)
-        result.has_two_sides.push_back(sides[0] && sides[1]);
+    // From large to small: a small face in the plane of a large one does not say exactly where that plane is.
+    std::vector<std::uint32_t> by_size(surfaces.size());
+    std::iota(by_size.begin(), by_size.end(), 0u);
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+
+    struct Use
+    {
+        std::uint32_t along = 0;
+        std::uint32_t against = 0;
+    };
+    PlaneIndex index(bounds.centre(), bounds.diagonal());
+    std::vector<Use> uses; // per plane: surfaces that face with and against its own direction
+    result.plane_of_surface.resize(surfaces.size());
+    result.plane_number.resize(surfaces.size());
+    for (const std::uint32_t s : by_size) {
+        const Vec3 normal = surfaces[s].normal();
+        const Plane own = {normal, dot(normal, surfaces[s].centre())};
+        const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own));
+        uses.resize(index.size());
+        ++(dot(index.plane(number).normal, normal) > 0.0 ? uses[number].along : uses[number].against);
+        result.plane_of_surface[s] = own;
+        result.plane_number[s] = number;
+    }
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+        const Use use = uses[result.plane_number[s]];
+        if (use.along == 0 || use.against == 0)
+            continue;
+        const Plane& shared = index.plane(result.plane_number[s]);
+        const bool along = dot(shared.normal, result.plane_of_surface[s].normal) > 0.0;
+        result.plane_of_surface[s] = along ? shared : Plane{-shared.normal, -shared.offset};
+    }
+    for (const Use& use : uses)
+        result.is_shared.push_back(use.along + use.against > 1);
     return result;
 }
 

@@ -14,16 +14,21 @@ struct Plane
     double offset = 0.0;
 };
 
+/// What counts as lying in a plane, as a share of the scene's diagonal: what six-digit coordinates can mean.
+constexpr double coplanar_distance = 5e-6;
+
 /// Coplanar surfaces, in numbers that differ by rounding, brought onto one plane: a line meets all of them at exactly
 /// the same t. (Reversing a plane changes the sign of both sides of the division that gives t, which is exact.)
 struct SharedPlanes
 {
     std::vector<Plane> plane_of_surface;     ///< facing as the surface does
     std::vector<std::uint32_t> plane_number; ///< per surface; equal for surfaces in one plane, whichever way they face
-    std::vector<bool> has_two_sides;         ///< per plane number: its surfaces do not all face the same way
+    std::vector<bool> is_shared;             ///< per plane number: more than one surface lies in it
 };
 
-/// Surfaces whose corners all lie within 1e-6 of the scene's diagonal of a plane met before join that plane.
+/// Surfaces whose corners all lie within coplanar_distance of a larger surface's plane get its number. They get its
+/// equation too if some of them face the other way: only those can touch each other. A mesh that bends a little keeps
+/// its own planes, so that its triangles meet at their edges.
 SharedPlanes share_planes(const std::vector<Surface>& surfaces);
 
 } // namespace multipath

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,8 +16,12 @@ namespace {
 void run_workers(int threads, const std::function<void()>& worker)
 {
     std::vector<std::thread> others;
-    for (int i = 1; i < threads; ++i)
-        others.emplace_back(worker);
+    try {
+        for (int i = 1; i < threads; ++i)
+            others.emplace_back(worker);
+    } catch (const std::system_error&) {
+        // The system grants no more threads: those that run do all the work.
+    }
     worker();
     for (std::thread& thread : others)
         thread.join();

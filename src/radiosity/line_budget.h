@@ -30,7 +30,7 @@ ConvexHull scene_hull(const Scene& scene);
 double intersections_of_hull_line(const Scene& scene);
 
 /// The radiosity that every patch keeps unshot in the (extended) first shot (4) [W/m^2]: the mean reflected radiosity
-/// that an even distribution would give. Infinite when nothing absorbs.
+/// that an even distribution would give. Infinite when nothing absorbs: then nothing is shot.
 double threshold_radiosity(const Scene& scene);
 
 /// How many lines of each kind.

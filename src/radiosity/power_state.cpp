@@ -8,23 +8,28 @@ namespace multipath {
 double PowerBalance::relative_error() const
 {
     const Rgb found = absorbed + unshot + escaped + behind;
-    const auto channel = [](double sent, double arrived) {
-        return sent == 0.0 ? std::abs(arrived) : std::abs(sent - arrived) / std::abs(sent);
+    const auto channel = [](double sent, double arrived, double nominal) {
+        const double scale = std::max(std::abs(sent), nominal);
+        return scale == 0.0 ? std::abs(arrived) : std::abs(sent - arrived) / scale;
     };
-    return std::max({channel(emitted.r, found.r), channel(emitted.g, found.g), channel(emitted.b, found.b)});
+    return std::max({channel(emitted.r, found.r, source.r), channel(emitted.g, found.g, source.g),
+                     channel(emitted.b, found.b, source.b)});
 }
 
-PowerState::PowerState(const Scene& scene) : incident(scene.patch_count()), emitted(scene.source_power())
+PowerState::PowerState(const Scene& scene) : incident(scene.patch_count())
 {
     unshot.reserve(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         unshot.push_back(scene.area(i) * scene.emittance(i));
+        emitted += unshot.back();
+    }
 }
 
 PowerBalance power_balance(const Scene& scene, const PowerState& state)
 {
     PowerBalance balance;
     balance.emitted = state.emitted;
+    balance.source = scene.source_power();
     balance.escaped = state.escaped;
     balance.behind = state.behind;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {

@@ -15,7 +15,9 @@ struct PowerBalance
     Rgb escaped;  ///< left the scene through an opening
     Rgb behind;   ///< met a surface on a side that has no patch
 
-    /// Largest |emitted - the rest| of the channels, relative to the emitted power.
+    Rgb source; ///< Phi_T, what an exact forecast would emit
+
+    /// Largest |emitted - the rest| of the channels, relative to the emitted power or Phi_T, whichever is larger.
     double relative_error() const;
 };
 

@@ -33,16 +33,48 @@ std::size_t shot_of_ray(const std::vector<std::uint64_t>& before, std::uint64_t 
     return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), ray) - before.begin()) - 1;
 }
 
-void deposit(const Scene& scene, const Shot& shot, std::uint32_t receiver, PowerState& state)
+/// Rays of one shot that each receiver got. Equal powers are counted and multiplied, since adding the same number 10^8
+/// times would drift.
+class ReceivedRays
 {
-    state.unshot[shot.patch] = state.unshot[shot.patch] - shot.power_per_ray;
-    if (Segment::is_patch(receiver)) {
-        state.incident[receiver] += shot.power_per_ray;
-        state.unshot[receiver] += scene.reflectance(receiver) * shot.power_per_ray;
-    } else {
-        (receiver == Segment::behind ? state.behind : state.escaped) += shot.power_per_ray;
+public:
+    explicit ReceivedRays(const Scene& scene) : scene_(scene), counts_(scene.patch_count(), 0) {}
+
+    void add(std::uint32_t receiver)
+    {
+        if (receiver == Segment::behind)
+            ++behind_;
+        else if (receiver == Segment::outside)
+            ++outside_;
+        else if (counts_[receiver]++ == 0)
+            touched_.push_back(receiver);
     }
-}
+
+    /// Moves the power of the counted rays, all from `shot`, and forgets them.
+    void deposit(const Shot& shot, PowerState& state)
+    {
+        std::uint64_t rays = behind_ + outside_;
+        for (const std::uint32_t receiver : touched_) {
+            const Rgb power = static_cast<double>(counts_[receiver]) * shot.power_per_ray;
+            state.incident[receiver] += power;
+            state.unshot[receiver] += scene_.reflectance(receiver) * power;
+            rays += counts_[receiver];
+            counts_[receiver] = 0;
+        }
+        state.behind += static_cast<double>(behind_) * shot.power_per_ray;
+        state.escaped += static_cast<double>(outside_) * shot.power_per_ray;
+        state.unshot[shot.patch] = state.unshot[shot.patch] - static_cast<double>(rays) * shot.power_per_ray;
+        touched_.clear();
+        behind_ = outside_ = 0;
+    }
+
+private:
+    const Scene& scene_;
+    std::vector<std::uint64_t> counts_;  ///< per patch
+    std::vector<std::uint32_t> touched_; ///< patches with a count
+    std::uint64_t behind_ = 0;
+    std::uint64_t outside_ = 0;
+};
 
 } // namespace
 
@@ -95,18 +127,23 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
             block.receivers.push_back(receiver(scene, patch.surface, local_line(patch, block.items[k])));
         }
     };
-    const auto deposit_all = [&](std::uint64_t number, int slot) {
+    ReceivedRays received(scene);
+    std::size_t current_shot = 0;
+    const auto count_receivers = [&](std::uint64_t number, int slot) {
         const RayBlock& block = blocks[static_cast<std::size_t>(slot)];
-        const std::uint64_t first = number * rays_per_block;
-        std::size_t shot = shot_of_ray(before, first);
-        for (std::size_t k = 0; k < block.receivers.size(); ++k) {
-            if (first + k >= before[shot + 1])
-                shot = shot_of_ray(before, first + k);
-            deposit(scene, shots[shot], block.receivers[k], state);
+        std::uint64_t ray = number * rays_per_block;
+        for (const std::uint32_t receiver : block.receivers) {
+            if (ray++ >= before[current_shot + 1]) {
+                received.deposit(shots[current_shot], state);
+                current_shot = shot_of_ray(before, ray - 1);
+            }
+            received.add(receiver);
         }
         count_lines(block.receivers.size());
     };
-    ordered_blocks(block_count, threads, trace, deposit_all);
+    ordered_blocks(block_count, threads, trace, count_receivers);
+    if (ray_count > 0)
+        received.deposit(shots[current_shot], state);
 }
 
 } // namespace multipath

@@ -31,18 +31,10 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     return std::isfinite(ratio) ? ratio : 1.0;   // sources that light nothing, or only black: any split does
 }
 
-void require_absorption(const Scene& scene)
-{
-    const Rgb r = scene.average_reflectance();
-    if (r.r >= 1.0 || r.g >= 1.0 || r.b >= 1.0)
-        throw InputError(scene.path() + ": every material reflects all light (Kd 1), so nothing absorbs and the light "
-                                        "would grow without end; expected some Kd below 1");
-}
-
 void require_balance(const PowerBalance& balance)
 {
     if (!(balance.relative_error() <= 1e-9))
-        throw std::logic_error("the power balance is off by a relative " + std::to_string(balance.relative_error()));
+        throw std::logic_error("the power balance does not close: the program has an error");
 }
 
 } // namespace
@@ -51,27 +43,30 @@ void require_balance(const PowerBalance& balance)
 // N_l - 1, one per ray, and the global pass goes on from there, one per line. No item serves twice.
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
 {
-    require_absorption(scene);
-    const std::unique_ptr<Sequence> sequence = make_sequence(options.sequence, options.seed, options.pairing);
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const LineBudget budget = split_lines(options.lines, ratio_for(scene, options));
-    const GlobalLines lines(scene.bounds());
+    PowerState state(scene);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, threshold_radiosity(scene), budget.local_lines);
 
     Solution solution;
-    solution.global_lines = budget.global_lines;
-    solution.global_lines_cast = lines.lines_to_cast(budget.global_lines);
+    for (const Shot& shot : shots)
+        solution.local_lines += shot.rays;
+    const GlobalLines lines(scene.bounds());
+    solution.global_lines = options.lines - solution.local_lines; // with what a first shot has no use for
+    solution.global_lines_cast = lines.lines_to_cast(solution.global_lines);
+    const std::uint64_t first_global_item = solution.local_lines;
+    if (first_global_item + solution.global_lines_cast > sequence->item_limit())
+        throw InputError("the sequence " + sequence->name() + " has " + std::to_string(sequence->item_limit()) +
+                         " items, too few for these lines");
+
     std::uint64_t lines_done = 0;
-    const auto lines_in_all = static_cast<double>(budget.local_lines + solution.global_lines_cast);
+    const auto lines_in_all = static_cast<double>(solution.local_lines + solution.global_lines_cast);
     const LineCounter count_lines = [&](std::uint64_t count) {
         lines_done += count;
         progress(static_cast<double>(lines_done) / lines_in_all);
     };
-
-    PowerState state(scene);
-    const std::vector<Shot> shots = plan_first_shot(scene, state, threshold_radiosity(scene), budget.local_lines);
-    for (const Shot& shot : shots)
-        solution.local_lines += shot.rays;
     shoot(scene, *sequence, 0, shots, options.threads, state, count_lines); // (S1)
-    const GlobalPass pass{solution.local_lines, solution.global_lines_cast, options.bidirectional};
+    const GlobalPass pass{first_global_item, solution.global_lines_cast, options.bidirectional};
     cast_global_lines(scene, lines, *sequence, pass, options.threads, state, count_lines); // (M1) (M2)
 
     solution.balance = power_balance(scene, state);

@@ -40,7 +40,7 @@ struct Solution
 using ProgressCallback = std::function<void(double done)>;
 
 /// The radiosity of every patch. The result is a function of scene, options and seed; not of the threads.
-/// Throws InputError for a scene in which nothing absorbs, std::invalid_argument for an unknown sequence.
+/// Throws InputError for a sequence with too few items, std::invalid_argument for an unknown one.
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress);
 
 } // namespace multipath

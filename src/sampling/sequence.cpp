@@ -1,10 +1,9 @@
 #include "sampling/sequence.h"
 
-#include "sampling/radical_inverse.h"
+#include "sampling/halton_sequence.h"
 #include "sampling/random.h"
-#include "sampling/sobol.h"
+#include "sampling/sobol_sequence.h"
 
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -15,75 +14,42 @@ namespace {
 class RandomSequence final : public Sequence
 {
 public:
-    explicit RandomSequence(std::uint64_t seed) : key_(mix_bits(seed ^ 0x6a09e667f3bcc908u)) {}
+    RandomSequence(std::uint64_t seed, int dimensions)
+        : key_(mix_bits(seed ^ 0x6a09e667f3bcc908u)), dimensions_(static_cast<std::uint64_t>(dimensions))
+    {
+    }
 
     std::string name() const override { return "random"; }
+    int dimensions() const override { return static_cast<int>(dimensions_); }
+    std::uint64_t item_limit() const override { return (std::uint64_t{1} << 63) / dimensions_; }
     double coordinate(std::uint64_t n, int dimension) const override
     {
-        return bits_to_unit(random_bits(key_, 4 * n + static_cast<std::uint64_t>(dimension)));
+        return bits_to_unit(random_bits(key_, dimensions_ * n + static_cast<std::uint64_t>(dimension)));
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        std::uint64_t counter = dimensions_ * first;
+        for (Item& item : items) {
+            for (std::uint64_t d = 0; d < 4; ++d)
+                item[d] = bits_to_unit(random_bits(key_, counter + d));
+            counter += dimensions_;
+        }
     }
 
 private:
     std::uint64_t key_;
+    std::uint64_t dimensions_;
 };
 
-class SobolSequence final : public Sequence
-{
-public:
-    std::string name() const override { return "sobol"; }
-    double coordinate(std::uint64_t n, int dimension) const override
-    {
-        return bits_to_unit(sobol::coordinate_bits(n, dimension));
-    }
-
-    // From one point to the next a single direction number changes: the one of the lowest zero bit of n.
-    void generate(std::uint64_t first, std::vector<Item>& items) const override
-    {
-        const auto& directions = sobol::direction_numbers();
-        std::array<std::uint64_t, 4> bits;
-        for (std::size_t d = 0; d < 4; ++d)
-            bits[d] = sobol::coordinate_bits(first, static_cast<int>(d));
-        std::uint64_t n = first;
-        for (Item& item : items) {
-            std::size_t lowest_zero = 0;
-            for (std::uint64_t rest = n++; (rest & 1u) != 0; rest >>= 1)
-                ++lowest_zero;
-            for (std::size_t d = 0; d < 4; ++d) {
-                item[d] = bits_to_unit(bits[d]);
-                bits[d] ^= directions[d][lowest_zero];
-            }
-        }
-    }
-};
-
-class HaltonSequence final : public Sequence
-{
-public:
-    explicit HaltonSequence(std::array<std::uint64_t, 4> bases) : bases_(bases) {}
-
-    std::string name() const override
-    {
-        std::string text = "halton:";
-        for (const std::uint64_t base : bases_)
-            text += std::to_string(base) + ",";
-        text.pop_back();
-        return text;
-    }
-    double coordinate(std::uint64_t n, int dimension) const override
-    {
-        return radical_inverse(bases_[static_cast<std::size_t>(dimension)], n);
-    }
-
-private:
-    std::array<std::uint64_t, 4> bases_;
-};
-
+/// Two successive points of two dimensions as one item.
 class PairedSequence final : public Sequence
 {
 public:
     explicit PairedSequence(std::unique_ptr<Sequence> points) : points_(std::move(points)) {}
 
     std::string name() const override { return points_->name(); }
+    int dimensions() const override { return 4; }
+    std::uint64_t item_limit() const override { return points_->item_limit() / 2; }
     double coordinate(std::uint64_t n, int dimension) const override
     {
         return points_->coordinate(2 * n + static_cast<std::uint64_t>(dimension / 2), dimension % 2);
@@ -93,39 +59,45 @@ private:
     std::unique_ptr<Sequence> points_;
 };
 
-/// "2,7,3,5" as four pairwise coprime bases.
-std::array<std::uint64_t, 4> parse_bases(const std::string& text)
+/// "2,7,3,5" as numbers.
+std::vector<std::uint64_t> parse_list(const std::string& text)
 {
-    const std::string expected = "; expected four numbers such as halton:2,7,3,5";
-    std::vector<std::uint64_t> bases;
+    std::vector<std::uint64_t> numbers;
     std::uint64_t value = 0;
     bool has_digit = false;
     for (const char c : text + ",") {
-        if (c >= '0' && c <= '9') {
+        if (c >= '0' && c <= '9' && value < std::uint64_t{1} << 59) {
             value = 10 * value + static_cast<std::uint64_t>(c - '0');
             has_digit = true;
-            if (value > 1'000'000)
-                throw std::invalid_argument("a Halton base above 1000000 is of no use" + expected);
         } else if (c == ',' && has_digit) {
-            bases.push_back(value);
+            numbers.push_back(value);
             value = 0;
             has_digit = false;
         } else {
-            throw std::invalid_argument("cannot read the Halton bases '" + text + "'" + expected);
+            throw std::invalid_argument("cannot read the numbers '" + text + "'; expected a list such as 2,7,3,5");
         }
     }
-    if (bases.size() != 4)
-        throw std::invalid_argument("a line takes 4 numbers, but " + std::to_string(bases.size()) +
-                                    " Halton bases are given" + expected);
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (bases[i] < 2)
-            throw std::invalid_argument("a Halton base must be at least 2, got " + std::to_string(bases[i]));
-        for (std::size_t j = 0; j < i; ++j)
-            if (std::gcd(bases[i], bases[j]) != 1)
-                throw std::invalid_argument("Halton bases must have no common divisor, but " +
-                                            std::to_string(bases[j]) + " and " + std::to_string(bases[i]) + " have");
-    }
-    return {bases[0], bases[1], bases[2], bases[3]};
+    return numbers;
+}
+
+std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensions)
+{
+    const std::vector<std::uint64_t> bases = text.empty() ? default_bases(dimensions) : parse_list(text);
+    if (bases.size() != static_cast<std::size_t>(dimensions))
+        throw std::invalid_argument("one base per dimension is needed, here " + std::to_string(dimensions) + ", but '" +
+                                    text + "' has " + std::to_string(bases.size()));
+    return bases;
+}
+
+std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, int dimensions)
+{
+    const std::size_t colon = arguments.find(':');
+    const std::string count = arguments.substr(0, colon);
+    const std::string bases = colon == std::string::npos ? "" : arguments.substr(colon + 1);
+    const std::vector<std::uint64_t> number = count.empty() ? std::vector<std::uint64_t>{} : parse_list(count);
+    if (number.size() != 1)
+        throw std::invalid_argument("hammersley needs its number of points; expected for instance hammersley:65536");
+    return make_hammersley_sequence(number[0], bases_or_default(bases, dimensions - 1));
 }
 
 } // namespace
@@ -136,20 +108,57 @@ void Sequence::generate(std::uint64_t first, std::vector<Item>& items) const
         place = item(first++);
 }
 
-std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)
+std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions)
 {
-    if (pairing == Pairing::two_dimensional)
-        return std::make_unique<PairedSequence>(make_sequence(name, seed));
-    if (name == "random")
-        return std::make_unique<RandomSequence>(seed);
-    if (name == "sobol")
-        return std::make_unique<SobolSequence>();
-    if (name == "halton")
-        return std::make_unique<HaltonSequence>(std::array<std::uint64_t, 4>{2, 7, 3, 5});
-    const std::string prefix = "halton:";
-    if (name.compare(0, prefix.size(), prefix) == 0)
-        return std::make_unique<HaltonSequence>(parse_bases(name.substr(prefix.size())));
-    throw std::invalid_argument("unknown sequence '" + name + "'; expected random, sobol, halton or halton:2,7,3,5");
+    const std::size_t colon = name.find(':');
+    const std::string kind = name.substr(0, colon);
+    const bool has_arguments = colon != std::string::npos;
+    const std::string arguments = has_arguments ? name.substr(colon + 1) : "";
+    const bool takes_arguments = kind.compare(0, 6, "halton") == 0 || kind == "hammersley";
+    if (has_arguments && (!takes_arguments || arguments.empty()))
+        throw std::invalid_argument("cannot read the sequence '" + name +
+                                    "': " + (takes_arguments ? "nothing follows the colon" : kind + " takes no bases"));
+    if (kind == "random")
+        return std::make_unique<RandomSequence>(seed, dimensions);
+    if (kind == "sobol")
+        return make_sobol_sequence(SobolKind::plain, seed, dimensions);
+    if (kind == "sobol-shift")
+        return make_sobol_sequence(SobolKind::shift, seed, dimensions);
+    if (kind == "sobol-owen")
+        return make_sobol_sequence(SobolKind::owen, seed, dimensions);
+    if (kind == "halton")
+        return make_halton_sequence(HaltonKind::plain, bases_or_default(arguments, dimensions), seed);
+    if (kind == "halton-shift")
+        return make_halton_sequence(HaltonKind::shift, bases_or_default(arguments, dimensions), seed);
+    if (kind == "halton-permuted")
+        return make_halton_sequence(HaltonKind::permuted, bases_or_default(arguments, dimensions), seed);
+    if (kind == "hammersley")
+        return make_hammersley(arguments, dimensions);
+    throw std::invalid_argument(
+        "unknown sequence '" + name +
+        "'; expected random, sobol, sobol-shift, sobol-owen, halton, halton-shift, halton-permuted "
+        "(with bases such as halton:2,7,3,5) or hammersley:N");
+}
+
+std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)
+{
+    if (pairing == Pairing::four_dimensional)
+        return make_sequence(name, seed);
+    // Four bases name the 4-D arrangement; pairs use the first two.
+    const std::size_t colon = name.find(':');
+    const bool has_bases = name.compare(0, 6, "halton") == 0 && colon != std::string::npos;
+    std::string points = name;
+    if (has_bases) {
+        const std::vector<std::uint64_t> bases = parse_list(name.substr(colon + 1));
+        if (bases.size() == 4)
+            points = name.substr(0, colon + 1) + std::to_string(bases[0]) + "," + std::to_string(bases[1]);
+    }
+    return std::make_unique<PairedSequence>(make_sequence(points, seed, 2));
+}
+
+bool prefers_powers_of_two(const std::string& name)
+{
+    return name.compare(0, 5, "sobol") == 0;
 }
 
 } // namespace multipath

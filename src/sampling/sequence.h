@@ -11,20 +11,25 @@ namespace multipath {
 /// Four numbers in [0, 1): what one line takes.
 using Item = std::array<double, 4>;
 
-/// A sequence of 4-D items. Item n is a function of n alone (and of what the sequence was made with), so that any part
-/// can be generated anywhere: by any thread, again, or not at all.
+/// A sequence of points in [0, 1)^d. Number n is a function of n alone (and of what the sequence was made with), so
+/// that any part can be generated anywhere: by any thread, again, or not at all.
 class Sequence
 {
 public:
     virtual ~Sequence() = default;
 
-    /// Makes this sequence again through make_sequence (with the same seed).
+    /// Makes this sequence again through make_sequence (with the same seed and number of dimensions).
     virtual std::string name() const = 0;
+    virtual int dimensions() const = 0;
 
-    /// Number n, dimension 0 ... 3, in [0, 1).
+    /// Points from this number on do not exist or repeat; a caller must stop before.
+    virtual std::uint64_t item_limit() const = 0;
+
+    /// Coordinate of point n < item_limit(), 0 <= dimension < dimensions(), in [0, 1).
     virtual double coordinate(std::uint64_t n, int dimension) const = 0;
 
-    /// Fills `items` with the items first, first + 1, ... : the same numbers as coordinate(), faster.
+    /// Fills `items` with the first four coordinates of the points first, first + 1, ... : the same numbers as
+    /// coordinate(), faster. Needs four dimensions or more.
     virtual void generate(std::uint64_t first, std::vector<Item>& items) const;
 
     Item item(std::uint64_t n) const
@@ -37,9 +42,16 @@ public:
 /// arrangement that the paper found to fail for quasi-random sequences (its section 3).
 enum class Pairing { four_dimensional, two_dimensional };
 
-/// `random`, `sobol`, `halton` (bases 2, 7, 3, 5 as in the paper) or `halton:a,b,c,d` with four pairwise coprime bases.
-/// Only `random` depends on the seed. Throws std::invalid_argument with the reason.
-std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed,
-                                        Pairing pairing = Pairing::four_dimensional);
+/// `random`; `sobol`, `sobol-shift`, `sobol-owen`; `halton`, `halton-shift`, `halton-permuted`, each with an optional
+/// list of pairwise coprime bases such as `halton:2,7,3,5`; `hammersley:N` for N points, with optional bases
+/// `hammersley:N:2,3,5`. The seed chooses among the random and the randomised ones. Throws std::invalid_argument with
+/// the reason.
+std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions = 4);
+
+/// The same for lines: four dimensions, arranged as `pairing` says.
+std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing);
+
+/// Is it one of the kinds that fill space best at numbers of points that are a power of two?
+bool prefers_powers_of_two(const std::string& name);
 
 } // namespace multipath

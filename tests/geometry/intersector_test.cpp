@@ -149,8 +149,8 @@ TEST_CASE("coplanar surfaces are met at exactly the same t, whichever way they f
                                            {Shape::parallelogram, corner + Vec3{0, 1, 0}, a, b}};
     const SharedPlanes planes = share_planes(surfaces);
     CHECK(planes.plane_number == std::vector<std::uint32_t>{0, 0, 0, 1});
-    CHECK(planes.has_two_sides[0]);
-    CHECK(!planes.has_two_sides[1]);
+    CHECK(planes.is_shared[0]);
+    CHECK(!planes.is_shared[1]);
     const Intersector intersector(surfaces);
     Numbers numbers(5);
     std::vector<Hit> hits;
@@ -186,4 +186,50 @@ TEST_CASE("lines in the plane of a surface, and lines of no length, meet nothing
     intersector.all_hits(chord({0.5, 0, 0.5}, {0.5, 0, 0.5}), hits);
     CHECK(hits.empty());
     CHECK(!intersector.closest_hit({{0.5, 1, 0.5}, {0, 1, 0}}));
+}
+
+// A lamp drawn on the ceiling, a rug on the floor: of two faces that look the same way from one plane the smaller is on
+// top.
+TEST_CASE("of coincident faces the smaller covers the larger, seen from either end of a line")
+{
+    for (const bool lamp_first : {true, false}) {
+        const Surface ceiling = {Shape::parallelogram, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+        const Surface lamp = {Shape::parallelogram, {0.4, 1, 0.4}, {0.2, 0, 0}, {0, 0, 0.2}};
+        const std::vector<Surface> surfaces =
+            lamp_first ? std::vector<Surface>{lamp, ceiling} : std::vector<Surface>{ceiling, lamp};
+        const std::uint32_t lamp_number = lamp_first ? 0 : 1;
+        const Intersector intersector(surfaces);
+        std::vector<Hit> hits;
+        intersector.all_hits(chord({0.5, 0, 0.5}, {0.51, 2, 0.5}), hits); // up: arrives
+        REQUIRE(hits.size() == 2);
+        CHECK(hits[0].surface == lamp_number);
+        intersector.all_hits(chord({0.5, 2, 0.5}, {0.51, 0, 0.5}), hits); // down: departs, the lamp last
+        REQUIRE(hits.size() == 2);
+        CHECK(hits[1].surface == lamp_number);
+        CHECK(intersector.closest_hit(chord({0.5, 0, 0.5}, {0.51, 2, 0.5}))->surface == lamp_number);
+        CHECK(!intersector.closest_hit_from(lamp_number, {{0.5, 1, 0.5}, {0, -1, 0}}));
+        CHECK(intersector.closest_hit_from(1 - lamp_number, {{0.5, 1, 0.5}, {0, -1, 0}})->surface == lamp_number);
+    }
+}
+
+// A sheet whose two sides are 1e-9 apart, one side of 200 pieces: found through the hierarchy as if it were one plane.
+TEST_CASE("the hierarchy does not lose faces that lie beside their shared plane")
+{
+    std::vector<Surface> surfaces = {{Shape::parallelogram, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}}}; // looks up
+    for (int i = 0; i < 200; ++i)
+        surfaces.push_back({Shape::parallelogram, {i / 200.0, 1e-9, 0}, {1 / 200.0, 0, 0}, {0, 0, 1}}); // look down
+    surfaces.push_back({Shape::parallelogram, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}});
+    surfaces.push_back({Shape::parallelogram, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}});
+    const Intersector intersector(surfaces);
+    Numbers numbers(11);
+    std::vector<Hit> hits;
+    for (int n = 0; n < 2000; ++n) {
+        const double x = numbers.within(0.05, 0.95);
+        intersector.all_hits(chord({x, 1.5, 0.5}, {x, -1.5, 0.5}), hits);
+        REQUIRE(hits.size() >= 4);     // ceiling, the two sides of the sheet, floor
+        REQUIRE(hits[1].surface == 0); // arrives at the upper side and leaves through the lower one
+        REQUIRE(hits[1].t == hits[2].t);
+        const std::optional<Hit> below = intersector.closest_hit_from(hits[2].surface, {{x, 1e-9, 0.5}, {0, -1, 0}});
+        REQUIRE(below->surface == 202); // not the upper side
+    }
 }

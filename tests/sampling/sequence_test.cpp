@@ -11,26 +11,29 @@
 
 using namespace multipath;
 
-TEST_CASE("radical inverses of small numbers are those found by hand")
-{
-    const std::array<double, 8> base_2 = {0, 1.0 / 2, 1.0 / 4, 3.0 / 4, 1.0 / 8, 5.0 / 8, 3.0 / 8, 7.0 / 8};
-    const std::array<double, 10> base_3 = {0,       1.0 / 3, 2.0 / 3, 1.0 / 9, 4.0 / 9,
-                                           7.0 / 9, 2.0 / 9, 5.0 / 9, 8.0 / 9, 1.0 / 27};
-    for (std::uint64_t n = 0; n < base_2.size(); ++n)
-        CHECK(radical_inverse(2, n) == base_2[n]);
-    for (std::uint64_t n = 0; n < base_3.size(); ++n)
-        CHECK(radical_inverse(3, n) == base_3[n]);
-    CHECK(radical_inverse(17, 1000) == (14.0 * 289 + 7 * 17 + 3) / 4913); // 1000 = 3 * 289 + 7 * 17 + 14
-    CHECK(radical_inverse(2, ~0ull) < 1.0);
-    CHECK(radical_inverse(19, ~0ull) < 1.0);
-}
+namespace {
+
+constexpr std::array<const char*, 10> all_kinds = {"random",
+                                                   "sobol",
+                                                   "sobol-shift",
+                                                   "sobol-owen",
+                                                   "halton",
+                                                   "halton:11,13,17,19",
+                                                   "halton-shift",
+                                                   "halton-permuted",
+                                                   "halton-permuted:11,13,17,19",
+                                                   "hammersley:1000000"};
+
+} // namespace
 
 TEST_CASE("every sequence gives the same items in blocks and one by one, all below 1")
 {
-    for (const char* name : {"random", "sobol", "halton", "halton:11,13,17,19"})
+    for (const char* name : all_kinds)
         for (const Pairing pairing : {Pairing::four_dimensional, Pairing::two_dimensional})
             for (const std::uint64_t first : {0ull, 1ull, 1000ull, (1ull << 40) - 3}) {
-                const auto sequence = make_sequence(name, 42, pairing);
+                if (first + 100 > make_line_sequence(name, 42, pairing)->item_limit())
+                    continue;
+                const auto sequence = make_line_sequence(name, 42, pairing);
                 std::vector<Item> items(100);
                 sequence->generate(first, items);
                 for (std::uint64_t k = 0; k < items.size(); ++k) {
@@ -43,7 +46,7 @@ TEST_CASE("every sequence gives the same items in blocks and one by one, all bel
 
 TEST_CASE("a name makes the same sequence again")
 {
-    for (const char* name : {"random", "sobol", "halton", "halton:11,13,17,19"}) {
+    for (const char* name : all_kinds) {
         const auto sequence = make_sequence(name, 1);
         CHECK(make_sequence(sequence->name(), 1)->item(12345) == sequence->item(12345));
     }
@@ -52,16 +55,18 @@ TEST_CASE("a name makes the same sequence again")
 
 TEST_CASE("two successive 2-D items make one paired item")
 {
-    const auto points = make_sequence("halton:2,3,5,7", 0);
-    const auto pairs = make_sequence("halton:2,3,5,7", 0, Pairing::two_dimensional);
+    const auto pairs = make_line_sequence("halton:2,3,5,7", 0, Pairing::two_dimensional);
     CHECK(pairs->item(3) ==
           Item{radical_inverse(2, 6), radical_inverse(3, 6), radical_inverse(2, 7), radical_inverse(3, 7)});
 }
 
-TEST_CASE("the seed chooses among random sequences and leaves the others alone")
+TEST_CASE("the seed chooses among random and randomised sequences and leaves the others alone")
 {
-    CHECK(make_sequence("random", 1)->item(5) != make_sequence("random", 2)->item(5));
-    CHECK(make_sequence("sobol", 1)->item(5) == make_sequence("sobol", 2)->item(5));
+    for (const std::string name : all_kinds) {
+        const bool random = name == "random" || name.find('-') != std::string::npos;
+        CAPTURE(name);
+        CHECK((make_sequence(name, 1)->item(5) != make_sequence(name, 2)->item(5)) == random);
+    }
 }
 
 // Mean and variance of a uniform number are 1/2 and 1/12; the standard errors over n numbers are sqrt(1/12n) and
@@ -105,11 +110,65 @@ TEST_CASE("bases that cannot work are refused with the reason")
     CHECK(mentions("halton:4,6,5,7", "4 and 6"));
     CHECK(mentions("halton:1,2,3,5", "at least 2"));
     CHECK(mentions("halton:0,2,3,5", "at least 2"));
-    CHECK(mentions("halton:2,3,5", "4 numbers"));
-    CHECK(mentions("halton:2,3,5,7,11", "5 Halton bases"));
+    CHECK(mentions("halton:2,3,5", "has 3"));
+    CHECK(mentions("halton:2,3,5,7,11", "has 5"));
     CHECK(mentions("halton:2,3,,5", "cannot read"));
     CHECK(mentions("halton:2,3,5,x", "cannot read"));
-    CHECK(mentions("halton:", "cannot read"));
-    CHECK(mentions("halton:99999999999999999999,3,5,7", "1000000"));
+    CHECK(mentions("halton:", "nothing follows"));
+    CHECK(mentions("halton:9999999,3,5,7", "1000000"));
+    CHECK(mentions("halton:99999999999999999999,3,5,7", "cannot read"));
+    CHECK(mentions("sobol:2,3,5,7", "takes no bases"));
+    CHECK(mentions("hammersley", "number of points"));
+    CHECK(mentions("hammersley:0", "from 1"));
+    CHECK(mentions("hammersley:10:2,3", "has 2"));
     CHECK(mentions("niederreiter", "unknown sequence"));
+}
+
+TEST_CASE("dimensions beyond what a kind has are refused")
+{
+    CHECK_THROWS_WITH_AS(make_sequence("sobol", 0, 7), doctest::Contains("6 dimensions"), std::invalid_argument);
+    CHECK(make_sequence("halton", 0, 12)->name() == "halton:2,3,5,7,11,13,17,19,23,29,31,37");
+    CHECK(make_sequence("random", 0, 9)->dimensions() == 9);
+}
+
+// Pearson's statistic of n numbers in k equal cells has mean k - 1 and standard deviation sqrt(2 (k - 1)).
+TEST_CASE("random numbers fill cells evenly, alone and in pairs of dimensions and of seeds")
+{
+    constexpr int n = 160000;
+    constexpr int cells = 16;
+    std::vector<Item> items(n);
+    std::vector<Item> other_seed(n);
+    make_sequence("random", 1)->generate(0, items);
+    make_sequence("random", 2)->generate(0, other_seed);
+    const auto chi_square = [&](const auto& x, const auto& y) {
+        constexpr double expected = 1.0 * n / (cells * cells);
+        std::vector<double> counts(cells * cells, 0.0);
+        for (std::size_t k = 0; k < n; ++k)
+            counts[static_cast<std::size_t>(x(k) * cells) * cells + static_cast<std::size_t>(y(k) * cells)] += 1.0;
+        double sum = 0.0;
+        for (const double count : counts)
+            sum += (count - expected) * (count - expected) / expected;
+        return sum;
+    };
+    const double mean = cells * cells - 1;
+    const double tolerance = 4.0 * std::sqrt(2.0 * mean);
+    for (std::size_t d = 0; d < 4; ++d) {
+        const auto own = [&](std::size_t k) { return items[k][d]; };
+        const auto next_dimension = [&](std::size_t k) { return items[k][(d + 1) % 4]; };
+        const auto next_item = [&](std::size_t k) { return items[(k + 1) % n][d]; };
+        const auto other = [&](std::size_t k) { return other_seed[k][d]; };
+        CHECK(std::abs(chi_square(own, next_dimension) - mean) < tolerance);
+        CHECK(std::abs(chi_square(own, next_item) - mean) < tolerance);
+        CHECK(std::abs(chi_square(own, other) - mean) < tolerance);
+    }
+}
+
+// Hammersley's first coordinate is n / N; the others are those of Halton's sequence.
+TEST_CASE("Hammersley's points are known in number")
+{
+    const auto sequence = make_sequence("hammersley:8", 0, 3);
+    CHECK(sequence->item_limit() == 8);
+    CHECK(sequence->coordinate(3, 0) == 3.0 / 8);
+    CHECK(sequence->coordinate(3, 1) == 0.75);
+    CHECK(sequence->coordinate(3, 2) == 1.0 / 9);
 }

@@ -3,7 +3,9 @@
 #include "sampling/sequence.h"
 
 #include <doctest/doctest.h>
+#include <map>
 #include <set>
+#include <vector>
 
 using namespace multipath;
 
@@ -29,6 +31,63 @@ TEST_CASE("every coordinate alone visits each interval of length 2^-k once")
                 intervals.insert(sobol::coordinate_bits(1024 * block + n, d) >> 54);
             CHECK(intervals.size() == 1024);
         }
+}
+
+namespace {
+
+/// Do the points block * 2^m ... (block + 1) * 2^m - 1 put 2^t points into each elementary interval of volume 2^(t -
+/// m)? Such an interval has 2^k_i parts along dimension i, with k_1 + k_2 + ... = m - t; all shapes are tried.
+bool fills_intervals(const std::vector<int>& dims, int m, int t, std::uint64_t block)
+{
+    std::vector<int> shape(dims.size(), 0);
+    shape[0] = m - t;
+    while (true) {
+        std::map<std::vector<std::uint64_t>, int> points;
+        for (std::uint64_t n = block << m; n < (block + 1) << m; ++n) {
+            std::vector<std::uint64_t> interval;
+            for (std::size_t i = 0; i < dims.size(); ++i)
+                interval.push_back(shape[i] == 0 ? 0 : sobol::coordinate_bits(n, dims[i]) >> (64 - shape[i]));
+            ++points[interval];
+        }
+        if (points.size() != std::size_t{1} << (m - t))
+            return false;
+        for (const auto& entry : points)
+            if (entry.second != 1 << t)
+                return false;
+        // The next way to write m - t as an ordered sum.
+        std::size_t i = 0;
+        while (i + 1 < shape.size() && shape[i] == 0)
+            ++i;
+        if (i + 1 == shape.size())
+            return true;
+        const int moved = shape[i] - 1;
+        shape[i] = 0;
+        shape[0] = moved;
+        ++shape[i + 1];
+    }
+}
+
+} // namespace
+
+// Sobol (1967): with primitive polynomials of degrees g_i the points are a (t, s)-sequence with t = sum (g_i - 1),
+// whatever the starting numbers. The degrees here are 1, 2, 3, 3, 4, 4.
+TEST_CASE("every elementary interval that theory promises is filled evenly, in any block of 2^m points")
+{
+    const int degree[6] = {1, 2, 3, 3, 4, 4};
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < i; ++j)
+            for (const std::uint64_t block : {0ull, 3ull})
+                CHECK(fills_intervals({j, i}, 9, degree[i] + degree[j] - 2, block));
+    CHECK(fills_intervals({0, 1, 2}, 9, 3, 0));
+    CHECK(fills_intervals({0, 1, 2, 3}, 10, 5, 0));
+    CHECK(fills_intervals({0, 1, 2, 3}, 10, 5, 7));
+    CHECK(fills_intervals({0, 1, 2, 3, 4, 5}, 13, 11, 0));
+}
+
+TEST_CASE("finer intervals than promised are not filled evenly by these direction numbers")
+{
+    CHECK(!fills_intervals({0, 1}, 8, 0, 0));
+    CHECK(!fills_intervals({0, 1, 2, 3}, 10, 0, 0));
 }
 
 TEST_CASE("point 0 is the origin, point 1 the centre")

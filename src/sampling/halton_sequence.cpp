@@ -1,0 +1,196 @@
+#include "sampling/halton_sequence.h"
+
+#include "sampling/radical_inverse.h"
+#include "sampling/random.h"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t largest_base = 1'000'000; // its first million points are a diagonal line: of no use
+constexpr std::uint64_t halton_limit = std::uint64_t{1} << 63;
+
+void check_bases(const std::vector<std::uint64_t>& bases)
+{
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+        if (bases[i] < 2)
+            throw std::invalid_argument("a Halton base must be at least 2, got " + std::to_string(bases[i]));
+        if (bases[i] > largest_base)
+            throw std::invalid_argument("a Halton base above 1000000 is of no use, got " + std::to_string(bases[i]));
+        for (std::size_t j = 0; j < i; ++j)
+            if (std::gcd(bases[i], bases[j]) != 1)
+                throw std::invalid_argument("Halton bases must have no common divisor, but " +
+                                            std::to_string(bases[j]) + " and " + std::to_string(bases[i]) + " have");
+    }
+}
+
+std::string bases_text(const std::vector<RadicalInverse>& inverses)
+{
+    std::string text;
+    for (const RadicalInverse& inverse : inverses)
+        text += (text.empty() ? "" : ",") + std::to_string(inverse.base());
+    return text;
+}
+
+/// Added modulo 1 without leaving [0, 1).
+double shifted(double x, double shift)
+{
+    return x + shift < 1.0 ? x + shift : x + shift - 1.0;
+}
+
+/// Plain and shifted; the plain one has the shift 0.
+class HaltonSequence : public Sequence
+{
+public:
+    HaltonSequence(std::string kind, const std::vector<std::uint64_t>& bases, std::vector<double> shifts)
+        : kind_(std::move(kind)), inverses_(bases.begin(), bases.end()), shifts_(std::move(shifts))
+    {
+    }
+
+    std::string name() const override { return kind_ + ":" + bases_text(inverses_); }
+    int dimensions() const override { return static_cast<int>(inverses_.size()); }
+    std::uint64_t item_limit() const override { return halton_limit; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        const auto d = static_cast<std::size_t>(dimension);
+        return shifted(inverses_[d](n), shifts_[d]);
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        for (std::size_t d = 0; d < 4; ++d) {
+            const double shift = shifts_[d];
+            inverses_[d].for_range(first, items.size(),
+                                   [&](std::uint64_t k, double x) { items[k][d] = shifted(x, shift); });
+        }
+    }
+
+private:
+    std::string kind_;
+    std::vector<RadicalInverse> inverses_;
+    std::vector<double> shifts_;
+};
+
+/// The permutations of the digits of one base, place by place, for all places that change a double.
+class DigitPermutations
+{
+public:
+    DigitPermutations(std::uint64_t base, std::uint64_t key) : base_(base)
+    {
+        std::uint64_t counter = 0;
+        double weight = 1.0;
+        while (weight > 0x1p-54) {
+            weight /= static_cast<double>(base);
+            std::vector<std::uint32_t> digits(base);
+            std::iota(digits.begin(), digits.end(), 0u);
+            for (std::uint64_t left = base; left > 1; --left) // Fisher and Yates; the bias of 2^-44 is not seen
+                std::swap(digits[left - 1], digits[random_bits(key, counter++) % left]);
+            weights_.push_back(weight);
+            permutations_.insert(permutations_.end(), digits.begin(), digits.end());
+        }
+    }
+
+    /// Also the zeros beyond the last digit of n are permuted: without them the points would not be uniform.
+    double inverse(std::uint64_t n) const
+    {
+        double value = 0.0;
+        for (std::size_t place = 0; place < weights_.size(); ++place, n /= base_)
+            value += weights_[place] * permutations_[place * base_ + n % base_];
+        return value < 1.0 ? value : 1.0 - 0x1p-53;
+    }
+
+private:
+    std::uint64_t base_;
+    std::vector<double> weights_; ///< base^-(place + 1)
+    std::vector<std::uint32_t> permutations_;
+};
+
+class PermutedHalton final : public Sequence
+{
+public:
+    PermutedHalton(const std::vector<std::uint64_t>& bases, std::uint64_t seed)
+    {
+        for (std::size_t d = 0; d < bases.size(); ++d) {
+            digits_.emplace_back(bases[d], random_bits(mix_bits(seed ^ 0xa54ff53a5f1d36f1u), d));
+            text_ += (d == 0 ? "" : ",") + std::to_string(bases[d]);
+        }
+    }
+
+    std::string name() const override { return "halton-permuted:" + text_; }
+    int dimensions() const override { return static_cast<int>(digits_.size()); }
+    std::uint64_t item_limit() const override { return halton_limit; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        return digits_[static_cast<std::size_t>(dimension)].inverse(n);
+    }
+
+private:
+    std::vector<DigitPermutations> digits_;
+    std::string text_;
+};
+
+class HammersleySequence final : public Sequence
+{
+public:
+    HammersleySequence(std::uint64_t count, const std::vector<std::uint64_t>& bases)
+        : count_(count), inverses_(bases.begin(), bases.end())
+    {
+    }
+
+    std::string name() const override { return "hammersley:" + std::to_string(count_) + ":" + bases_text(inverses_); }
+    int dimensions() const override { return 1 + static_cast<int>(inverses_.size()); }
+    std::uint64_t item_limit() const override { return count_; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        if (dimension == 0)
+            return static_cast<double>(n) / static_cast<double>(count_);
+        return inverses_[static_cast<std::size_t>(dimension) - 1](n);
+    }
+
+private:
+    std::uint64_t count_;
+    std::vector<RadicalInverse> inverses_;
+};
+
+} // namespace
+
+std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vector<std::uint64_t>& bases,
+                                               std::uint64_t seed)
+{
+    check_bases(bases);
+    if (kind == HaltonKind::permuted)
+        return std::make_unique<PermutedHalton>(bases, seed);
+    std::vector<double> shifts(bases.size(), 0.0);
+    if (kind == HaltonKind::shift)
+        for (std::size_t d = 0; d < shifts.size(); ++d)
+            shifts[d] = bits_to_unit(random_bits(mix_bits(seed ^ 0x510e527fade682d1u), d));
+    return std::make_unique<HaltonSequence>(kind == HaltonKind::shift ? "halton-shift" : "halton", bases, shifts);
+}
+
+std::unique_ptr<Sequence> make_hammersley_sequence(std::uint64_t count, const std::vector<std::uint64_t>& bases)
+{
+    check_bases(bases);
+    constexpr std::uint64_t most = std::uint64_t{1} << 52; // n / count must differ from its neighbours
+    if (count < 1 || count > most)
+        throw std::invalid_argument("hammersley needs a number of points from 1 to 2^52, got " + std::to_string(count));
+    return std::make_unique<HammersleySequence>(count, bases);
+}
+
+std::vector<std::uint64_t> default_bases(int dimensions)
+{
+    if (dimensions == 4)
+        return {2, 7, 3, 5};
+    std::vector<std::uint64_t> primes;
+    for (std::uint64_t candidate = 2; primes.size() < static_cast<std::size_t>(dimensions); ++candidate) {
+        bool is_prime = true;
+        for (const std::uint64_t prime : primes)
+            is_prime = is_prime && candidate % prime != 0;
+        if (is_prime)
+            primes.push_back(candidate);
+    }
+    return primes;
+}
+
+} // namespace multipath
