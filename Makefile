@@ -1,6 +1,7 @@
 # make            builds ./multipath
 # make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
 # make test       builds and runs all tests
+# make bench      measures speed; close other programs first
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
 # the commands.
@@ -16,7 +17,7 @@ Q         = $(if $(V),,@)
 
 sources      = $(wildcard src/*.cpp src/*/*.cpp)
 objects      = $(sources:%.cpp=$(BUILD)/%.o)
-test_sources = $(wildcard tests/*.cpp tests/*/*.cpp)
+test_sources = $(filter-out tests/bench/%,$(wildcard tests/*.cpp tests/*/*.cpp))
 test_objects = $(test_sources:%.cpp=$(BUILD)/%.o)
 
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
@@ -50,8 +51,17 @@ $(BUILD)/%.o: %.cpp
 	@echo "  compile $<"
 	$(Q)$(COMPILE) -c $< -o $@
 
+bench: $(BUILD)/bench
+	./$(BUILD)/bench
+
+$(BUILD)/bench: $(BUILD)/tests/bench/bench.o $(filter-out $(BUILD)/src/main.o,$(objects))
+	@echo "  link    $@"
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
+
+$(BUILD)/tests/bench/bench.o: COMPILE += -Itests
+
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
-.PHONY: demo test clean
--include $(objects:.o=.d) $(test_objects:.o=.d)
+.PHONY: demo test bench clean
+-include $(objects:.o=.d) $(test_objects:.o=.d) $(BUILD)/tests/bench/bench.d

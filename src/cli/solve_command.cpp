@@ -58,7 +58,9 @@ CommandTable solve_table()
             false,
             {"yes", "no"}},
            {"sequence", 's', "NAME", "sobol",
-            "Where the lines come from: random, sobol, halton or halton:2,7,3,5 (any four coprime bases)."},
+            "Where the lines come from: random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, "
+            "each also with "
+            "four coprime bases as in halton:2,7,3,5; hammersley:N for N items."},
            {"pairing",
             0,
             "HOW",
@@ -67,7 +69,8 @@ CommandTable solve_table()
             "sequences.",
             false,
             {"4d", "2d"}},
-           {"seed", 0, "N", "1", "Chooses among random sequences."},
+           {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
+           {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
            threads_option()}},
          scene_option_group(),
          picture_option_group()},
@@ -83,8 +86,9 @@ SolveOptions read_solve_options(const CommandLine& line)
     options.method = line.text("method") == "global" ? Method::global : Method::first_shot;
     options.sequence = line.text("sequence");
     options.pairing = line.text("pairing") == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
-    options.seed = read_count("--seed", line.text("seed"));
     constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
+    options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
+    options.seed = read_count("--seed", line.text("seed"));
     options.lines = read_count("--lines", line.text("lines"), 1, most_lines);
     if (line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
@@ -118,6 +122,14 @@ void print_what_was_read(const SceneFile& file)
     for (const std::string& warning : file.warnings)
         std::fprintf(stderr, "%s\n", warning.c_str());
     std::fprintf(stderr, "%s: %s\n", file.path.c_str(), file.counts.c_str());
+}
+
+void warn_of_line_count(const SolveOptions& options)
+{
+    const bool power_of_two = (options.lines & (options.lines - 1)) == 0;
+    if (prefers_powers_of_two(options.sequence) && !power_of_two)
+        std::fprintf(
+            stderr, "note: Sobol's points are spread best when their number is a power of two, such as --lines 2^20\n");
 }
 
 bool is_picture(const PlannedOutput& output)
@@ -176,8 +188,10 @@ int run_solve(const CommandLine& line)
         open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
 
     const Scene scene = read_scene(line);
-    if (!quiet)
+    if (!quiet) {
         print_what_was_read(scene.file());
+        warn_of_line_count(options);
+    }
     const Clock::time_point solve_start = Clock::now();
     Solution solution;
     {

@@ -2,11 +2,10 @@
 
 #include "radiosity/direct_light.h"
 #include "radiosity/first_shot.h"
+#include "radiosity/item_plan.h"
 #include "radiosity/line_sampling.h"
 #include "radiosity/multipath.h"
-#include "scene/input_error.h"
 
-#include <cmath>
 #include <stdexcept>
 
 namespace multipath {
@@ -39,8 +38,6 @@ void require_balance(const PowerBalance& balance)
 
 } // namespace
 
-// Which items serve which stage: one running number through the whole sequence. The first shot takes the items 0 ...
-// N_l - 1, one per ray, and the global pass goes on from there, one per line. No item serves twice.
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
@@ -54,10 +51,7 @@ Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCa
     const GlobalLines lines(scene.bounds());
     solution.global_lines = options.lines - solution.local_lines; // with what a first shot has no use for
     solution.global_lines_cast = lines.lines_to_cast(solution.global_lines);
-    const std::uint64_t first_global_item = solution.local_lines;
-    if (first_global_item + solution.global_lines_cast > sequence->item_limit())
-        throw InputError("the sequence " + sequence->name() + " has " + std::to_string(sequence->item_limit()) +
-                         " items, too few for these lines");
+    const ItemPlan items = plan_items(*sequence, options.skip, solution.local_lines, solution.global_lines_cast);
 
     std::uint64_t lines_done = 0;
     const auto lines_in_all = static_cast<double>(solution.local_lines + solution.global_lines_cast);
@@ -65,8 +59,8 @@ Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCa
         lines_done += count;
         progress(static_cast<double>(lines_done) / lines_in_all);
     };
-    shoot(scene, *sequence, 0, shots, options.threads, state, count_lines); // (S1)
-    const GlobalPass pass{first_global_item, solution.global_lines_cast, options.bidirectional};
+    shoot(scene, *sequence, items.first_shot, shots, options.threads, state, count_lines); // (S1)
+    const GlobalPass pass{items.global_pass, solution.global_lines_cast, options.bidirectional};
     cast_global_lines(scene, lines, *sequence, pass, options.threads, state, count_lines); // (M1) (M2)
 
     solution.balance = power_balance(scene, state);

@@ -73,38 +73,69 @@ private:
     std::vector<double> shifts_;
 };
 
-/// The permutations of the digits of one base, place by place, for all places that change a double.
-class DigitPermutations
+/// Radical inverses whose digits are permuted, place by place, for all places that change a double. Also the zeros
+/// beyond the last digit of n are permuted: without them the points would not be uniform.
+class PermutedInverse
 {
 public:
-    DigitPermutations(std::uint64_t base, std::uint64_t key) : base_(base)
+    PermutedInverse(std::uint64_t base, std::uint64_t key) : base_(base)
     {
         std::uint64_t counter = 0;
-        double weight = 1.0;
-        while (weight > 0x1p-54) {
+        for (double weight = 1.0; weight > 0x1p-54;) {
             weight /= static_cast<double>(base);
-            std::vector<std::uint32_t> digits(base);
-            std::iota(digits.begin(), digits.end(), 0u);
+            std::vector<double> place(base);
+            for (std::uint64_t digit = 0; digit < base; ++digit)
+                place[digit] = weight * static_cast<double>(digit);
             for (std::uint64_t left = base; left > 1; --left) // Fisher and Yates; the bias of 2^-44 is not seen
-                std::swap(digits[left - 1], digits[random_bits(key, counter++) % left]);
-            weights_.push_back(weight);
-            permutations_.insert(permutations_.end(), digits.begin(), digits.end());
+                std::swap(place[left - 1], place[random_bits(key, counter++) % left]);
+            places_.push_back(std::move(place));
+        }
+        constexpr std::uint64_t largest_table = 4096;
+        std::uint64_t size = 1;
+        while (size == 1 || (size * base <= largest_table && low_places_ < places_.size())) {
+            size *= base;
+            ++low_places_;
+        }
+        for (std::uint64_t n = 0; n < size; ++n)
+            low_.push_back(sum_of_places(n, 0, low_places_));
+    }
+
+    double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
+
+    /// Calls put(k, value) for the numbers first + k, k = 0 ... count - 1: the high digits change seldom.
+    template <class Put>
+    void for_range(std::uint64_t first, std::uint64_t count, const Put& put) const
+    {
+        std::uint64_t last_high = first / low_.size();
+        double high = high_part(last_high);
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const std::uint64_t n = first + k;
+            if (n / low_.size() != last_high) {
+                last_high = n / low_.size();
+                high = high_part(last_high);
+            }
+            put(k, sum(low_[n % low_.size()], high));
         }
     }
 
-    /// Also the zeros beyond the last digit of n are permuted: without them the points would not be uniform.
-    double inverse(std::uint64_t n) const
+private:
+    static double sum(double low, double high) { return low + high < 1.0 ? low + high : 1.0 - 0x1p-53; }
+    double high_part(std::uint64_t high_digits) const
+    {
+        return sum_of_places(high_digits, low_places_, places_.size());
+    }
+    double sum_of_places(std::uint64_t n, std::size_t first, std::size_t last) const
     {
         double value = 0.0;
-        for (std::size_t place = 0; place < weights_.size(); ++place, n /= base_)
-            value += weights_[place] * permutations_[place * base_ + n % base_];
-        return value < 1.0 ? value : 1.0 - 0x1p-53;
+        for (std::size_t place = first; place < last; ++place, n /= base_)
+            value += places_[place][n % base_];
+        return value;
     }
 
-private:
     std::uint64_t base_;
-    std::vector<double> weights_; ///< base^-(place + 1)
-    std::vector<std::uint32_t> permutations_;
+    std::vector<std::vector<double>> places_; ///< per place: permuted digit * base^-(place + 1)
+    std::size_t low_places_ = 0;
+    std::vector<double> low_; ///< sums over the first low_places_ places
 };
 
 class PermutedHalton final : public Sequence
@@ -113,21 +144,26 @@ public:
     PermutedHalton(const std::vector<std::uint64_t>& bases, std::uint64_t seed)
     {
         for (std::size_t d = 0; d < bases.size(); ++d) {
-            digits_.emplace_back(bases[d], random_bits(mix_bits(seed ^ 0xa54ff53a5f1d36f1u), d));
+            inverses_.emplace_back(bases[d], random_bits(mix_bits(seed ^ 0xa54ff53a5f1d36f1u), d));
             text_ += (d == 0 ? "" : ",") + std::to_string(bases[d]);
         }
     }
 
     std::string name() const override { return "halton-permuted:" + text_; }
-    int dimensions() const override { return static_cast<int>(digits_.size()); }
+    int dimensions() const override { return static_cast<int>(inverses_.size()); }
     std::uint64_t item_limit() const override { return halton_limit; }
     double coordinate(std::uint64_t n, int dimension) const override
     {
-        return digits_[static_cast<std::size_t>(dimension)].inverse(n);
+        return inverses_[static_cast<std::size_t>(dimension)](n);
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        for (std::size_t d = 0; d < 4; ++d)
+            inverses_[d].for_range(first, items.size(), [&](std::uint64_t k, double x) { items[k][d] = x; });
     }
 
 private:
-    std::vector<DigitPermutations> digits_;
+    std::vector<PermutedInverse> inverses_;
     std::string text_;
 };
 

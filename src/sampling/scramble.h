@@ -29,7 +29,6 @@ inline std::uint64_t scramble_reversed(std::uint64_t x, std::uint64_t key)
     x ^= x * 0x6c50b47cb82f1e52u;
     x += key >> 7 | key << 57;
     x ^= x * 0xc7afe638d22f6e66u;
-    x *= key | 1u;
     x ^= x * 0x3d20adea8d22f6e8u;
     return x;
 }

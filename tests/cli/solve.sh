@@ -92,6 +92,21 @@ every_sequence() {
 }
 check "every method and sequence keeps the power balance, and bases that cannot work are refused" every_sequence
 
+skip_and_pairing() {
+    ends 0 solve "$scene" $quick -o a.csv && ends 0 solve "$scene" $quick --skip 1 -o b.csv && ends 0 solve "$scene" $quick \
+        --pairing 2d -o c.csv && ! cmp -s a.csv b.csv && ! cmp -s a.csv c.csv && grep -q -- '--skip 1' b.csv
+}
+check "items can be skipped and taken in pairs, and the table says so" skip_and_pairing
+
+power_of_two() {
+    ends 0 solve "$scene" --lines 1000 --size 8x6 && says err "power of two" && ends 0 solve "$scene" --lines 2^10 --size 8x6 &&
+        ! grep "power of two" err && ends 0 solve "$scene" --lines 1000 --sequence random --size 8x6 && ! grep "power of two" err
+}
+check "a number of lines that does not suit Sobol's sequence is remarked on, once" power_of_two
+
+too_short() { ends 1 solve "$scene" --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 2 && says err "ends after 500"; }
+check "a sequence that is too short is refused" too_short
+
 camera() {
     ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 70 -o a.ppm &&
         ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 40 -o b.ppm && ! cmp -s a.ppm b.ppm &&
