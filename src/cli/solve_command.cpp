@@ -60,7 +60,7 @@ CommandTable solve_table()
            {"sequence", 's', "NAME", "sobol",
             "Where the lines come from: random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, "
             "each also with "
-            "four coprime bases as in halton:2,7,3,5; hammersley:N for N items."},
+            "four coprime bases as in halton:2,7,3,5; kronecker, kronecker-shift; hammersley:N for N items."},
            {"pairing",
             0,
             "HOW",

@@ -1,6 +1,7 @@
 #include "sampling/sequence.h"
 
 #include "sampling/halton_sequence.h"
+#include "sampling/kronecker_sequence.h"
 #include "sampling/random.h"
 #include "sampling/sobol_sequence.h"
 
@@ -132,12 +133,15 @@ std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t s
         return make_halton_sequence(HaltonKind::shift, bases_or_default(arguments, dimensions), seed);
     if (kind == "halton-permuted")
         return make_halton_sequence(HaltonKind::permuted, bases_or_default(arguments, dimensions), seed);
+    if (kind == "kronecker" || kind == "kronecker-shift")
+        return make_kronecker_sequence(kind == "kronecker-shift", seed, dimensions);
     if (kind == "hammersley")
         return make_hammersley(arguments, dimensions);
     throw std::invalid_argument(
         "unknown sequence '" + name +
         "'; expected random, sobol, sobol-shift, sobol-owen, halton, halton-shift, halton-permuted "
-        "(with bases such as halton:2,7,3,5) or hammersley:N");
+        "(with bases such as halton:2,7,3,5), kronecker, "
+        "kronecker-shift or hammersley:N");
 }
 
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)

@@ -58,11 +58,11 @@ double sink = 0.0; ///< what is computed goes here, so that it must be computed
 std::vector<Contestant> sequences()
 {
     std::vector<Contestant> result;
-    for (const char* name :
-         {"random", "sobol", "sobol-shift", "sobol-owen", "halton", "halton:11,13,17,19", "halton-permuted"})
+    for (const char* name : {"random", "sobol", "sobol-shift", "sobol-owen", "halton", "halton:11,13,17,19",
+                             "halton-permuted", "kronecker"})
         result.push_back({std::string("sequence ") + name, "4-D items", [name] {
                               const auto sequence = make_sequence(name, 1);
-                              const std::size_t blocks = std::string(name) == "halton-permuted" ? 50 : 1000;
+                              constexpr std::size_t blocks = 1000;
                               std::vector<Item> items(block);
                               for (std::size_t k = 0; k < blocks; ++k) {
                                   sequence->generate(block * k, items);

@@ -2,9 +2,11 @@
 
 #include "sampling/radical_inverse.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -13,16 +15,10 @@ using namespace multipath;
 
 namespace {
 
-constexpr std::array<const char*, 10> all_kinds = {"random",
-                                                   "sobol",
-                                                   "sobol-shift",
-                                                   "sobol-owen",
-                                                   "halton",
-                                                   "halton:11,13,17,19",
-                                                   "halton-shift",
-                                                   "halton-permuted",
-                                                   "halton-permuted:11,13,17,19",
-                                                   "hammersley:1000000"};
+constexpr std::array<const char*, 12> all_kinds = {"random",       "sobol",           "sobol-shift",
+                                                   "sobol-owen",   "halton",          "halton:11,13,17,19",
+                                                   "halton-shift", "halton-permuted", "halton-permuted:11,13,17,19",
+                                                   "kronecker",    "kronecker-shift", "hammersley:1000000"};
 
 } // namespace
 
@@ -171,4 +167,24 @@ TEST_CASE("Hammersley's points are known in number")
     CHECK(sequence->coordinate(3, 0) == 3.0 / 8);
     CHECK(sequence->coordinate(3, 1) == 0.75);
     CHECK(sequence->coordinate(3, 2) == 1.0 / 9);
+}
+
+// The steps are 1/g, 1/g^2, ... with g^(s + 1) = g + 1, so that 1/g^s + 1/g^(s + 1) = 1: for s = 4 the fourth step and
+// its product with the first add up to 1. In one dimension the golden ratio: of N points, no two neighbours are further
+// apart than 2 / N.
+TEST_CASE("the Kronecker sequence steps by powers of a golden ratio")
+{
+    const auto four = make_sequence("kronecker", 0);
+    const auto step = [&](int d) { return four->coordinate(1, d) - 0.5 + (four->coordinate(1, d) < 0.5 ? 1.0 : 0.0); };
+    CHECK(step(3) + step(3) * step(0) == doctest::Approx(1.0).epsilon(1e-15));
+    CHECK(step(1) == doctest::Approx(step(0) * step(0)).epsilon(1e-15));
+
+    const auto line = make_sequence("kronecker", 0, 1);
+    std::set<double> places;
+    for (std::uint64_t n = 0; n < 1000; ++n)
+        places.insert(line->coordinate(n, 0));
+    double widest = *places.begin() + 1.0 - *places.rbegin();
+    for (auto place = places.begin(); std::next(place) != places.end(); ++place)
+        widest = std::max(widest, *std::next(place) - *place);
+    CHECK(widest < 2.0 / 1000);
 }
