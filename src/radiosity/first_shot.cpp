@@ -10,34 +10,56 @@ namespace {
 double share_above(const Scene& scene, const PowerState& state, double threshold, std::uint32_t patch)
 {
     const double unshot_radiosity = mean(state.unshot[patch]) / scene.area(patch);
-    return unshot_radiosity > threshold ? 1.0 - threshold / unshot_radiosity : 0.0;
+    return unshot_radiosity > threshold && unshot_radiosity > 0.0 ? 1.0 - threshold / unshot_radiosity : 0.0;
 }
 
 } // namespace
 
-std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays)
+double power_above(const Scene& scene, const PowerState& state, double threshold)
 {
-    double excess = 0.0; // [W]
+    double excess = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         excess += share_above(scene, state, threshold, i) * mean(state.unshot[i]);
-    std::vector<Shot> shots;
-    if (rays == 0 || !(excess > 0.0))
-        return shots;
+    return excess;
+}
 
-    const double power_by_line = excess / static_cast<double>(rays);
-    double wanted = 0.0; // rays up to and including this patch, before rounding
-    std::uint64_t given = 0;
+std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule)
+{
+    std::vector<Shot> shots;
+    double wanted = rule.offset; // rays up to and including this patch, before rounding down
+    double given = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double share = share_above(scene, state, threshold, i);
-        wanted += share * mean(state.unshot[i]) / power_by_line;
-        const auto up_to_here = static_cast<std::uint64_t>(std::llround(wanted));
-        // A patch that rounding leaves without a ray keeps its power for the global pass: nothing is lost or biased.
-        if (share > 0.0 && up_to_here > given)
-            shots.push_back(
-                {i, up_to_here - given, (share / static_cast<double>(up_to_here - given)) * state.unshot[i]});
-        given = up_to_here;
+        const double share = share_above(scene, state, rule.threshold, i);
+        if (share == 0.0)
+            continue;
+        const double deserved = share * mean(state.unshot[i]) / rule.power_by_line;
+        wanted += deserved;
+        const double rays = std::floor(wanted) - given;
+        given += rays;
+        if (rays > 0.0) {
+            const double sharers =
+                deserved < 1.0 ? deserved
+                               : rays; // a lone ray of a patch that deserves 0.3 carries 1 / 0.3 times the excess
+            shots.push_back({i, static_cast<std::uint64_t>(rays), (share / sharers) * state.unshot[i]});
+        }
     }
     return shots;
+}
+
+std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays)
+{
+    const double excess = power_above(scene, state, threshold);
+    if (rays == 0 || !(excess > 0.0))
+        return {};
+    return plan_shots(scene, state, {threshold, excess / static_cast<double>(rays), 0.5});
+}
+
+std::uint64_t ray_count(const std::vector<Shot>& shots)
+{
+    std::uint64_t rays = 0;
+    for (const Shot& shot : shots)
+        rays += shot.rays;
+    return rays;
 }
 
 } // namespace multipath

@@ -7,8 +7,27 @@
 
 namespace multipath {
 
-/// The rays of the first shot (S1): every source patch sends what its radiosity exceeds the threshold [W/m^2] by, in
-/// rays of equal power, `rays` in all (fewer only when nothing exceeds the threshold).
+/// Which part of the unshot power is to be shot, and how finely.
+struct ShotRule
+{
+    double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (4)
+    double power_by_line = 0.0; ///< [W] of one ray, mean of the channels: `PowerByLine` of the paper
+    double offset = 0.5;        ///< [0, 1) where rounding begins; uniform random: no patch is favoured on the average
+};
+
+/// [W] What exceeds the threshold, of all patches together, mean of the channels.
+double power_above(const Scene& scene, const PowerState& state, double threshold);
+
+/// The rays of one pass over the patches: each with unshot radiosity above the threshold shoots the excess (S1) (S2). A
+/// patch that deserves n rays gets n rounded down or up, with expectation n over the offset. If n >= 1 these carry
+/// exactly the excess; otherwise the one ray that it gets now and then carries power_by_line, so that the expectation
+/// is the excess too.
+std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
+
+/// The same for a number of rays in all (fewer only when nothing exceeds the threshold).
 std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays);
+
+/// Rays of all shots together.
+std::uint64_t ray_count(const std::vector<Shot>& shots);
 
 } // namespace multipath

@@ -6,6 +6,21 @@
 
 namespace multipath {
 
+namespace {
+
+/// Turns the sphere so that its poles and meridians point nowhere in particular: the regular numbers of quasi-random
+/// sequences would otherwise send lines exactly along the edges and through the corners of rooms. A rotation about (1,
+/// 2, 3) with the cosine 2/7 (Rodrigues' formula).
+Vec3 turned(Vec3 p)
+{
+    constexpr double cosine = 2.0 / 7.0;
+    constexpr double sine = 0.95831484749990992;                                           // sqrt(1 - 4/49)
+    constexpr Vec3 axis = {0.26726124191242440, 0.53452248382484879, 0.80178372573727319}; // (1, 2, 3) / sqrt 14
+    return cosine * p + sine * cross(axis, p) + ((1.0 - cosine) * dot(axis, p)) * axis;
+}
+
+} // namespace
+
 GlobalLines::GlobalLines(const Bounds& scene_box)
     : centre_(scene_box.centre()), radius_(0.5 * scene_box.diagonal()), box_area_(scene_box.area())
 {
@@ -13,8 +28,8 @@ GlobalLines::GlobalLines(const Bounds& scene_box)
 
 Line GlobalLines::line(const Item& item) const
 {
-    const Vec3 from = centre_ + radius_ * square_to_uniform_sphere(item[0], item[1]);
-    const Vec3 to = centre_ + radius_ * square_to_uniform_sphere(item[2], item[3]);
+    const Vec3 from = centre_ + radius_ * turned(square_to_uniform_sphere(item[0], item[1]));
+    const Vec3 to = centre_ + radius_ * turned(square_to_uniform_sphere(item[2], item[3]));
     return chord(from, to);
 }
 

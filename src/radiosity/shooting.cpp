@@ -88,7 +88,9 @@ Line local_line(const Patch& patch, const Item& item)
         place = square_to_uniform_triangle(place.u, place.v);
 
     const Vec3 normal = shape.normal();
-    const Vec3 tangent = normalized(shape.edge_u);
+    // Oblique to the edges (3-4-5 triangle), so that regular numbers do not aim exactly at the edges of rooms.
+    const Vec3 along_edge = normalized(shape.edge_u);
+    const Vec3 tangent = 0.6 * along_edge + 0.8 * cross(normal, along_edge);
     const Vec3 bitangent = cross(normal, tangent);
     const Vec3 local = square_to_cosine_hemisphere(item[2], item[3]);
     return {shape.at(place.u, place.v), local.x * tangent + local.y * bitangent + local.z * normal};

@@ -21,7 +21,7 @@ struct SolveOptions
     std::string sequence = "sobol"; ///< a name that make_sequence knows
     Pairing pairing = Pairing::four_dimensional;
     std::uint64_t seed = 1;         ///< of sequences that have one
-    std::uint64_t skip = 0;             ///< items of the sequence to leave out at its beginning
+    std::uint64_t skip = 0;         ///< items of the sequence to leave out at its beginning
     std::uint64_t lines = 1u << 20; ///< N_l + N_g
     std::optional<double> ratio;    ///< N_l / N_g; empty: (3) with figures measured on the scene
     bool bidirectional = true;      ///< (M2)

@@ -83,20 +83,40 @@ std::uint32_t Scene::patch_at(std::uint32_t surface, double u, double v, bool fr
     return front ? cell : cell_count_ + cell;
 }
 
+namespace {
+
+/// 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: number k of these sizes, 10 to a decade.
+double round_size(int k)
+{
+    constexpr std::array<double, 10> mantissas = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
+    const int exponent = k >= 0 ? k / 10 : -((9 - k) / 10);
+    const double mantissa = mantissas[static_cast<std::size_t>(k - 10 * exponent)];
+    return exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
+}
+
+} // namespace
+
 double default_patch_size(const std::vector<Surface>& surfaces)
 {
     double area = 0.0;
     for (const Surface& surface : surfaces)
         area += surface.area();
     const double wanted = std::sqrt(area / 2500.0);
-    constexpr std::array<double, 10> round_numbers = {8, 6, 5, 4, 3, 2.5, 2, 1.5, 1.25, 1};
-    const int exponent = static_cast<int>(std::floor(std::log10(wanted)));
-    for (const double round : round_numbers) {
-        const double size = exponent < 0 ? round / std::pow(10.0, -exponent) : round * std::pow(10.0, exponent);
-        if (size <= wanted)
-            return size;
-    }
-    return wanted;
+    int k = 10 * static_cast<int>(std::floor(std::log10(wanted)));
+    while (round_size(k + 1) <= wanted)
+        ++k;
+
+    // Long or many triangles give more cells than their area says.
+    constexpr std::uint64_t most = 4000;
+    const auto count = [&](double size) {
+        std::uint64_t cells = 0;
+        for (const Surface& surface : surfaces)
+            cells += tessellate(surface, size).cell_count();
+        return cells;
+    };
+    while (round_size(k + 1) <= 3.0 * wanted && count(round_size(k)) > most)
+        ++k;
+    return round_size(k);
 }
 
 } // namespace multipath

@@ -83,7 +83,8 @@ private:
     Rgb average_reflectance_;
 };
 
-/// A patch size that gives a few thousand patches: the largest round number not above sqrt(A_T / 2500).
+/// A patch size that gives a few thousand patches: the largest round number not above sqrt(A / 2500), or up to 2.5
+/// times as much if it takes that to stay below 4000 patches.
 double default_patch_size(const std::vector<Surface>& surfaces);
 
 } // namespace multipath
