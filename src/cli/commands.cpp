@@ -4,7 +4,7 @@ namespace multipath {
 
 std::vector<Command> commands()
 {
-    return {solve_command(), check_command()};
+    return {solve_command(), check_command(), points_command()};
 }
 
 } // namespace multipath

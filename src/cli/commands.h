@@ -20,5 +20,6 @@ std::vector<Command> commands();
 
 Command solve_command();
 Command check_command();
+Command points_command();
 
 } // namespace multipath

@@ -3,6 +3,7 @@
 #include "cli/choice.h"
 #include "cli/usage_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <sys/stat.h>
@@ -17,10 +18,11 @@ struct KnownExtension
     OutputFormat format;
 };
 
-constexpr std::array<KnownExtension, 4> known_extensions = {{{".ppm", OutputFormat::ppm},
+constexpr std::array<KnownExtension, 5> known_extensions = {{{".ppm", OutputFormat::ppm},
                                                              {".pfm", OutputFormat::pfm},
                                                              {".png", OutputFormat::png},
-                                                             {".csv", OutputFormat::csv}}};
+                                                             {".csv", OutputFormat::csv},
+                                                             {".svg", OutputFormat::svg}}};
 
 std::string lower_case_extension(const std::string& path)
 {
@@ -46,14 +48,16 @@ bool same_file(const std::string& a, const std::string& b)
 
 } // namespace
 
-OutputFormat output_format(const std::string& path)
+OutputFormat output_format(const std::string& path, const std::vector<OutputFormat>& formats)
 {
     if (path == "-")
-        return OutputFormat::ppm;
+        return formats.front();
     const std::string extension = lower_case_extension(path);
     std::string known;
     std::vector<std::string> candidates;
     for (const KnownExtension& entry : known_extensions) {
+        if (std::find(formats.begin(), formats.end(), entry.format) == formats.end())
+            continue;
         if (extension == entry.extension)
             return entry.format;
         known += (known.empty() ? "" : ", ") + std::string(entry.extension);
@@ -63,11 +67,12 @@ OutputFormat output_format(const std::string& path)
                      did_you_mean(extension, candidates));
 }
 
-std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs)
+std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
+                                        const std::vector<OutputFormat>& formats)
 {
-    std::vector<OutputFormat> formats;
+    std::vector<OutputFormat> chosen;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        formats.push_back(output_format(paths[i]));
+        chosen.push_back(output_format(paths[i], formats));
         for (const std::string& input : inputs)
             if (same_file(paths[i], input))
                 throw UsageError("--output: '" + paths[i] + "' is the input; expected another file");
@@ -77,7 +82,7 @@ std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, c
     }
     std::vector<PlannedOutput> outputs;
     for (std::size_t i = 0; i < paths.size(); ++i)
-        outputs.push_back({formats[i], OutputFile(paths[i])});
+        outputs.push_back({chosen[i], OutputFile(paths[i])});
     return outputs;
 }
 

@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-enum class OutputFormat { ppm, pfm, png, csv };
+enum class OutputFormat { ppm, pfm, png, csv, svg };
 
 /// A file that the user asked for, already open, to be filled when the work is done.
 struct PlannedOutput
@@ -16,11 +16,17 @@ struct PlannedOutput
     OutputFile file;
 };
 
-/// The format that a file's extension names; `-` is PPM. Throws UsageError with the list of known extensions.
-OutputFormat output_format(const std::string& path);
+/// What `solve` writes.
+inline const std::vector<OutputFormat> solution_formats = {OutputFormat::ppm, OutputFormat::pfm, OutputFormat::png,
+                                                           OutputFormat::csv};
 
-/// Opens all outputs, so that what cannot be written is found before the work. Throws UsageError for an unknown
-/// extension, a file named twice, or one that is also an input; OutputError for what cannot be written.
-std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs);
+/// The one of `formats` that a file's extension names; `-` is the first of them. Throws UsageError with the list of
+/// extensions.
+OutputFormat output_format(const std::string& path, const std::vector<OutputFormat>& formats = solution_formats);
+
+/// Opens all outputs, so that what cannot be written is found before the work. Throws UsageError for an extension that
+/// is not among the formats, a file named twice, or one that is also an input; OutputError for what cannot be written.
+std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
+                                        const std::vector<OutputFormat>& formats = solution_formats);
 
 } // namespace multipath

@@ -34,11 +34,14 @@ std::string command_text(const CommandTable& table, const CommandLine& line)
         for (const Option& option : group.options) {
             const bool matters =
                 std::find(without_effect.begin(), without_effect.end(), option.name) == without_effect.end();
-            const std::string value = line.text(option.name);
             if (matters && option.argument.empty() && line.has(option.name))
                 text += " --" + std::string(option.name);
-            else if (matters && !option.argument.empty() && !value.empty())
-                text += " --" + std::string(option.name) + " " + shell_word(value);
+            if (!matters || option.argument.empty())
+                continue;
+            const std::vector<std::string> given = line.all(option.name);
+            for (const std::string& value : given.empty() ? std::vector{line.text(option.name)} : given)
+                if (!value.empty())
+                    text += " --" + std::string(option.name) + " " + shell_word(value);
         }
     return text;
 }
@@ -49,8 +52,14 @@ std::vector<std::string> provenance(const CommandTable& table, const CommandLine
 {
     std::array<char, 32> hash{};
     std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(scene.hash()));
-    return {version(), "command: " + command_text(table, line), "seed: " + line.text("seed"),
-            "scene: " + std::string(hash.data())};
+    std::vector<std::string> facts = provenance(table, line);
+    facts.push_back("scene: " + std::string(hash.data()));
+    return facts;
+}
+
+std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line)
+{
+    return {version(), "command: " + command_text(table, line), "seed: " + line.text("seed")};
 }
 
 } // namespace multipath

@@ -13,4 +13,7 @@ namespace multipath {
 /// do not change the result (threads, outputs, messages) are left out, so that the same result has the same bytes.
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line, const Scene& scene);
 
+/// The same for what is made without a scene.
+std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line);
+
 } // namespace multipath

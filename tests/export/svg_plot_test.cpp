@@ -1,0 +1,70 @@
+#include "export/svg_plot.h"
+
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+namespace {
+
+Plot unit_plot()
+{
+    const std::vector<PlotTick> ticks = {{0.0, "0"}, {1.0, "1"}};
+    return {50, 20, 200, 100, "a < b", {"x & y", 0.0, 1.0, ticks}, {"up", 0.0, 1.0, ticks}};
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("values stand where the axes say, with y upwards")
+{
+    const std::string dots = svg_dots(unit_plot(), {{0, 0}, {1, 1}, {0.5, 0.25}}, "#000000", 2.0);
+    CHECK(contains(dots, "d=\"M50 120h0M250 20h0M150 95h0\""));
+
+    Plot shifted = unit_plot();
+    shifted.across.low = -3.0;
+    shifted.across.high = 5.0;
+    shifted.up.low = 2.0;
+    shifted.up.high = 4.0;
+    CHECK(contains(svg_dots(shifted, {{-3, 2}, {1, 3.5}}, "#000000", 2.0), "d=\"M50 120h0M150 45h0\""));
+}
+
+TEST_CASE("lengths have one decimal at most, and zero has no sign")
+{
+    const std::string dots = svg_dots({0, 0, 100, 100, "", {"", 0, 1, {}}, {"", 0, 1, {}}},
+                                      {{1.0 / 3.0, 0.5}, {-1e-9, 1.0 + 1e-9}}, "#000000", 2.0);
+    CHECK(contains(dots, "d=\"M33.3 50h0M0 0h0\""));
+}
+
+TEST_CASE("axes label every tick and every title, with XML's special characters escaped")
+{
+    const std::string axes = svg_axes(unit_plot());
+    for (const char* part : {">0<", ">1<", ">x &amp; y<", ">up<", ">a &lt; b<"})
+        CHECK_MESSAGE(contains(axes, part), part);
+    CHECK_FALSE(contains(axes, "a < b"));
+}
+
+TEST_CASE("an arrow of no length has no head, and none of its numbers is undefined")
+{
+    const std::string still = svg_arrow(unit_plot(), {0.5, 0.5}, {0.5, 0.5}, "#000000");
+    CHECK(contains(still, "d=\"M150 70L150 70\""));
+    const std::string flat = svg_arrow(unit_plot(), {0.0, 0.0}, {1.0, 0.0}, "#000000");
+    CHECK(contains(flat, "d=\"M50 120L250 120M244 122.7L250 120L244 117.3\"")); // head 6 long, 0.45 * 6 to either side
+}
+
+TEST_CASE("the ramp goes from dark to bright")
+{
+    CHECK(svg_ramp_colour(0.0) == "#0a286e");
+    CHECK(svg_ramp_colour(1.0) == "#f09614");
+}
+
+TEST_CASE("the head gives the size, the title and the comments, and paints the background white")
+{
+    const std::string head = svg_head(300, 200.5, "1 < 2", {"command: --count 5", "bell \a"});
+    for (const char* part : {"viewBox=\"0 0 300 200.5\"", "<title>1 &lt; 2</title>", "command: --count 5\n", "bell ?\n",
+                             "fill=\"#ffffff\""})
+        CHECK_MESSAGE(contains(head, part), part);
+}
