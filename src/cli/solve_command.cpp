@@ -43,13 +43,28 @@ CommandTable solve_table()
             'm',
             "NAME",
             "first-shot",
-            "first-shot: direct light by rays from the sources, the rest by global lines; global: everything by global "
-            "lines.",
+            "first-shot: direct light by rays from the sources, the rest by global lines; extended: rays also from "
+            "what the "
+            "sources light, and beyond, until all is even; global: everything by global lines; local: particles from "
+            "patch to patch, without global lines.",
             false,
-            {"first-shot", "global"}},
+            {"local", "global", "first-shot", "extended"}},
            {"lines", 'n', "N", "2^20",
             "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
            {"ratio", 0, "R", "auto", "Local lines per global line; auto takes the paper's optimum for the scene."},
+           {"power-per-line", 0, "W", "",
+            "Instead of the ratio: the power of one ray of the (extended) first shot, in watts."},
+           {"threshold", 0, "B", "auto",
+            "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's; "
+            "with 0 extended is progressive ray refinement."},
+           {"steps", 0, "K", "1000", "Most passes of the extended first shot."},
+           {"estimator",
+            0,
+            "WHICH",
+            "collision",
+            "Of the local method: count a particle wherever it arrives, or only where it is absorbed.",
+            false,
+            {"collision", "absorption"}},
            {"bidirectional",
             0,
             "WHETHER",
@@ -83,7 +98,19 @@ CommandTable solve_table()
 SolveOptions read_solve_options(const CommandLine& line)
 {
     SolveOptions options;
-    options.method = line.text("method") == "global" ? Method::global : Method::first_shot;
+    const std::string method = line.text("method");
+    options.method = method == "local"      ? Method::local
+                     : method == "global"   ? Method::global
+                     : method == "extended" ? Method::extended
+                                            : Method::first_shot;
+    if (line.has("power-per-line") && line.has("ratio"))
+        throw UsageError("--power-per-line and --ratio exclude each other; expected one of them");
+    if (line.has("power-per-line"))
+        options.power_by_line = read_positive("--power-per-line", line.text("power-per-line"));
+    if (line.text("threshold") != "auto")
+        options.threshold = read_real("--threshold", line.text("threshold"));
+    options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
+    options.estimator = line.text("estimator") == "absorption" ? Estimator::absorption : Estimator::collision;
     options.sequence = line.text("sequence");
     options.pairing = line.text("pairing") == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
     constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it

@@ -37,9 +37,8 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
         const double rays = std::floor(wanted) - given;
         given += rays;
         if (rays > 0.0) {
-            const double sharers =
-                deserved < 1.0 ? deserved
-                               : rays; // a lone ray of a patch that deserves 0.3 carries 1 / 0.3 times the excess
+            // The only ray that a patch worth 0.3 rays gets three times out of ten carries a whole ray's power.
+            const double sharers = deserved < 1.0 ? deserved : rays;
             shots.push_back({i, static_cast<std::uint64_t>(rays), (share / sharers) * state.unshot[i]});
         }
     }

@@ -25,6 +25,14 @@ PowerState::PowerState(const Scene& scene) : incident(scene.patch_count())
     }
 }
 
+PowerState PowerState::empty(const Scene& scene)
+{
+    PowerState state(scene);
+    state.unshot.assign(scene.patch_count(), Rgb{});
+    state.emitted = {};
+    return state;
+}
+
 PowerBalance power_balance(const Scene& scene, const PowerState& state)
 {
     PowerBalance balance;

@@ -24,7 +24,10 @@ struct PowerBalance
 /// What the patches have received and still hold: the state that every stage of the solver moves forward.
 struct PowerState
 {
+    /// Before anything was sent: the sources hold what they emit.
     explicit PowerState(const Scene& scene);
+    /// All zero, to be added to another.
+    static PowerState empty(const Scene& scene);
 
     std::vector<Rgb> incident; ///< [W] per patch, arrived so far
     std::vector<Rgb> unshot;   ///< [W] per patch, emitted or reflected, not yet sent on

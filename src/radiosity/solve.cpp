@@ -1,11 +1,11 @@
 #include "radiosity/solve.h"
 
 #include "radiosity/direct_light.h"
-#include "radiosity/first_shot.h"
 #include "radiosity/item_plan.h"
 #include "radiosity/line_sampling.h"
 #include "radiosity/multipath.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace multipath {
@@ -14,20 +14,33 @@ namespace {
 
 constexpr std::uint64_t pilot_rays = 1u << 16; // for the figures of (3); 1 % in the ratio is not noticed in the error
 
+/// N_l / N_g for the methods that shoot first.
 double ratio_for(const Scene& scene, const SolveOptions& options)
 {
-    if (options.method == Method::global)
-        return 0.0;
     if (options.ratio)
         return *options.ratio;
     const DirectLight direct = measure_direct_light(scene, pilot_rays, options.threads);
-    BudgetFigures figures;
-    figures.intersections = intersections_of_hull_line(scene);
-    figures.average_reflectance = mean(scene.average_reflectance());
-    figures.secondary_reflectance = direct.secondary_reflectance;
-    figures.lit_fraction = direct.lit_fraction;
-    const double ratio = optimal_ratio(figures); // (3)
-    return std::isfinite(ratio) ? ratio : 1.0;   // sources that light nothing, or only black: any split does
+    const BudgetFigures figures = {intersections_of_hull_line(scene), mean(scene.average_reflectance()),
+                                   direct.secondary_reflectance, direct.lit_fraction};
+    if (!(figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0))
+        return 1.0; // nothing reflects direct light: any split does
+    return optimal_ratio(options.method == Method::extended ? extended_figures(figures) : figures); // (3)
+}
+
+/// The passes of the (extended) first shot; none for the other methods.
+std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, const SolveOptions& options,
+                                  PowerState& state, const LineCounter& count_lines)
+{
+    if (options.method != Method::first_shot && options.method != Method::extended)
+        return {};
+    ExtendedShotOptions shot;
+    shot.threshold = options.threshold.value_or(threshold_radiosity(scene));       // (4)
+    shot.most_steps = options.method == Method::extended ? options.most_steps : 1; // the first pass is the first shot
+    shot.seed = options.seed;
+    shot.power_by_line = options.power_by_line;
+    if (!shot.power_by_line)
+        shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
+    return shoot_extended(scene, sequence, options.skip, shot, options.threads, state, count_lines); // (S1) (S2)
 }
 
 void require_balance(const PowerBalance& balance)
@@ -41,28 +54,34 @@ void require_balance(const PowerBalance& balance)
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const LineBudget budget = split_lines(options.lines, ratio_for(scene, options));
-    PowerState state(scene);
-    const std::vector<Shot> shots = plan_first_shot(scene, state, threshold_radiosity(scene), budget.local_lines);
-
-    Solution solution;
-    for (const Shot& shot : shots)
-        solution.local_lines += shot.rays;
     const GlobalLines lines(scene.bounds());
-    solution.global_lines = options.lines - solution.local_lines; // with what a first shot has no use for
-    solution.global_lines_cast = lines.lines_to_cast(solution.global_lines);
-    const ItemPlan items = plan_items(*sequence, options.skip, solution.local_lines, solution.global_lines_cast);
+    plan_items(*sequence, options.skip, 0,
+               lines.lines_to_cast(options.lines)); // more than any split of the lines needs
 
-    std::uint64_t lines_done = 0;
-    const auto lines_in_all = static_cast<double>(solution.local_lines + solution.global_lines_cast);
+    PowerState state(scene);
+    Solution solution;
+    double charged = 0.0; // lines of the budget used so far
+    double charge = 1.0;  // of each line counted
     const LineCounter count_lines = [&](std::uint64_t count) {
-        lines_done += count;
-        progress(static_cast<double>(lines_done) / lines_in_all);
+        charged += charge * static_cast<double>(count);
+        progress(std::min(1.0, charged / static_cast<double>(options.lines)));
     };
-    shoot(scene, *sequence, items.first_shot, shots, options.threads, state, count_lines); // (S1)
-    const GlobalPass pass{items.global_pass, solution.global_lines_cast, options.bidirectional};
-    cast_global_lines(scene, lines, *sequence, pass, options.threads, state, count_lines); // (M1) (M2)
-
+    if (options.method == Method::local) {
+        const LocalOptions local{options.lines, options.estimator, options.skip, options.seed};
+        solution.local_lines = cast_particles(scene, *sequence, local, options.threads, state, count_lines); // (L1)
+    } else {
+        solution.shot_passes = shoot_first(scene, *sequence, options, state, count_lines);
+        for (const ShotPass& pass : solution.shot_passes)
+            solution.local_lines += pass.lines;
+        // The global lines get what is left, also what a first shot had no use for.
+        solution.global_lines = options.lines - std::min(options.lines, solution.local_lines);
+        solution.global_lines_cast = lines.lines_to_cast(solution.global_lines);
+        charge = static_cast<double>(solution.global_lines) /
+                 static_cast<double>(std::max<std::uint64_t>(1, solution.global_lines_cast)); // (N1)
+        const ItemPlan items = plan_items(*sequence, options.skip, solution.local_lines, solution.global_lines_cast);
+        const GlobalPass pass{items.global_pass, solution.global_lines_cast, options.bidirectional};
+        cast_global_lines(scene, lines, *sequence, pass, options.threads, state, count_lines); // (M1) (M2)
+    }
     solution.balance = power_balance(scene, state);
     require_balance(solution.balance);
     solution.radiosity = radiosity(scene, state);

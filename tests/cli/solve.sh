@@ -83,7 +83,7 @@ check "more patches than there are numbers for is refused" huge
 
 every_sequence() {
     for sequence in random sobol halton halton:11,13,17,19; do
-        for method in first-shot global; do
+        for method in first-shot global extended local; do
             ends 0 solve "$scene" $quick --json -q --sequence $sequence --method $method -o room.csv || return
             awk -F': ' '/balance_error/ {exit !($2 + 0 < 1e-9)}' out || { cat out; return 1; }
         done
@@ -106,6 +106,14 @@ check "a number of lines that does not suit Sobol's sequence is remarked on, onc
 
 too_short() { ends 1 solve "$scene" --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 2 && says err "ends after 500"; }
 check "a sequence that is too short is refused" too_short
+
+budget_options() {
+    ends 0 solve "$scene" $quick -q --json --method extended --power-per-line 0.01 --threshold 0 -o a.csv && says out '"method": "extended"' &&
+        ends 0 solve "$scene" $quick -q --method extended --steps 2 --ratio 1 -o b.csv && ends 0 solve "$scene" $quick -q --method local \
+        --estimator absorption -o c.csv && ends 2 solve "$scene" --ratio 1 --power-per-line 2 && says err "exclude" &&
+        ends 2 solve "$scene" --threshold -1 && ends 2 solve "$scene" --steps 0
+}
+check "the budget of the extended first shot follows its options" budget_options
 
 camera() {
     ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 70 -o a.ppm &&

@@ -1,0 +1,113 @@
+// The power that the passes shoot in all is not known before they are done, and with it the power of one line that
+// makes them use N_l lines. A pilot with a small share of the lines tells how the power is distributed over the passes.
+// Then every pass gets its part of the lines that are left, in proportion to what the pilot shot in this pass and in
+// all later ones: whatever the pilot got wrong is corrected by the passes that follow, and the lines come out as
+// wanted.
+
+#include "radiosity/extended_first_shot.h"
+
+#include "sampling/random.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace multipath {
+
+namespace {
+
+/// The first pass shoots exactly the lines that it was given; later ones round at random, so that no patch is favoured.
+double rounding_offset(std::uint64_t seed, std::size_t pass)
+{
+    if (pass == 0)
+        return 0.5;
+    return bits_to_unit(random_bits(mix_bits(seed ^ 0x5be0cd19137e2179u), pass));
+}
+
+class Passes
+{
+public:
+    Passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const ExtendedShotOptions& options,
+           int threads)
+        : scene_(scene), sequence_(sequence), next_item_(first_item), options_(options), threads_(threads)
+    {
+    }
+
+    /// Repeats passes; power_by_line(excess, passes so far) says how much a ray carries.
+    template <class PowerByLine>
+    std::vector<ShotPass> run(PowerState& state, const LineCounter& count_lines, const PowerByLine& power_by_line)
+    {
+        std::vector<ShotPass> passes;
+        while (passes.size() < static_cast<std::size_t>(options_.most_steps)) {
+            const double excess = power_above(scene_, state, options_.threshold);
+            const double power = excess > 0.0 ? power_by_line(excess, passes) : 0.0;
+            if (!(power > 0.0))
+                break;
+            const std::vector<Shot> shots =
+                plan_shots(scene_, state, {options_.threshold, power, rounding_offset(options_.seed, passes.size())});
+            const std::uint64_t lines = ray_count(shots);
+            if (lines == 0)
+                break;
+            shoot(scene_, sequence_, next_item_, shots, threads_, state, count_lines);
+            next_item_ += lines;
+            passes.push_back({lines, excess});
+        }
+        return passes;
+    }
+
+private:
+    const Scene& scene_;
+    const Sequence& sequence_;
+    std::uint64_t next_item_;
+    const ExtendedShotOptions& options_;
+    int threads_;
+};
+
+std::uint64_t lines_of(const std::vector<ShotPass>& passes)
+{
+    return std::accumulate(passes.begin(), passes.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
+}
+
+/// [W] What the pilot shot in pass k and after.
+double power_from(const std::vector<ShotPass>& passes, std::size_t k)
+{
+    double power = 0.0;
+    for (std::size_t i = k; i < passes.size(); ++i)
+        power += passes[i].power;
+    return power;
+}
+
+} // namespace
+
+std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                     const ExtendedShotOptions& options, int threads, PowerState& state,
+                                     const LineCounter& count_lines)
+{
+    Passes passes(scene, sequence, first_item, options, threads);
+    if (options.power_by_line)
+        return passes.run(state, count_lines, [&](double, const auto&) { return *options.power_by_line; });
+
+    if (options.most_steps == 1)
+        return passes.run(state, count_lines, [&](double excess, const auto&) {
+            return options.lines > 0 ? excess / static_cast<double>(options.lines) : 0.0;
+        });
+
+    constexpr double pilot_share = 1.0 / 16;
+    const double pilot_lines = pilot_share * static_cast<double>(options.lines);
+    const double pilot_power = power_above(scene, state, options.threshold) / std::max(1.0, pilot_lines);
+    PowerState pilot_state = state;
+    const std::vector<ShotPass> pilot =
+        Passes(scene, sequence, first_item, options, threads)
+            .run(
+                pilot_state, [](std::uint64_t) {}, [&](double, const auto&) { return pilot_power; });
+    return passes.run(state, count_lines, [&](double excess, const std::vector<ShotPass>& done) {
+        const std::uint64_t used = std::min(options.lines, lines_of(done));
+        const auto left = static_cast<double>(options.lines - used);
+        const std::size_t k = done.size();
+        const double this_pass = k < pilot.size() ? pilot[k].power : 1.0;
+        const double from_here = k < pilot.size() ? power_from(pilot, k) : 1.0;
+        return left > 0.0 ? excess * (from_here / this_pass) / left : 0.0;
+    });
+}
+
+} // namespace multipath

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "radiosity/first_shot.h"
+#include "sampling/sequence.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace multipath {
+
+/// How the extended first shot is done.
+struct ExtendedShotOptions
+{
+    double threshold = 0.0;  ///< [W/m^2] kept unshot by every patch; 0: progressive ray refinement [FP93, Shi91]
+    std::uint64_t lines = 0; ///< N_l to use, if power_by_line is not given
+    std::optional<double> power_by_line; ///< [W] fixed by the user, as in the paper
+    int most_steps = 1000;               ///< passes over the patches
+    std::uint64_t seed = 0;              ///< of the rounding
+};
+
+/// One pass over the patches.
+struct ShotPass
+{
+    std::uint64_t lines = 0;
+    double power = 0.0; ///< [W] shot, mean of the channels
+};
+
+/// The extended first shot (S2): every patch whose unshot radiosity exceeds the threshold shoots the excess, pass by
+/// pass, until a pass has no ray left to shoot or the steps are used up. Takes the items from first_item on.
+std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                     const ExtendedShotOptions& options, int threads, PowerState& state,
+                                     const LineCounter& count_lines);
+
+} // namespace multipath

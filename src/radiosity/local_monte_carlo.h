@@ -1,0 +1,27 @@
+#pragma once
+
+#include "radiosity/shooting.h"
+#include "sampling/sequence.h"
+
+#include <cstdint>
+
+namespace multipath {
+
+/// Where a particle's power is counted: at every patch that it meets, or only where it ends.
+enum class Estimator { collision, absorption };
+
+struct LocalOptions
+{
+    std::uint64_t lines = 0; ///< N_l to use, to about 1 %: every segment of a path counts, and their number is random
+    Estimator estimator = Estimator::collision;
+    std::uint64_t first_item = 0; ///< of the sequence; one item per particle, for its first segment
+    std::uint64_t seed = 0;       ///< of all that is random after the first segment
+};
+
+/// Phi_T local Monte Carlo (L1): particles of equal power leave the sources, are reflected with the probability rho,
+/// and go on from a uniform point of the patch that they hit. Returns the segments cast. Unshot power then holds what
+/// Russian roulette created (negative) or destroyed, which is zero in expectation.
+std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options, int threads,
+                             PowerState& state, const LineCounter& count_lines);
+
+} // namespace multipath

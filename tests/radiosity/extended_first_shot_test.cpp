@@ -1,0 +1,100 @@
+#include "radiosity/extended_first_shot.h"
+
+#include "radiosity/line_budget.h"
+#include "test_scenes.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numeric>
+
+using namespace multipath;
+
+namespace {
+
+const LineCounter uncounted = [](std::uint64_t) {};
+
+Scene lit_room(double reflectance)
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(reflectance, 0.0);
+    const std::uint32_t lamp = builder.grey(0.0, 10.0);
+    builder.room({0, 0, 0}, {2, 2, 2}, wall).box({0.2, 0, 0.2}, {0.8, 1, 0.8}, wall);
+    return builder.rectangle({0.8, 1.9, 0.8}, {0.4, 0, 0}, {0, 0, 0.4}, lamp).scene(0.25);
+}
+
+std::uint64_t lines_of(const std::vector<ShotPass>& passes)
+{
+    return std::accumulate(passes.begin(), passes.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
+}
+
+} // namespace
+
+TEST_CASE("the extended first shot uses the lines that it was given, to 1 %")
+{
+    const auto sequence = make_sequence("random", 3);
+    for (const double reflectance : {0.3, 0.8})
+        for (const std::uint64_t lines : {5000ull, 50000ull, 500000ull})
+            for (const double threshold_factor : {0.0, 0.3, 1.0}) {
+                const Scene scene = lit_room(reflectance);
+                PowerState state(scene);
+                ExtendedShotOptions options;
+                options.lines = lines;
+                options.threshold = threshold_factor * threshold_radiosity(scene);
+                const std::uint64_t used = lines_of(shoot_extended(scene, *sequence, 0, options, 2, state, uncounted));
+                CAPTURE(reflectance);
+                CAPTURE(threshold_factor);
+                CAPTURE(used);
+                CHECK(std::abs(static_cast<double>(used) / static_cast<double>(lines) - 1.0) < 0.01);
+            }
+}
+
+// Every pass sends on the share rho of what arrived before: with threshold 0 the powers of the passes fall like rho^k.
+TEST_CASE("progressive ray refinement shoots the reflected light of each pass in the next")
+{
+    const Scene scene = lit_room(0.5);
+    PowerState state(scene);
+    ExtendedShotOptions options;
+    options.power_by_line = 1e-4;
+    const std::vector<ShotPass> passes =
+        shoot_extended(scene, *make_sequence("random", 1), 0, options, 1, state, uncounted);
+    CHECK(passes.size() >= 5);
+    for (std::size_t k = 1; k < 5; ++k)
+        CHECK(passes[k].power / passes[k - 1].power ==
+              doctest::Approx(0.5).epsilon(0.05)); // the lamp's face absorbs a little
+    double unshot = 0.0;
+    for (const Rgb u : state.unshot)
+        unshot += std::abs(u.g);
+    CHECK(unshot < 0.02 * scene.source_power().g); // less than a ray is left on most patches
+    CHECK(power_balance(scene, state).relative_error() < 1e-12);
+}
+
+TEST_CASE("steps bound the passes, and a threshold above everything shoots nothing")
+{
+    const Scene scene = lit_room(0.5);
+    ExtendedShotOptions options;
+    options.power_by_line = 1e-3;
+    options.most_steps = 2;
+    PowerState state(scene);
+    CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, 1, state, uncounted).size() == 2);
+    options.threshold = 1e9;
+    PowerState untouched(scene);
+    CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, 1, untouched, uncounted).empty());
+}
+
+// A patch that deserves 0.3 rays must shoot 0.3 rays' worth on the average over the rounding, no more and no less.
+TEST_CASE("rounding to whole rays is without bias")
+{
+    SceneBuilder builder;
+    const std::uint32_t faint = builder.grey(0.5, 0.3);
+    const std::uint32_t bright = builder.grey(0.5, 2.7);
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {faint, bright, faint, bright, faint, faint}).scene(1.0);
+    const PowerState state(scene);
+    constexpr int offsets = 1000;
+    std::vector<double> shot(6, 0.0);
+    for (int k = 0; k < offsets; ++k)
+        for (const Shot& s : plan_shots(scene, state, {0.0, 1.0, (k + 0.5) / offsets}))
+            shot[s.patch] += static_cast<double>(s.rays) * s.power_per_ray.g / offsets;
+    for (std::uint32_t i = 0; i < 6; ++i)
+        CHECK(shot[i] == doctest::Approx(scene.emittance(i).g).epsilon(0.005)); // 1000 offsets resolve 0.1 % of a ray
+}
