@@ -37,6 +37,7 @@ CommandTable solve_table()
             true},
            {"json", 0, "", "", "Print a machine-readable summary on standard output."},
            {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
+           {"verbose", 'v', "", "", "Also show where the power is after every stage."},
            {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
          {"Method",
           {{"method",
@@ -234,6 +235,8 @@ int run_solve(const CommandLine& line)
         std::fputs(summary_json(summary).document().c_str(), stdout);
     if (!quiet) {
         std::fputs(summary_text(summary).c_str(), stderr);
+        if (line.has("verbose"))
+            std::fputs(stages_text(solution).c_str(), stderr);
         for (const PlannedOutput& output : outputs)
             std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
     }

@@ -59,6 +59,21 @@ std::string summary_text(const SolveSummary& s)
     return text;
 }
 
+std::string stages_text(const Solution& solution)
+{
+    const auto row = [](const std::string& stage, std::uint64_t lines, const PowerBalance& b) {
+        return format("  %-12s %14s %12.6g %12.6g %12.6g %12.6g %12.6g\n", stage.c_str(), grouped(lines).c_str(),
+                      mean(b.emitted), mean(b.absorbed), mean(b.unshot), mean(b.escaped), mean(b.behind));
+    };
+    std::string text = format("stages     %14s %12s %12s %12s %12s %12s   (W, after the stage)\n", "lines", "emitted",
+                              "absorbed", "unshot", "escaped", "behind");
+    for (std::size_t k = 0; k < solution.shot_passes.size(); ++k)
+        text += row("pass " + std::to_string(k + 1), solution.shot_passes[k].lines, solution.shot_passes[k].balance);
+    const bool local = solution.global_lines == 0 && solution.shot_passes.empty();
+    return text + row(local ? "particles" : "global pass", local ? solution.local_lines : solution.global_lines,
+                      solution.balance);
+}
+
 JsonObject summary_json(const SolveSummary& s)
 {
     const PowerBalance& balance = s.solution.balance;

@@ -23,6 +23,9 @@ struct SolveSummary
 /// Some lines for a person.
 std::string summary_text(const SolveSummary& summary);
 
+/// Where the power is after every stage: each pass of the (extended) first shot, then the whole run.
+std::string stages_text(const Solution& solution);
+
 /// The same for a program: the keys of `solve --json`.
 JsonObject summary_json(const SolveSummary& summary);
 

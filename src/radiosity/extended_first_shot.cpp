@@ -49,7 +49,7 @@ public:
                 break;
             shoot(scene_, sequence_, next_item_, shots, threads_, state, count_lines);
             next_item_ += lines;
-            passes.push_back({lines, excess});
+            passes.push_back({lines, excess, power_balance(scene_, state)});
         }
         return passes;
     }

@@ -23,7 +23,8 @@ struct ExtendedShotOptions
 struct ShotPass
 {
     std::uint64_t lines = 0;
-    double power = 0.0; ///< [W] shot, mean of the channels
+    double power = 0.0;   ///< [W] shot, mean of the channels
+    PowerBalance balance; ///< after the pass
 };
 
 /// The extended first shot (S2): every patch whose unshot radiosity exceeds the threshold shoots the excess, pass by

@@ -115,6 +115,13 @@ budget_options() {
 }
 check "the budget of the extended first shot follows its options" budget_options
 
+stages() {
+    ends 0 solve "$scene" $quick --method extended --verbose -o a.csv && says err "pass 1" && says err "pass 2" && says err "global pass" || return
+    awk '/^  (pass|global)/ { sum = $(NF - 3) + $(NF - 2) + $(NF - 1) + $NF; d = $(NF - 4) - sum; if (d * d > 1e-6) exit 1; ++n }
+        END { exit n < 3 }' err
+}
+check "--verbose shows the power balance of every stage, and each closes" stages
+
 camera() {
     ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 70 -o a.ppm &&
         ends 0 solve "$scene" $quick -q --eye 1.5,1.5,2.9 --target 1.5,1.4,0 --fov 40 -o b.ppm && ! cmp -s a.ppm b.ppm &&
