@@ -36,17 +36,24 @@ std::string lower_case_extension(const std::string& path)
     return extension;
 }
 
-/// Do both names lead to one existing file?
+} // namespace
+
 bool same_file(const std::string& a, const std::string& b)
 {
     struct stat status_a = {};
     struct stat status_b = {};
-    if (stat(a.c_str(), &status_a) != 0 || stat(b.c_str(), &status_b) != 0)
-        return a == b;
-    return status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
+    const auto same = [&] { return status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino; };
+    if (stat(a.c_str(), &status_a) == 0 && stat(b.c_str(), &status_b) == 0)
+        return same();
+    // Files that do not exist yet: the same name in the same folder.
+    const auto folder = [](const std::string& path) { return "./" + path.substr(0, path.rfind('/') + 1); };
+    const auto folder_or_root = [&](const std::string& path) {
+        return path[0] == '/' ? path.substr(0, path.rfind('/') + 1) : folder(path);
+    };
+    const auto name = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+    return name(a) == name(b) && !a.empty() && !b.empty() && stat(folder_or_root(a).c_str(), &status_a) == 0 &&
+           stat(folder_or_root(b).c_str(), &status_b) == 0 && same();
 }
-
-} // namespace
 
 OutputFormat output_format(const std::string& path, const std::vector<OutputFormat>& formats)
 {

@@ -29,4 +29,7 @@ OutputFormat output_format(const std::string& path, const std::vector<OutputForm
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
                                         const std::vector<OutputFormat>& formats = solution_formats);
 
+/// Do both names lead to one file? Files that do not exist yet are compared by folder and name.
+bool same_file(const std::string& a, const std::string& b);
+
 } // namespace multipath

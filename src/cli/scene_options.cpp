@@ -12,12 +12,13 @@ namespace multipath {
 
 OptionGroup scene_option_group()
 {
-    return {"Scene",
-            {{"patch-size", 'p', "SIZE", "",
-              "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
-             {"patches", 0, "N", "", "Instead of the size, about how many patches to have."},
-             {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
-             {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
+    return {
+        "Scene",
+        {{"patch-size", 'p', "SIZE", "",
+          "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
+         {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
+         {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
+         {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
 }
 
 Scene read_scene(const CommandLine& line)

@@ -14,6 +14,7 @@
 #include "image/ppm.h"
 #include "radiosity/solve.h"
 #include "sampling/sequence.h"
+#include "scene/input_error.h"
 
 #include <algorithm>
 #include <chrono>
@@ -192,6 +193,38 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
         output.file.commit();
 }
 
+/// A material file is an input too, known only after reading.
+void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file)
+{
+    for (const PlannedOutput& output : outputs)
+        for (const Material& material : file.materials)
+            if (same_file(output.file.name(), material.source.substr(0, material.source.rfind(':'))))
+                throw UsageError("--output: '" + output.file.name() + "' is an input; expected another file");
+}
+
+/// A black picture is no result.
+void require_light(const Scene& scene, const Solution& solution)
+{
+    if (!(mean(solution.balance.absorbed) > 0.0))
+        throw InputError(
+            scene.path() +
+            ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
+}
+
+/// Options that the method has no use for are mistakes.
+void require_options_with_effect(const CommandLine& line)
+{
+    const std::string method = line.text("method");
+    if (method == "local" || method == "global")
+        for (const char* option : {"ratio", "power-per-line", "threshold", "steps"})
+            if (line.has(option))
+                throw UsageError("--" + std::string(option) + " has no effect with --method " + method +
+                                 "; expected --method first-shot or extended with it");
+    const std::vector<std::string> outputs = line.all("output");
+    if (line.has("json") && std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
+        throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
+}
+
 ProgressStyle progress_style(const CommandLine& line, bool quiet)
 {
     const std::string when = line.text("progress");
@@ -208,6 +241,7 @@ int run_solve(const CommandLine& line)
     };
     const Clock::time_point start = Clock::now();
     const bool quiet = line.has("quiet");
+    require_options_with_effect(line);
     const SolveOptions options = read_solve_options(line);
     const PictureOptions picture_options = read_picture_options(line, options.threads);
     const std::string sequence = checked_sequence_name(options);
@@ -216,6 +250,7 @@ int run_solve(const CommandLine& line)
         open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
 
     const Scene scene = read_scene(line);
+    require_outputs_beside(outputs, scene.file());
     if (!quiet) {
         print_what_was_read(scene.file());
         warn_of_line_count(options);
@@ -227,6 +262,7 @@ int run_solve(const CommandLine& line)
         solution = solve(scene, options, [&](double done) { progress.show(done); });
     }
     const double seconds_trace = seconds_since(solve_start);
+    require_light(scene, solution);
     write_outputs(outputs, scene, solution, picture_options, provenance(solve_table(), line, scene));
 
     const SolveSummary summary{scene,        options, solution, line.text("method"), sequence, seconds_since(start),

@@ -96,7 +96,9 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t rays, int thr
 {
     PowerState state(scene);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
-    shoot(scene, *sequence, 0, plan_first_shot(scene, state, 0.0, rays), threads, state, [](std::uint64_t) {});
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
+    spend(scene, 0.0, shots, state);
+    shoot(scene, *sequence, 0, shots, threads, state, [](std::uint64_t) {});
 
     double received = 0.0;  // [W]
     double reflected = 0.0; // [W]

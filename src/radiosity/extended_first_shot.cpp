@@ -47,6 +47,7 @@ public:
             const std::uint64_t lines = ray_count(shots);
             if (lines == 0)
                 break;
+            spend(scene_, options_.threshold, shots, state);
             shoot(scene_, sequence_, next_item_, shots, threads_, state, count_lines);
             next_item_ += lines;
             passes.push_back({lines, excess, power_balance(scene_, state)});

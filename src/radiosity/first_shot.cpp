@@ -53,6 +53,21 @@ std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, d
     return plan_shots(scene, state, {threshold, excess / static_cast<double>(rays), 0.5});
 }
 
+void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state)
+{
+    if (shots.empty())
+        return;
+    Rgb difference;
+    for (const Shot& shot : shots)
+        difference += static_cast<double>(shot.rays) * shot.power_per_ray;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const Rgb excess = share_above(scene, state, threshold, i) * state.unshot[i];
+        state.unshot[i] = state.unshot[i] - excess;
+        difference = difference - excess;
+    }
+    state.emitted += difference;
+}
+
 std::uint64_t ray_count(const std::vector<Shot>& shots)
 {
     std::uint64_t rays = 0;

@@ -27,6 +27,10 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
 /// The same for a number of rays in all (fewer only when nothing exceeds the threshold).
 std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays);
 
+/// Takes the excess from all patches that have one, also from those that rounding gave no ray: it is spent in
+/// expectation. By how much the shots carry more or less than that, the emitted power changes.
+void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state);
+
 /// Rays of all shots together.
 std::uint64_t ray_count(const std::vector<Shot>& shots);
 

@@ -147,8 +147,7 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
 {
     const std::uint64_t wanted = particles_for(scene, state, options);
     const Particles particles(scene, plan_first_shot(scene, state, 0.0, wanted), options.seed);
-    for (const Shot& shot : particles.shots())
-        state.unshot[shot.patch] = state.unshot[shot.patch] - static_cast<double>(shot.rays) * shot.power_per_ray;
+    spend(scene, 0.0, particles.shots(), state);
 
     struct Block
     {

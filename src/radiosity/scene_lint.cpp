@@ -99,8 +99,8 @@ private:
         add("behind", true, place_of(first_of(report_.survey.met_behind)),
             format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost) +
                 largest(report_.survey.met_behind) +
-                "; reverse these faces, close the solids that they belong to (a box on the floor needs its bottom), or "
-                "use --two-sided");
+                "; reverse these faces if they look the wrong way, close the solids that they belong to (a box on the "
+                "floor needs its bottom, a lamp its back), or use --two-sided");
     }
 
     void escaping()
@@ -132,9 +132,9 @@ private:
             const std::string example = name_of(first->first) + " and " + name_of(first->second);
             if (same_side)
                 add("duplicate", true, place_of(first->second),
-                    format(
-                        "%td pair%s of faces lie in one place and face the same way, so each takes light at random: ",
-                        count, count == 1 ? "" : "s") +
+                    format("%td pair%s of faces lie in one place and face the same way, so the smaller hides the "
+                           "larger where they overlap: ",
+                           count, count == 1 ? "" : "s") +
                         example + "; remove one or move it");
             else
                 add("coincident", false, place_of(first->second),

@@ -53,17 +53,14 @@ public:
     /// Moves the power of the counted rays, all from `shot`, and forgets them.
     void deposit(const Shot& shot, PowerState& state)
     {
-        std::uint64_t rays = behind_ + outside_;
         for (const std::uint32_t receiver : touched_) {
             const Rgb power = static_cast<double>(counts_[receiver]) * shot.power_per_ray;
             state.incident[receiver] += power;
             state.unshot[receiver] += scene_.reflectance(receiver) * power;
-            rays += counts_[receiver];
             counts_[receiver] = 0;
         }
         state.behind += static_cast<double>(behind_) * shot.power_per_ray;
         state.escaped += static_cast<double>(outside_) * shot.power_per_ray;
-        state.unshot[shot.patch] = state.unshot[shot.patch] - static_cast<double>(rays) * shot.power_per_ray;
         touched_.clear();
         behind_ = outside_ = 0;
     }

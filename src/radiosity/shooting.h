@@ -30,7 +30,8 @@ Line local_line(const Patch& patch, const Item& item);
 std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray);
 
 /// Sends the rays of all shots, which take the items from first_item on, one each in order. Every receiver adds what
-/// arrives to its incident power and what it reflects to its unshot power; the shooter's unshot power falls (S1).
+/// arrives to its incident power and what it reflects to its unshot power (S1). The shooters' unshot power is spent
+/// beforehand (see spend in first_shot.h).
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            int threads, PowerState& state, const LineCounter& count_lines);
 

@@ -4,6 +4,7 @@
 #include "radiosity/item_plan.h"
 #include "radiosity/line_sampling.h"
 #include "radiosity/multipath.h"
+#include "scene/input_error.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -38,6 +39,10 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
     shot.most_steps = options.method == Method::extended ? options.most_steps : 1; // the first pass is the first shot
     shot.seed = options.seed;
     shot.power_by_line = options.power_by_line;
+    if (shot.power_by_line &&
+        power_above(scene, state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
+        throw InputError(
+            "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
         shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
     return shoot_extended(scene, sequence, options.skip, shot, options.threads, state, count_lines); // (S1) (S2)

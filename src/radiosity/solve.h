@@ -50,7 +50,8 @@ struct Solution
 using ProgressCallback = std::function<void(double done)>;
 
 /// The radiosity of every patch. The result is a function of scene, options and seed; not of the threads.
-/// Throws InputError for a sequence with too few items, std::invalid_argument for an unknown one.
+/// Throws InputError for a sequence with too few items or more rays by power_by_line than lines, std::invalid_argument
+/// for an unknown one.
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress);
 
 } // namespace multipath

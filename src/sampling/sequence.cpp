@@ -95,6 +95,11 @@ std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, int dime
     const std::size_t colon = arguments.find(':');
     const std::string count = arguments.substr(0, colon);
     const std::string bases = colon == std::string::npos ? "" : arguments.substr(colon + 1);
+    if (count.size() > 2 && count.compare(0, 2, "2^") == 0) {
+        const std::vector<std::uint64_t> power = parse_list(count.substr(2));
+        if (power.size() == 1 && power[0] <= 52)
+            return make_hammersley_sequence(std::uint64_t{1} << power[0], bases_or_default(bases, dimensions - 1));
+    }
     const std::vector<std::uint64_t> number = count.empty() ? std::vector<std::uint64_t>{} : parse_list(count);
     if (number.size() != 1)
         throw std::invalid_argument("hammersley needs its number of points; expected for instance hammersley:65536");

@@ -57,7 +57,23 @@ not_the_input() {
 }
 check "an output never replaces the input" not_the_input
 
-twice() { ends 2 solve "$scene" $quick -o a.png -o ./a.png && says err "twice" || ends 2 solve "$scene" $quick -o a.png -o a.png; }
+not_the_materials() {
+    cp "$scene" room.obj && cp "$root/scenes/5cubes.mtl" 5cubes.mtl && ln -sf 5cubes.mtl link.png &&
+        ends 2 solve room.obj $quick -o link.png && says err "is an input" && cmp 5cubes.mtl "$root/scenes/5cubes.mtl"
+}
+check "nor the materials, through whatever name" not_the_materials
+
+idle_lamp() {
+    printf 'mtllib idle.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >idle.obj
+    printf 'newmtl lamp\nKd 0.5 0.5 0.5\nKe 1 1 1\n' >idle.mtl
+    ends 1 solve idle.obj $quick -o idle.png && says err "no light reaches" && [ ! -e idle.png ]
+}
+check "light that reaches nothing is no picture" idle_lamp
+
+without_effect() { ends 2 solve "$scene" --method local --ratio 2 && says err "no effect" && ends 2 solve "$scene" --json -o - && says err "standard output"; }
+check "options that would do nothing or collide are refused" without_effect
+
+twice() { ends 2 solve "$scene" $quick -o new.png -o ./new.png && says err "twice" && ends 2 solve "$scene" $quick -o new.png -o new.png; }
 check "an output named twice is refused" twice
 
 old_file_kept() {

@@ -1,6 +1,7 @@
 #include "radiosity/extended_first_shot.h"
 
 #include "radiosity/line_budget.h"
+#include "statistics.h"
 #include "test_scenes.h"
 
 #include <cmath>
@@ -97,4 +98,29 @@ TEST_CASE("rounding to whole rays is without bias")
             shot[s.patch] += static_cast<double>(s.rays) * s.power_per_ray.g / offsets;
     for (std::uint32_t i = 0; i < 6; ++i)
         CHECK(shot[i] == doctest::Approx(scene.emittance(i).g).epsilon(0.005)); // 1000 offsets resolve 0.1 % of a ray
+}
+
+// With so few rays most patches deserve a small part of one: the passes must still come to an end, and the light to its
+// mean.
+TEST_CASE("few rays and no threshold end after a few passes without bias")
+{
+    const Scene scene = lit_room(0.5);
+    std::vector<double> incident;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        PowerState state(scene);
+        ExtendedShotOptions options;
+        options.lines = 500;
+        options.seed = seed;
+        CHECK(shoot_extended(scene, *make_sequence("random", seed), 0, options, 1, state, uncounted).size() < 100);
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            sum += state.incident[i].g;
+        incident.push_back(sum / scene.source_power().g);
+        CHECK(power_balance(scene, state).relative_error() < 1e-12);
+    }
+    // All light is reflected by 0.5 until it ends, but what meets the lamp's black face or back: 1 / (1 - 0.5) and a
+    // little less.
+    const double mean_incident = estimate(incident).mean;
+    CHECK(mean_incident < 2.0 + 4.0 * estimate(incident).standard_error);
+    CHECK(mean_incident > 1.9 - 4.0 * estimate(incident).standard_error);
 }
