@@ -29,8 +29,8 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
 }
 
 /// The passes of the (extended) first shot; none for the other methods.
-std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, const SolveOptions& options,
-                                  PowerState& state, const LineCounter& count_lines)
+std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines)
 {
     if (options.method != Method::first_shot && options.method != Method::extended)
         return {};
@@ -45,7 +45,7 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
             "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
         shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
-    return shoot_extended(scene, sequence, options.skip, shot, options.threads, state, count_lines); // (S1) (S2)
+    return shoot_extended(scene, sequence, first_item, shot, options.threads, state, count_lines); // (S1) (S2)
 }
 
 void require_balance(const PowerBalance& balance)
@@ -60,8 +60,8 @@ Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCa
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds());
-    plan_items(*sequence, options.skip, 0,
-               lines.lines_to_cast(options.lines)); // more than any split of the lines needs
+    // More items than any split of the lines needs: a sequence that is too short is refused before the work.
+    const ItemPlan all_items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
 
     PowerState state(scene);
     Solution solution;
@@ -72,10 +72,10 @@ Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCa
         progress(std::min(1.0, charged / static_cast<double>(options.lines)));
     };
     if (options.method == Method::local) {
-        const LocalOptions local{options.lines, options.estimator, options.skip, options.seed};
+        const LocalOptions local{options.lines, options.estimator, all_items.first_shot, options.seed};
         solution.local_lines = cast_particles(scene, *sequence, local, options.threads, state, count_lines); // (L1)
     } else {
-        solution.shot_passes = shoot_first(scene, *sequence, options, state, count_lines);
+        solution.shot_passes = shoot_first(scene, *sequence, all_items.first_shot, options, state, count_lines);
         for (const ShotPass& pass : solution.shot_passes)
             solution.local_lines += pass.lines;
         // The global lines get what is left, also what a first shot had no use for.
