@@ -1,10 +1,9 @@
 #include "radiosity/solve.h"
 
-#include "radiosity/direct_light.h"
+#include "radiosity/first_stage.h"
 #include "radiosity/item_plan.h"
 #include "radiosity/line_sampling.h"
 #include "radiosity/multipath.h"
-#include "scene/input_error.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,41 +11,6 @@
 namespace multipath {
 
 namespace {
-
-constexpr std::uint64_t pilot_rays = 1u << 16; // for the figures of (3); 1 % in the ratio is not noticed in the error
-
-/// N_l / N_g for the methods that shoot first.
-double ratio_for(const Scene& scene, const SolveOptions& options)
-{
-    if (options.ratio)
-        return *options.ratio;
-    const DirectLight direct = measure_direct_light(scene, pilot_rays, options.threads);
-    const BudgetFigures figures = {intersections_of_hull_line(scene), mean(scene.average_reflectance()),
-                                   direct.secondary_reflectance, direct.lit_fraction};
-    if (!(figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0))
-        return 1.0; // nothing reflects direct light: any split does
-    return optimal_ratio(options.method == Method::extended ? extended_figures(figures) : figures); // (3)
-}
-
-/// The passes of the (extended) first shot; none for the other methods.
-std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines)
-{
-    if (options.method != Method::first_shot && options.method != Method::extended)
-        return {};
-    ExtendedShotOptions shot;
-    shot.threshold = options.threshold.value_or(threshold_radiosity(scene));       // (4)
-    shot.most_steps = options.method == Method::extended ? options.most_steps : 1; // the first pass is the first shot
-    shot.seed = options.seed;
-    shot.power_by_line = options.power_by_line;
-    if (shot.power_by_line &&
-        power_above(scene, state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
-        throw InputError(
-            "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
-    if (!shot.power_by_line)
-        shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
-    return shoot_extended(scene, sequence, first_item, shot, options.threads, state, count_lines); // (S1) (S2)
-}
 
 void require_balance(const PowerBalance& balance)
 {

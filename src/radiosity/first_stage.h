@@ -1,0 +1,16 @@
+#pragma once
+
+#include "radiosity/extended_first_shot.h"
+#include "radiosity/solve_options.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// What comes before the global lines: the passes of the (extended) first shot as the options want them, none for the
+/// methods without. Takes the items from first_item on. Throws InputError for more rays by power_by_line than lines.
+std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines);
+
+} // namespace multipath
