@@ -21,5 +21,6 @@ std::vector<Command> commands();
 Command solve_command();
 Command check_command();
 Command points_command();
+Command explain_command();
 
 } // namespace multipath

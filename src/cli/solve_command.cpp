@@ -1,5 +1,5 @@
 #include "cli/commands.h"
-#include "cli/number_text.h"
+#include "cli/method_options.h"
 #include "cli/picture_options.h"
 #include "cli/planned_outputs.h"
 #include "cli/progress.h"
@@ -40,100 +40,15 @@ CommandTable solve_table()
            {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
            {"verbose", 'v', "", "", "Also show where the power is after every stage."},
            {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
-         {"Method",
-          {{"method",
-            'm',
-            "NAME",
-            "first-shot",
-            "first-shot: direct light by rays from the sources, the rest by global lines; extended: rays also from "
-            "what the "
-            "sources light, and beyond, until all is even; global: everything by global lines; local: particles from "
-            "patch to patch, without global lines.",
-            false,
-            {"local", "global", "first-shot", "extended"}},
-           {"lines", 'n', "N", "2^20",
-            "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
-           {"ratio", 0, "R", "auto", "Local lines per global line; auto takes the paper's optimum for the scene."},
-           {"power-per-line", 0, "W", "",
-            "Instead of the ratio: the power of one ray of the (extended) first shot, in watts."},
-           {"threshold", 0, "B", "auto",
-            "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's; "
-            "with 0 extended is progressive ray refinement."},
-           {"steps", 0, "K", "1000", "Most passes of the extended first shot."},
-           {"estimator",
-            0,
-            "WHICH",
-            "collision",
-            "Of the local method: count a particle wherever it arrives, or only where it is absorbed.",
-            false,
-            {"collision", "absorption"}},
-           {"bidirectional",
-            0,
-            "WHETHER",
-            "yes",
-            "Let a global line carry power both ways at once.",
-            false,
-            {"yes", "no"}},
-           {"sequence", 's', "NAME", "sobol",
-            "Where the lines come from: random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, "
-            "each also with "
-            "four coprime bases as in halton:2,7,3,5; kronecker, kronecker-shift; hammersley:N for N items."},
-           {"pairing",
-            0,
-            "HOW",
-            "4d",
-            "One 4-D item per line, or two successive 2-D items: the arrangement that fails for quasi-random "
-            "sequences.",
-            false,
-            {"4d", "2d"}},
-           {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
-           {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
-           threads_option()}},
+         method_option_group(
+             {"lines", 'n', "N", "2^20",
+              "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."}),
          scene_option_group(),
          picture_option_group()},
         "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
         "\n"
         "  multipath solve room.obj\n"
         "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
-}
-
-SolveOptions read_solve_options(const CommandLine& line)
-{
-    SolveOptions options;
-    const std::string method = line.text("method");
-    options.method = method == "local"      ? Method::local
-                     : method == "global"   ? Method::global
-                     : method == "extended" ? Method::extended
-                                            : Method::first_shot;
-    if (line.has("power-per-line") && line.has("ratio"))
-        throw UsageError("--power-per-line and --ratio exclude each other; expected one of them");
-    if (line.has("power-per-line"))
-        options.power_by_line = read_positive("--power-per-line", line.text("power-per-line"));
-    if (line.text("threshold") != "auto")
-        options.threshold = read_real("--threshold", line.text("threshold"));
-    options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
-    options.estimator = line.text("estimator") == "absorption" ? Estimator::absorption : Estimator::collision;
-    options.sequence = line.text("sequence");
-    options.pairing = line.text("pairing") == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
-    constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
-    options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
-    options.seed = read_count("--seed", line.text("seed"));
-    options.lines = read_count("--lines", line.text("lines"), 1, most_lines);
-    if (line.text("ratio") != "auto")
-        options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
-    options.bidirectional = line.text("bidirectional") == "yes";
-    options.threads = thread_count(line);
-    return options;
-}
-
-/// The sequence's full name; its absence is the user's mistake.
-std::string checked_sequence_name(const SolveOptions& options)
-{
-    try {
-        return make_line_sequence(options.sequence, options.seed, options.pairing)->name();
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--sequence: ") + error.what());
-    }
 }
 
 /// SCENE.ppm and SCENE.png in the working directory.
@@ -211,15 +126,8 @@ void require_light(const Scene& scene, const Solution& solution)
             ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
 }
 
-/// Options that the method has no use for are mistakes.
-void require_options_with_effect(const CommandLine& line)
+void require_one_on_standard_output(const CommandLine& line)
 {
-    const std::string method = line.text("method");
-    if (method == "local" || method == "global")
-        for (const char* option : {"ratio", "power-per-line", "threshold", "steps"})
-            if (line.has(option))
-                throw UsageError("--" + std::string(option) + " has no effect with --method " + method +
-                                 "; expected --method first-shot or extended with it");
     const std::vector<std::string> outputs = line.all("output");
     if (line.has("json") && std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
         throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
@@ -242,7 +150,8 @@ int run_solve(const CommandLine& line)
     const Clock::time_point start = Clock::now();
     const bool quiet = line.has("quiet");
     require_options_with_effect(line);
-    const SolveOptions options = read_solve_options(line);
+    require_one_on_standard_output(line);
+    const SolveOptions options = read_solve_options(line, "lines");
     const PictureOptions picture_options = read_picture_options(line, options.threads);
     const std::string sequence = checked_sequence_name(options);
     const std::string scene_path = line.operands()[0];

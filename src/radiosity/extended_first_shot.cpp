@@ -34,7 +34,8 @@ public:
 
     /// Repeats passes; power_by_line(excess, passes so far) says how much a ray carries.
     template <class PowerByLine>
-    std::vector<ShotPass> run(PowerState& state, const LineCounter& count_lines, const PowerByLine& power_by_line)
+    std::vector<ShotPass> run(PowerState& state, const LineCounter& count_lines, const PassObserver& observe,
+                              const PowerByLine& power_by_line)
     {
         std::vector<ShotPass> passes;
         while (passes.size() < static_cast<std::size_t>(options_.most_steps)) {
@@ -48,6 +49,8 @@ public:
             if (lines == 0)
                 break;
             spend(scene_, options_.threshold, shots, state);
+            if (observe)
+                observe(next_item_, shots, state);
             shoot(scene_, sequence_, next_item_, shots, threads_, state, count_lines);
             next_item_ += lines;
             passes.push_back({lines, excess, power_balance(scene_, state)});
@@ -82,14 +85,14 @@ double power_from(const std::vector<ShotPass>& passes, std::size_t k)
 
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, int threads, PowerState& state,
-                                     const LineCounter& count_lines)
+                                     const LineCounter& count_lines, const PassObserver& observe)
 {
     Passes passes(scene, sequence, first_item, options, threads);
     if (options.power_by_line)
-        return passes.run(state, count_lines, [&](double, const auto&) { return *options.power_by_line; });
+        return passes.run(state, count_lines, observe, [&](double, const auto&) { return *options.power_by_line; });
 
     if (options.most_steps == 1)
-        return passes.run(state, count_lines, [&](double excess, const auto&) {
+        return passes.run(state, count_lines, observe, [&](double excess, const auto&) {
             return options.lines > 0 ? excess / static_cast<double>(options.lines) : 0.0;
         });
 
@@ -100,8 +103,8 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
     const std::vector<ShotPass> pilot =
         Passes(scene, sequence, first_item, options, threads)
             .run(
-                pilot_state, [](std::uint64_t) {}, [&](double, const auto&) { return pilot_power; });
-    return passes.run(state, count_lines, [&](double excess, const std::vector<ShotPass>& done) {
+                pilot_state, [](std::uint64_t) {}, {}, [&](double, const auto&) { return pilot_power; });
+    return passes.run(state, count_lines, observe, [&](double excess, const std::vector<ShotPass>& done) {
         const std::uint64_t used = std::min(options.lines, lines_of(done));
         const auto left = static_cast<double>(options.lines - used);
         const std::size_t k = done.size();

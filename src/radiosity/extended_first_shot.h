@@ -4,6 +4,7 @@
 #include "sampling/sequence.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,10 +28,15 @@ struct ShotPass
     PowerBalance balance; ///< after the pass
 };
 
+/// Told before each pass what it is about to shoot: the item of the first ray, the shots, and the state in which what
+/// they carry is already spent.
+using PassObserver =
+    std::function<void(std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state)>;
+
 /// The extended first shot (S2): every patch whose unshot radiosity exceeds the threshold shoots the excess, pass by
 /// pass, until a pass has no ray left to shoot or the steps are used up. Takes the items from first_item on.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, int threads, PowerState& state,
-                                     const LineCounter& count_lines);
+                                     const LineCounter& count_lines, const PassObserver& observe = {});
 
 } // namespace multipath

@@ -26,7 +26,8 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
 } // namespace
 
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines)
+                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines,
+                                  const PassObserver& observe)
 {
     if (options.method != Method::first_shot && options.method != Method::extended)
         return {};
@@ -41,7 +42,7 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
             "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
         shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
-    return shoot_extended(scene, sequence, first_item, shot, options.threads, state, count_lines); // (S1) (S2)
+    return shoot_extended(scene, sequence, first_item, shot, options.threads, state, count_lines, observe); // (S1) (S2)
 }
 
 } // namespace multipath

@@ -1,14 +1,11 @@
 #pragma once
 
-#include "radiosity/shooting.h"
+#include "radiosity/particles.h"
 #include "sampling/sequence.h"
 
 #include <cstdint>
 
 namespace multipath {
-
-/// Where a particle's power is counted: at every patch that it meets, or only where it ends.
-enum class Estimator { collision, absorption };
 
 struct LocalOptions
 {

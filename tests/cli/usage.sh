@@ -33,7 +33,11 @@ solve_options() {
 }
 check "solve --help lists the options of the manual" solve_options
 
-narrow_help() { ends 0 solve --help && ! awk 'length($0) > 100' out | grep .; }
+narrow_help() {
+    for command in solve explain; do
+        ends 0 $command --help && ! awk 'length($0) > 100' out | grep . || return
+    done
+}
 check "the help fits into 100 columns" narrow_help
 
 unknown_command() { ends 2 sovle && silent out && says err "did you mean solve"; }

@@ -3,8 +3,6 @@
 #include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
 #include "scene/obj_reader.h"
-#include "statistics.h"
-#include "test_scenes.h"
 
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -103,20 +101,4 @@ TEST_CASE("4-D Sobol items converge, pairs of 2-D items do not")
     const double many_pairs = error("sobol", Pairing::two_dimensional, 1u << 20);
     CHECK(few_pairs / many_pairs < 2.0);
     CHECK(many_pairs > 100.0 * many);
-}
-
-// The forecast (G3) divides what a patch has by the number of lines expected to leave it: over many lines it sends all
-// of it, and what is left when the lines end is what reflections hold: about one exchange's worth, 1 / (lines per
-// patch) of the reflected power.
-TEST_CASE("what is left unshot is less than 2 / (lines per patch)")
-{
-    SceneBuilder builder;
-    const std::uint32_t wall = builder.grey(0.6, 0.0);
-    const std::uint32_t lamp = builder.grey(0.2, 5.0);
-    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {wall, lamp, wall, wall, wall, wall}).scene(0.1);
-    SolveOptions options;
-    options.lines = 1u << 17;
-    const Solution solution = solve(scene, options, silent);
-    const double lines_per_patch = GlobalLines(scene.bounds()).expected_crossings(0.01, solution.global_lines_cast);
-    CHECK(solution.balance.unshot.g / solution.balance.emitted.g < 2.0 / lines_per_patch);
 }
