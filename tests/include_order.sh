@@ -9,7 +9,8 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
     BEGIN {
         below["geometry"] = below["parallel"] = ""
         below["sampling"] = below["scene"] = " geometry "
-        below["image"] = below["export"] = below["radiosity"] = " geometry scene sampling parallel "
+        below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
+        below["radiosity"] = below["transport"] "transport "
         below["study"] = below["radiosity"] "image export radiosity "
         below["cli"] = below["study"] "study "
         below["main.cpp"] = below["cli"] "cli "

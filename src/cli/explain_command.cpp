@@ -7,7 +7,7 @@
 #include "cli/story_drawing.h"
 #include "cli/story_text.h"
 #include "cli/usage_error.h"
-#include "radiosity/line_sampling.h"
+#include "transport/line_sampling.h"
 
 #include <algorithm>
 #include <cstdio>

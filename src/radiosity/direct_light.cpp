@@ -2,8 +2,9 @@
 
 #include "parallel/ordered_blocks.h"
 #include "radiosity/first_shot.h"
-#include "radiosity/intersection_list.h"
 #include "sampling/radical_inverse.h"
+#include "transport/intersection_list.h"
+#include "transport/local_ray.h"
 
 #include <algorithm>
 #include <cmath>

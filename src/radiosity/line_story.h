@@ -3,8 +3,8 @@
 // The stories: what single lines of a run do, for readers who want to follow the method step by step. They are made by
 // the functions that the solver itself calls, in its order and with its items, so that what is told is what happens.
 
-#include "radiosity/intersection_list.h"
 #include "sampling/sequence.h"
+#include "transport/intersection_list.h"
 
 #include <cstdint>
 

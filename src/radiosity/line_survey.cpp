@@ -1,9 +1,9 @@
 #include "radiosity/line_survey.h"
 
 #include "parallel/ordered_blocks.h"
-#include "radiosity/intersection_list.h"
 #include "radiosity/line_budget.h"
-#include "radiosity/line_sampling.h"
+#include "transport/intersection_list.h"
+#include "transport/line_sampling.h"
 
 #include <algorithm>
 

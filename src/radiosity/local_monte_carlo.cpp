@@ -1,7 +1,7 @@
 #include "radiosity/local_monte_carlo.h"
 
 #include "parallel/ordered_blocks.h"
-#include "radiosity/intersection_list.h"
+#include "transport/intersection_list.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "radiosity/line_sampling.h"
 #include "radiosity/power_state.h"
 #include "radiosity/shooting.h"
 #include "sampling/sequence.h"
+#include "transport/line_sampling.h"
 
 #include <cstdint>
 

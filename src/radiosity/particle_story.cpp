@@ -1,7 +1,8 @@
 #include "radiosity/particle_story.h"
 
 #include "radiosity/item_plan.h"
-#include "radiosity/line_sampling.h"
+#include "transport/line_sampling.h"
+#include "transport/local_ray.h"
 
 namespace multipath {
 

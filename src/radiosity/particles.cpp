@@ -4,8 +4,9 @@
 
 #include "radiosity/particles.h"
 
-#include "radiosity/intersection_list.h"
 #include "sampling/random.h"
+#include "transport/intersection_list.h"
+#include "transport/local_ray.h"
 
 #include <algorithm>
 #include <cmath>

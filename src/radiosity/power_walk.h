@@ -8,8 +8,8 @@
 // sent last, which it then no longer holds (M1), and an equal share of what was unshot when the pass began, the
 // forecast (G3). No cosine and no 1/r^2 appear anywhere: the density of the lines contains both (G1).
 
-#include "radiosity/intersection_list.h"
 #include "radiosity/power_state.h"
+#include "transport/intersection_list.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "radiosity/scene_report.h"
 
-#include "radiosity/line_sampling.h"
 #include "radiosity/solve.h"
+#include "transport/line_sampling.h"
 
 namespace multipath {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/line.h"
 #include "radiosity/power_state.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
@@ -21,13 +20,6 @@ struct Shot
     std::uint64_t rays;
     Rgb power_per_ray; ///< [W] `PowerByLine` of the paper, with a colour
 };
-
-/// The ray that leaves a patch from a uniform point (item[0], item[1]) in a cosine-distributed direction (item[2],
-/// item[3]).
-Line local_line(const Patch& patch, const Item& item);
-
-/// Where the ray from a patch arrives: a patch, or Segment::behind or Segment::outside.
-std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray);
 
 /// Sends the rays of all shots, which take the items from first_item on, one each in order. Every receiver adds what
 /// arrives to its incident power and what it reflects to its unshot power (S1). The shooters' unshot power is spent

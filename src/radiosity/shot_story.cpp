@@ -3,8 +3,9 @@
 #include "radiosity/first_stage.h"
 #include "radiosity/item_plan.h"
 #include "radiosity/line_budget.h"
-#include "radiosity/line_sampling.h"
 #include "scene/input_error.h"
+#include "transport/line_sampling.h"
+#include "transport/local_ray.h"
 
 namespace multipath {
 

@@ -2,8 +2,8 @@
 
 #include "radiosity/first_stage.h"
 #include "radiosity/item_plan.h"
-#include "radiosity/line_sampling.h"
 #include "radiosity/multipath.h"
+#include "transport/line_sampling.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -3,11 +3,12 @@
 // which all take their turn.
 
 #include "geometry/intersector.h"
-#include "radiosity/line_sampling.h"
 #include "radiosity/shooting.h"
 #include "radiosity/solve.h"
 #include "sampling/sequence.h"
 #include "scene/obj_reader.h"
+#include "transport/line_sampling.h"
+#include "transport/local_ray.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,8 @@
 #include "radiosity/first_shot.h"
 
-#include "radiosity/intersection_list.h"
 #include "test_scenes.h"
+#include "transport/intersection_list.h"
+#include "transport/local_ray.h"
 
 #include <doctest/doctest.h>
 

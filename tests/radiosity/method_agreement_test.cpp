@@ -6,10 +6,10 @@
 // of the difference; each method is judged by the largest of all. What the walk leaves unshot makes it a little too
 // dark, and that is made up for: the missing light is that of the same scene lit by the unshot power alone.
 
-#include "radiosity/line_sampling.h"
 #include "radiosity/solve.h"
 #include "scene/obj_reader.h"
 #include "statistics.h"
+#include "transport/line_sampling.h"
 
 #include <doctest/doctest.h>
 

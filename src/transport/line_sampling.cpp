@@ -1,4 +1,4 @@
-#include "radiosity/line_sampling.h"
+#include "transport/line_sampling.h"
 
 #include "sampling/warp.h"
 

@@ -1,4 +1,4 @@
-#include "radiosity/intersection_list.h"
+#include "transport/intersection_list.h"
 
 #include "test_scenes.h"
 
