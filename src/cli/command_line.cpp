@@ -158,6 +158,11 @@ std::string CommandLine::text(std::string_view name) const
 {
     if (has(name))
         return given_.find(name)->second.back();
+    return default_text(name);
+}
+
+std::string CommandLine::default_text(std::string_view name) const
+{
     return std::string(find_option(table_, name)->default_text);
 }
 

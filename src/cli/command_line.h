@@ -23,6 +23,10 @@ public:
     /// The value given, else the default, else "".
     std::string text(std::string_view name) const;
 
+    /// Does the command have such an option, and what is it without the user's word ("" without a default)?
+    bool knows(std::string_view name) const { return find_option(table_, name) != nullptr; }
+    std::string default_text(std::string_view name) const;
+
     /// All values given, in the user's order; empty when there are none, whatever the default.
     std::vector<std::string> all(std::string_view name) const;
 

@@ -37,7 +37,8 @@ CommandTable explain_table()
             "drawing to standard output instead of the text.",
             true},
            {"up", 0, "X,Y,Z", "0,1,0", "Which way is up in the drawing."}}},
-         method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run to which the told ones belong."}),
+         method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run to which the told ones belong."},
+                             false),
          scene_option_group()},
         "  multipath explain scenes/5cubes.obj --lines 3 -o lines.svg\n"
         "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2\n"
@@ -123,7 +124,9 @@ LineDrawing drawing_of(const ToldRun& run, const Stage& stage, const std::string
     LineDrawing drawing;
     drawing.title = title;
     drawing.subtitle = run.scene.path() + ", --method " + run.method + ", sequence " + run.sequence;
-    if (stage.kind == StageKind::global)
+    if (stage.kind == StageKind::global && chords_of(run.options) == Chords::box)
+        drawing.box = run.scene.bounds();
+    else if (stage.kind == StageKind::global)
         drawing.sphere = DrawnSphere{run.scene.bounds().centre(), 0.5 * run.scene.bounds().diagonal()};
     return drawing;
 }

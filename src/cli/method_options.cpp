@@ -5,25 +5,58 @@
 #include "cli/usage_error.h"
 #include "sampling/sequence.h"
 
+#include <initializer_list>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace multipath {
 
-OptionGroup method_option_group(const Option& line_count)
+namespace {
+
+Option method_option(bool with_reuse)
 {
-    return {
+    Option option = {"method",
+                     'm',
+                     "NAME",
+                     "first-shot",
+                     "first-shot: direct light by rays from the sources, the rest by global lines; extended: rays also "
+                     "from what the sources light, and beyond, until all is even; global: everything by global lines; "
+                     "local: particles from patch to patch, without global lines. These are the methods of the paper. "
+                     "reuse, of solve: lines are counted, and the light is solved for; the most accurate.",
+                     false,
+                     {"local", "global", "first-shot", "extended"}};
+    if (with_reuse) {
+        option.default_text = "reuse";
+        option.choices.push_back("reuse");
+    }
+    return option;
+}
+
+/// What only the method reuse knows.
+std::vector<Option> reuse_options()
+{
+    return {{"direct",
+             0,
+             "HOW",
+             "gather",
+             "Of reuse: find the light that comes straight from the sources by rays between pairs of patches, or shoot "
+             "it like the extended first shot.",
+             false,
+             {"shoot", "gather"}},
+            {"memory", 0, "SIZE", "2GB", "Of reuse: what its table of patch pairs may take."}};
+}
+
+} // namespace
+
+OptionGroup method_option_group(const Option& line_count, bool with_reuse)
+{
+    OptionGroup group = {
         "Method",
-        {{"method",
-          'm',
-          "NAME",
-          "first-shot",
-          "first-shot: direct light by rays from the sources, the rest by global lines; extended: rays also from what "
-          "the sources light, and beyond, until all is even; global: everything by global lines; local: particles from "
-          "patch to patch, without global lines.",
-          false,
-          {"local", "global", "first-shot", "extended"}},
+        {method_option(with_reuse),
          line_count,
-         {"ratio", 0, "R", "auto", "Local lines per global line; auto takes the paper's optimum for the scene."},
+         {"ratio", 0, "R", "auto",
+          "Local lines per global line; auto takes the paper's optimum for the scene, for reuse 1."},
          {"power-per-line", 0, "W", "",
           "Instead of the ratio: the power of one ray of the (extended) first shot, in watts."},
          {"threshold", 0, "B", "auto",
@@ -44,6 +77,14 @@ OptionGroup method_option_group(const Option& line_count)
           "Let a global line carry power both ways at once.",
           false,
           {"yes", "no"}},
+         {"chords",
+          0,
+          "FROM",
+          "",
+          "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
+          "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
+          false,
+          {"sphere", "box"}},
          {"sequence", 's', "NAME", "sobol",
           "Where the lines come from: random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, "
           "each also with four coprime bases as in halton:2,7,3,5; kronecker, kronecker-shift; hammersley:N for N "
@@ -58,6 +99,10 @@ OptionGroup method_option_group(const Option& line_count)
          {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
          {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
          threads_option()}};
+    if (with_reuse)
+        for (Option& option : reuse_options())
+            group.options.push_back(std::move(option));
+    return group;
 }
 
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count)
@@ -67,6 +112,7 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
     options.method = method == "local"      ? Method::local
                      : method == "global"   ? Method::global
                      : method == "extended" ? Method::extended
+                     : method == "reuse"    ? Method::reuse
                                             : Method::first_shot;
     if (line.has("power-per-line") && line.has("ratio"))
         throw UsageError("--power-per-line and --ratio exclude each other; expected one of them");
@@ -85,6 +131,12 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
     if (line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
     options.bidirectional = line.text("bidirectional") == "yes";
+    if (line.has("chords"))
+        options.chords = line.text("chords") == "box" ? Chords::box : Chords::sphere;
+    if (line.knows("memory")) {
+        options.direct = line.text("direct") == "shoot" ? Direct::shoot : Direct::gather;
+        options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
+    }
     options.threads = thread_count(line);
     return options;
 }
@@ -92,11 +144,27 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
 void require_options_with_effect(const CommandLine& line)
 {
     const std::string method = line.text("method");
-    if (method == "local" || method == "global")
-        for (const char* option : {"ratio", "power-per-line", "threshold", "steps"})
-            if (line.has(option))
-                throw UsageError("--" + std::string(option) + " has no effect with --method " + method +
-                                 "; expected --method first-shot or extended with it");
+    const auto refuse = [&](std::initializer_list<const char*> names, const std::string& expected) {
+        for (const std::string name : names)
+            if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name))
+                throw UsageError("--" + name + " has no effect with --method " + method + "; expected " + expected +
+                                 " with it");
+    };
+    const bool walks = method == "global" || method == "first-shot" || method == "extended";
+    const bool reuses = method == "reuse";
+    const bool shoots = method == "first-shot" || method == "extended" || (reuses && line.text("direct") == "shoot");
+    if (!shoots)
+        refuse({"power-per-line", "threshold", "steps"}, "--method first-shot or extended");
+    if (!shoots && !reuses)
+        refuse({"ratio"}, "--method first-shot or extended");
+    if (!walks)
+        refuse({"bidirectional"}, "a method that walks along global lines");
+    if (method == "local")
+        refuse({"chords"}, "a method with global lines");
+    if (method != "local")
+        refuse({"estimator"}, "--method local");
+    if (!reuses)
+        refuse({"direct", "memory"}, "--method reuse");
 }
 
 std::string checked_sequence_name(const SolveOptions& options)

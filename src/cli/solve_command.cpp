@@ -1,3 +1,4 @@
+#include "cli/accuracy.h"
 #include "cli/commands.h"
 #include "cli/method_options.h"
 #include "cli/picture_options.h"
@@ -27,28 +28,29 @@ namespace {
 
 CommandTable solve_table()
 {
-    return {
-        "solve",
-        "radiosity of every patch of a scene, as pictures and tables",
-        {{"SCENE.obj"}},
-        {{"Output",
-          {{"output", 'o', "FILE", "",
-            "Where to write; by extension .ppm, .png, .pfm (pictures) or .csv (one row per patch). '-' writes a "
-            "PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
-            true},
-           {"json", 0, "", "", "Print a machine-readable summary on standard output."},
-           {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
-           {"verbose", 'v', "", "", "Also show where the power is after every stage."},
-           {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
-         method_option_group(
-             {"lines", 'n', "N", "2^20",
-              "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."}),
-         scene_option_group(),
-         picture_option_group()},
-        "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
-        "\n"
-        "  multipath solve room.obj\n"
-        "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
+    return {"solve",
+            "radiosity of every patch of a scene, as pictures and tables",
+            {{"SCENE.obj"}},
+            {{"Output",
+              {{"output", 'o', "FILE", "",
+                "Where to write; by extension .ppm, .png, .pfm (pictures) or .csv (one row per patch). '-' writes a "
+                "PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
+                true},
+               {"json", 0, "", "", "Print a machine-readable summary on standard output."},
+               {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
+               {"verbose", 'v', "", "", "Also show where the power is after every stage."},
+               {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
+             method_option_group(
+                 {"lines", 'n', "N", "2^20",
+                  "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
+                 true),
+             accuracy_option_group(),
+             scene_option_group(),
+             picture_option_group()},
+            "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
+            "\n"
+            "  multipath solve room.obj\n"
+            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
 }
 
 /// SCENE.ppm and SCENE.png in the working directory.
@@ -102,7 +104,7 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
         else if (output.format == OutputFormat::pfm)
             output.file.write(pfm_bytes(render(scene, solution.radiosity, camera, picture_options.render)));
         else
-            output.file.write(patch_table(scene, solution.radiosity, comments));
+            output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
     }
     for (PlannedOutput& output : outputs)
         output.file.commit();
@@ -152,8 +154,10 @@ int run_solve(const CommandLine& line)
     require_options_with_effect(line);
     require_one_on_standard_output(line);
     const SolveOptions options = read_solve_options(line, "lines");
+    const Accuracy accuracy = read_accuracy(line);
     const PictureOptions picture_options = read_picture_options(line, options.threads);
-    const std::string sequence = checked_sequence_name(options);
+    const std::string sequence =
+        accuracy.replicates > 1 ? randomised_name(checked_sequence_name(options)) : checked_sequence_name(options);
     const std::string scene_path = line.operands()[0];
     std::vector<PlannedOutput> outputs =
         open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
@@ -168,7 +172,7 @@ int run_solve(const CommandLine& line)
     Solution solution;
     {
         Progress progress("solving", progress_style(line, quiet));
-        solution = solve(scene, options, [&](double done) { progress.show(done); });
+        solution = solve_accurately(scene, options, accuracy, [&](double done) { progress.show(done); });
     }
     const double seconds_trace = seconds_since(solve_start);
     require_light(scene, solution);

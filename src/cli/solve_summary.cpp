@@ -2,6 +2,8 @@
 
 #include "cli/text_format.h"
 
+#include <cmath>
+
 namespace multipath {
 
 namespace {
@@ -17,7 +19,7 @@ Rgb mean_radiosity(const SolveSummary& s)
 
 double lines_per_second(const SolveSummary& s)
 {
-    const auto lines = static_cast<double>(s.solution.local_lines + s.solution.global_lines);
+    const auto lines = static_cast<double>(s.solution.all_lines);
     return s.seconds_trace > 0.0 ? lines / s.seconds_trace : 0.0;
 }
 
@@ -31,7 +33,10 @@ std::vector<double> channels(Rgb c)
 std::string summary_text(const SolveSummary& s)
 {
     const PowerBalance& balance = s.solution.balance;
-    const auto percent = [&](Rgb part) { return 100.0 * mean(part) / mean(balance.emitted); };
+    const auto percent = [&](Rgb part) {
+        const double share = 100.0 * mean(part) / mean(balance.emitted);
+        return std::abs(share) < 5e-4 ? 0.0 : share; // never "-0.000"
+    };
     const Rgb b = mean_radiosity(s);
     std::string text;
     text += format("scene      %s surfaces, %s patches, %.4g m^2, mean reflectance %.3f\n",
@@ -39,6 +44,12 @@ std::string summary_text(const SolveSummary& s)
                    s.scene.total_area(), mean(s.scene.average_reflectance()));
     text += format("method     %s, sequence %s: %s local + %s global lines\n", s.method.c_str(), s.sequence.c_str(),
                    grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
+    if (s.solution.relative_standard_error)
+        text += format("error      %.3g %% relative standard error, from %d replicates%s\n",
+                       100.0 * *s.solution.relative_standard_error, s.solution.replicates,
+                       s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
+                           ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
+                           : "");
     text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) W/m^2\n", mean(b), b.r, b.g, b.b);
     text += format("power      emitted %.6g W: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
                    "surfaces; balance to %.0e\n",
@@ -89,6 +100,10 @@ JsonObject summary_json(const SolveSummary& s)
     json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
     json.text("method", s.method);
     json.text("sequence", s.sequence);
+    if (s.options.method == Method::local)
+        json.null("chords");
+    else
+        json.text("chords", chords_of(s.options) == Chords::box ? "box" : "sphere");
     json.count("seed", s.options.seed);
     json.count("lines", s.solution.local_lines + s.solution.global_lines);
     json.count("local_lines", s.solution.local_lines);
@@ -106,7 +121,12 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("seconds_trace", s.seconds_trace);
     json.number("lines_per_second", lines_per_second(s));
     json.count("threads", static_cast<std::uint64_t>(s.options.threads));
-    json.null("relative_standard_error");
+    json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
+    json.count("all_lines", s.solution.all_lines);
+    if (s.solution.relative_standard_error)
+        json.number("relative_standard_error", *s.solution.relative_standard_error);
+    else
+        json.null("relative_standard_error");
     return json;
 }
 

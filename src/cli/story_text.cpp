@@ -48,6 +48,17 @@ std::string before_the_pass(const GlobalStory& story)
            " of the lines. What patches reflected of them and what the sources kept is unshot: " + unshot;
 }
 
+/// Where the lines come from, and how many it takes (N1).
+std::string lines_drawn(const ToldRun& run, const GlobalStory& story)
+{
+    if (chords_of(run.options) == Chords::box)
+        return " from random points of the scene's bounding box, in directions that favour its inward normal by the "
+               "cosine: all of them meet the box (N1).";
+    return "; " + grouped(story.lines_cast) +
+           " chords between random points of a sphere around the scene are cast, so that this many meet the scene's "
+           "box (N1).";
+}
+
 std::string global_context(const ToldRun& run, const GlobalStory& story)
 {
     const double area = run.scene.total_area() / run.scene.patch_count();
@@ -55,9 +66,7 @@ std::string global_context(const ToldRun& run, const GlobalStory& story)
     const bool both = run.options.bidirectional;
     const std::string per_patch = format("%.4g", both ? crossings : 0.5 * crossings);
     return wrapped(before_the_pass(story) + "The pass distributes it with " +
-                       counted(story.lines_charged, "global line", "global lines") + "; " + grouped(story.lines_cast) +
-                       " chords between random points of a sphere around the scene are cast, so that this many meet "
-                       "the scene's box (N1).",
+                       counted(story.lines_charged, "global line", "global lines") + lines_drawn(run, story),
                    0, 0) +
            wrapped("Such chords cross a patch in proportion to its area, " +
                        format("%.4g times per square metre (G1). A patch of %.3g%cm^2, the mean, is crossed ",
@@ -115,8 +124,9 @@ std::string stretch_text(const ToldRun& run, const GlobalLine& line, const Stret
 
 std::string line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t of)
 {
+    const bool box = chords_of(run.options) == Chords::box;
     std::string text = title("line", line.origin, of) + "  from " + point_text(line.from) + " to " +
-                       point_text(line.to) + " on the sphere\n";
+                       point_text(line.to) + (box ? ", both just outside the box\n" : " on the sphere\n");
     if (line.from == line.to)
         return text + "  the two points are one: a chord of no length, which is counted as cast and meets nothing\n";
     if (line.meetings.empty())

@@ -92,6 +92,19 @@ std::array<Vec3, 3> axes(Vec3 up_direction)
     return {right, up, cross(right, up)};
 }
 
+std::array<Surface, 6> sides(const Bounds& box)
+{
+    const Vec3 x = {box.size().x, 0.0, 0.0};
+    const Vec3 y = {0.0, box.size().y, 0.0};
+    const Vec3 z = {0.0, 0.0, box.size().z};
+    return {{{Shape::parallelogram, box.low, x, y},
+             {Shape::parallelogram, box.low, y, z},
+             {Shape::parallelogram, box.low, z, x},
+             {Shape::parallelogram, box.high, -x, -y},
+             {Shape::parallelogram, box.high, -y, -z},
+             {Shape::parallelogram, box.high, -z, -x}}};
+}
+
 /// How far what is drawn reaches from the scene's centre along any of the axes [scene units].
 double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
 {
@@ -104,6 +117,10 @@ double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const Line
     for (const Surface& surface : scene.surfaces())
         for (const Vec3 corner : corners(surface))
             include(corner);
+    if (drawing.box)
+        for (const Surface& side : sides(*drawing.box))
+            for (const Vec3 corner : corners(side))
+                include(corner);
     for (const DrawnLine& line : lines)
         for (const DrawnStretch& stretch : line.stretches) {
             include(stretch.from);
@@ -120,6 +137,19 @@ std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& line
     const double y = head_height + 0.5 * view_size;
     return {{{"from above", right, to_viewer, centre, scale, {margin + 0.5 * view_size, y}},
              {"from the side", right, -up, centre, scale, {2.0 * margin + 1.5 * view_size, y}}}};
+}
+
+/// The sides of a box, which together cover what it covers of the page.
+std::string box_shape(const Bounds& box, const View& view)
+{
+    std::string shape;
+    for (const Surface& side : sides(box)) {
+        const std::vector<Vec3> points = corners(side);
+        for (std::size_t k = 0; k < points.size(); ++k)
+            shape += place(k == 0 ? 'M' : 'L', view.at(points[k]));
+        shape += "Z";
+    }
+    return path(shape, "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
 }
 
 /// The edges of all surfaces. Many fall on one place of the page; that is drawn once.
@@ -210,6 +240,8 @@ std::string picture(const Scene& scene, const std::vector<DrawnLine>& lines, con
     if (drawing.sphere)
         text += circle(view.at(drawing.sphere->centre), view.scale * drawing.sphere->radius,
                        "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+    if (drawing.box)
+        text += box_shape(*drawing.box, view);
     text += outlines(scene, view) + sources(scene, view);
     for (std::size_t k = 0; k < lines.size(); ++k)
         text += stretches(lines[k], view, svg_series_colour(k));
@@ -230,7 +262,9 @@ std::string legend(const std::vector<DrawnLine>& lines, const LineDrawing& drawi
            svg_text(margin, y + 22.0,
                     std::string("ring: start; arrowhead: end; numbers: surfaces in the order met; solid: from patch to "
                                 "patch; dashed: no exchange; yellow: sources") +
-                        (drawing.sphere ? "; disc: the sphere" : ""),
+                        (drawing.sphere ? "; disc: the sphere"
+                         : drawing.box  ? "; grey: the box"
+                                        : ""),
                     SvgAnchor::start, 12.0);
 }
 

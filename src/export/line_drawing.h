@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/bounds.h"
 #include "geometry/vec3.h"
 #include "scene/scene.h"
 
@@ -39,6 +40,7 @@ struct LineDrawing
     std::string subtitle;
     Vec3 up = {0.0, 1.0, 0.0};
     std::optional<DrawnSphere> sphere; ///< on which the lines begin and end
+    std::optional<Bounds> box;         ///< instead of the sphere
     std::vector<std::string> comments; ///< for readers of the file
 };
 

@@ -8,7 +8,7 @@ namespace multipath {
 namespace {
 
 constexpr const char* header = "patch,surface,material,x,y,z,nx,ny,nz,area,reflectance_r,reflectance_g,reflectance_b,"
-                               "emittance_r,emittance_g,emittance_b,radiosity_r,radiosity_g,radiosity_b\n";
+                               "emittance_r,emittance_g,emittance_b,radiosity_r,radiosity_g,radiosity_b";
 
 /// A text field; quoted when it holds what separates fields (RFC 4180).
 std::string field(const std::string& text)
@@ -47,12 +47,13 @@ void append(std::string& row, Rgb c)
 
 } // namespace
 
-std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<std::string>& comments)
+std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
+                        const std::vector<std::string>& comments)
 {
     std::string table;
     for (const std::string& comment : comments)
         table += "# " + comment + "\n";
-    table += header;
+    table += std::string(header) + (standard_error.empty() ? "\n" : ",error_r,error_g,error_b\n");
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const Patch patch = scene.patch(i);
         table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + field(scene.material_of(i).name);
@@ -62,6 +63,8 @@ std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, c
         append(table, scene.reflectance(i));
         append(table, scene.emittance(i));
         append(table, radiosity[i]);
+        if (!standard_error.empty())
+            append(table, standard_error[i]);
         table += "\n";
     }
     return table;

@@ -10,7 +10,14 @@ namespace {
 
 constexpr std::uint64_t pilot_rays = 1u << 16; // for the figures of (3); 1 % in the ratio is not noticed in the error
 
-/// N_l / N_g for the methods that shoot first.
+bool shoots_first(const SolveOptions& options)
+{
+    return options.method == Method::first_shot || options.method == Method::extended ||
+           (options.method == Method::reuse && options.direct == Direct::shoot);
+}
+
+} // namespace
+
 double ratio_for(const Scene& scene, const SolveOptions& options)
 {
     if (options.ratio)
@@ -20,20 +27,18 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
                                    direct.secondary_reflectance, direct.lit_fraction};
     if (!(figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0))
         return 1.0; // nothing reflects direct light: any split does
-    return optimal_ratio(options.method == Method::extended ? extended_figures(figures) : figures); // (3)
+    return optimal_ratio(options.method == Method::first_shot ? figures : extended_figures(figures)); // (3)
 }
-
-} // namespace
 
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   const SolveOptions& options, PowerState& state, const LineCounter& count_lines,
                                   const PassObserver& observe)
 {
-    if (options.method != Method::first_shot && options.method != Method::extended)
+    if (!shoots_first(options))
         return {};
     ExtendedShotOptions shot;
-    shot.threshold = options.threshold.value_or(threshold_radiosity(scene));       // (4)
-    shot.most_steps = options.method == Method::extended ? options.most_steps : 1; // the first pass is the first shot
+    shot.threshold = options.threshold.value_or(threshold_radiosity(scene));         // (4)
+    shot.most_steps = options.method == Method::first_shot ? 1 : options.most_steps; // the first pass is the first shot
     shot.seed = options.seed;
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&

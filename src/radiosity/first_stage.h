@@ -8,6 +8,9 @@
 
 namespace multipath {
 
+/// N_l / N_g for the methods that shoot first: the user's, or the optimum (3) for the scene.
+double ratio_for(const Scene& scene, const SolveOptions& options);
+
 /// What comes before the global lines: the passes of the (extended) first shot as the options want them, none for the
 /// methods without. Takes the items from first_item on. Throws InputError for more rays by power_by_line than lines.
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,

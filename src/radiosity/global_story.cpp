@@ -80,7 +80,7 @@ GlobalStory begin(const Scene& scene, const Sequence& sequence, const GlobalLine
 GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, const ToldRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds());
+    const GlobalLines lines(scene.bounds(), chords_of(options));
     PowerState state(scene);
     GlobalStory story = begin(scene, *sequence, lines, options, state);
     require_in_stage(range, story.lines_cast, "global lines");

@@ -30,7 +30,7 @@ struct Stretch
     Rgb to_holds;                    ///< [W] afterwards; black without a patch
 };
 
-/// A chord of the sphere and everything that happens along it.
+/// A chord of the sphere or of the box and everything that happens along it.
 struct GlobalLine
 {
     LineOrigin origin;

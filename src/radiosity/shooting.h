@@ -3,15 +3,12 @@
 #include "radiosity/power_state.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
+#include "transport/line_counter.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace multipath {
-
-/// Called now and then with the number of lines done since the last call.
-using LineCounter = std::function<void(std::uint64_t lines)>;
 
 /// One patch sends rays, each with the same power.
 struct Shot

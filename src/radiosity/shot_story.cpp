@@ -49,7 +49,7 @@ void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const ToldRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds());
+    const GlobalLines lines(scene.bounds(), chords_of(options));
     const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
 
     ObservedPass told;

@@ -2,11 +2,15 @@
 
 #include "radiosity/first_stage.h"
 #include "radiosity/item_plan.h"
+#include "radiosity/line_budget.h"
+#include "radiosity/line_reuse.h"
 #include "radiosity/multipath.h"
 #include "transport/line_sampling.h"
+#include "transport/unoccluded_exchange.h"
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace multipath {
 
@@ -18,43 +22,135 @@ void require_balance(const PowerBalance& balance)
         throw std::logic_error("the power balance does not close: the program has an error");
 }
 
+/// One run: what it works with and what it has found so far.
+class Run
+{
+public:
+    Run(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
+        : scene_(scene),
+          options_(options),
+          progress_(progress),
+          sequence_(make_line_sequence(options.sequence, options.seed, options.pairing)),
+          lines_(scene.bounds(), chords_of(options)),
+          state_(scene)
+    {
+        // More items than any split of the lines needs: a sequence that is too short is refused before the work.
+        first_item_ = plan_items(*sequence_, options.skip, 0, lines_.lines_to_cast(options.lines)).first_shot;
+    }
+
+    void particles()
+    {
+        const LocalOptions local{options_.lines, options_.estimator, first_item_, options_.seed};
+        solution_.local_lines =
+            cast_particles(scene_, *sequence_, local, options_.threads, state_, counter(1, 1)); // (L1)
+    }
+
+    void shots()
+    {
+        solution_.shot_passes = shoot_first(scene_, *sequence_, first_item_, options_, state_, counter(1, 1));
+        for (const ShotPass& pass : solution_.shot_passes)
+            solution_.local_lines += pass.lines;
+    }
+
+    void global_pass()
+    {
+        plan_global_lines();
+        const GlobalPass pass{first_global_item(), solution_.global_lines_cast, options_.bidirectional};
+        cast_global_lines(scene_, lines_, *sequence_, pass, options_.threads, state_,
+                          counter(pass.lines_cast, solution_.global_lines)); // (M1) (M2)
+    }
+
+    void reuse(const PairMatrix<float>& unoccluded)
+    {
+        const std::uint64_t rays = options_.direct == Direct::gather
+                                       ? split_lines(options_.lines, options_.ratio.value_or(1.0)).local_lines
+                                       : 0;
+        const std::uint64_t first_ray = first_item_ + solution_.local_lines;
+        solution_.local_lines += rays;
+        plan_global_lines();
+        const ReusedLines plan{first_global_item(), solution_.global_lines_cast, first_ray, rays, options_.seed};
+        reuse_lines(scene_, unoccluded, lines_, *sequence_, plan, options_.threads, state_,
+                    counter(plan.cast + rays, solution_.global_lines + rays)); // (R1)
+    }
+
+    Solution finish()
+    {
+        solution_.balance = power_balance(scene_, state_);
+        require_balance(solution_.balance);
+        solution_.radiosity = radiosity(scene_, state_);
+        solution_.all_lines = solution_.local_lines + solution_.global_lines;
+        return std::move(solution_);
+    }
+
+private:
+    /// The global lines get what is left, also what a first shot had no use for.
+    void plan_global_lines()
+    {
+        solution_.global_lines = options_.lines - std::min(options_.lines, solution_.local_lines);
+        solution_.global_lines_cast = lines_.lines_to_cast(solution_.global_lines);
+    }
+
+    std::uint64_t first_global_item() const
+    {
+        return plan_items(*sequence_, options_.skip, solution_.local_lines, solution_.global_lines_cast).global_pass;
+    }
+
+    /// For `lines` lines to come, which are charged as so many of the budget (N1).
+    LineCounter counter(std::uint64_t lines, std::uint64_t charged)
+    {
+        const double charge = static_cast<double>(charged) / static_cast<double>(std::max<std::uint64_t>(1, lines));
+        return [this, charge](std::uint64_t count) {
+            done_ += charge * static_cast<double>(count);
+            progress_(std::min(1.0, done_ / static_cast<double>(options_.lines)));
+        };
+    }
+
+    const Scene& scene_;
+    const SolveOptions& options_;
+    const ProgressCallback& progress_;
+    std::unique_ptr<Sequence> sequence_;
+    GlobalLines lines_;
+    std::uint64_t first_item_ = 0;
+    PowerState state_;
+    Solution solution_;
+    double done_ = 0.0;
+};
+
 } // namespace
+
+Preparation prepare(const Scene& scene, const SolveOptions& options)
+{
+    Preparation preparation;
+    const bool optimum = options.method == Method::first_shot || options.method == Method::extended;
+    if (optimum && !options.power_by_line)
+        preparation.ratio = ratio_for(scene, options);
+    if (options.method == Method::reuse)
+        preparation.unoccluded = std::make_shared<const PairMatrix<float>>(unoccluded_exchange(scene, options.threads));
+    return preparation;
+}
+
+Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
+               const ProgressCallback& progress)
+{
+    SolveOptions prepared = options;
+    if (preparation.ratio)
+        prepared.ratio = preparation.ratio;
+    Run run(scene, prepared, progress);
+    if (options.method == Method::local) {
+        run.particles();
+    } else {
+        run.shots();
+        if (options.method == Method::reuse)
+            run.reuse(*preparation.unoccluded);
+        else
+            run.global_pass();
+    }
+    return run.finish();
+}
 
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds());
-    // More items than any split of the lines needs: a sequence that is too short is refused before the work.
-    const ItemPlan all_items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
-
-    PowerState state(scene);
-    Solution solution;
-    double charged = 0.0; // lines of the budget used so far
-    double charge = 1.0;  // of each line counted
-    const LineCounter count_lines = [&](std::uint64_t count) {
-        charged += charge * static_cast<double>(count);
-        progress(std::min(1.0, charged / static_cast<double>(options.lines)));
-    };
-    if (options.method == Method::local) {
-        const LocalOptions local{options.lines, options.estimator, all_items.first_shot, options.seed};
-        solution.local_lines = cast_particles(scene, *sequence, local, options.threads, state, count_lines); // (L1)
-    } else {
-        solution.shot_passes = shoot_first(scene, *sequence, all_items.first_shot, options, state, count_lines);
-        for (const ShotPass& pass : solution.shot_passes)
-            solution.local_lines += pass.lines;
-        // The global lines get what is left, also what a first shot had no use for.
-        solution.global_lines = options.lines - std::min(options.lines, solution.local_lines);
-        solution.global_lines_cast = lines.lines_to_cast(solution.global_lines);
-        charge = static_cast<double>(solution.global_lines) /
-                 static_cast<double>(std::max<std::uint64_t>(1, solution.global_lines_cast)); // (N1)
-        const ItemPlan items = plan_items(*sequence, options.skip, solution.local_lines, solution.global_lines_cast);
-        const GlobalPass pass{items.global_pass, solution.global_lines_cast, options.bidirectional};
-        cast_global_lines(scene, lines, *sequence, pass, options.threads, state, count_lines); // (M1) (M2)
-    }
-    solution.balance = power_balance(scene, state);
-    require_balance(solution.balance);
-    solution.radiosity = radiosity(scene, state);
-    return solution;
+    return solve(scene, prepare(scene, options), options, progress);
 }
 
 } // namespace multipath

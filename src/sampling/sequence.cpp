@@ -165,6 +165,22 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
     return std::make_unique<PairedSequence>(make_sequence(points, seed, 2));
 }
 
+std::string randomised_name(const std::string& name)
+{
+    const std::size_t colon = name.find(':');
+    const std::string kind = name.substr(0, colon);
+    const std::string bases = colon == std::string::npos ? "" : name.substr(colon);
+    if (kind == "sobol")
+        return "sobol-owen";
+    if (kind == "halton")
+        return "halton-permuted" + bases;
+    if (kind == "kronecker")
+        return "kronecker-shift";
+    if (kind == "hammersley")
+        throw std::invalid_argument("hammersley has no randomised form for replicates; expected another sequence");
+    return name;
+}
+
 bool prefers_powers_of_two(const std::string& name)
 {
     return name.compare(0, 5, "sobol") == 0;

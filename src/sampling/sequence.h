@@ -51,6 +51,10 @@ std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t s
 /// The same for lines: four dimensions, arranged as `pairing` says.
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing);
 
+/// The kind that the seed randomises of the same sequence, for independent replicates: the name itself where it is one.
+/// Throws std::invalid_argument for hammersley, of which there is none.
+std::string randomised_name(const std::string& name);
+
 /// Is it one of the kinds that fill space best at numbers of points that are a power of two?
 bool prefers_powers_of_two(const std::string& name);
 

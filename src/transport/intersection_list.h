@@ -24,6 +24,17 @@ struct Segment
     bool joins_patches() const { return is_patch(from) && is_patch(to); }
 };
 
+/// What a line meets at one surface: the patch on the side where it arrives and the one on the side where it goes on,
+/// or Segment::behind where the side has none.
+struct Passage
+{
+    std::uint32_t arrives_at;
+    std::uint32_t leaves;
+};
+
+/// Appends one passage for every hit of a line, in order.
+void append_passages(const Scene& scene, const std::vector<Hit>& hits, std::vector<Passage>& passages);
+
 /// Appends the segments of one line, given its hits in order. Those that touch no patch are left out.
 void append_segments(const Scene& scene, const std::vector<Hit>& hits, std::vector<Segment>& segments);
 

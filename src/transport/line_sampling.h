@@ -4,16 +4,21 @@
 #include "geometry/line.h"
 #include "sampling/sequence.h"
 
+#include <array>
 #include <cstdint>
 
 namespace multipath {
 
-/// Global lines: chords between two independent uniform points of the sphere around the scene's bounding box. Their
-/// density is the invariant one of integral geometry [San76]: the same everywhere and in every direction.
+/// Where global lines come from: two independent uniform points of the sphere around the scene's bounding box, or a
+/// uniform point of that box and a cosine-distributed direction into it.
+enum class Chords { sphere, box };
+
+/// Global lines. Both kinds have the invariant density of integral geometry [San76], the same everywhere and in every
+/// direction; every line of the box meets it, of the sphere's only some do.
 class GlobalLines
 {
 public:
-    explicit GlobalLines(const Bounds& scene_box);
+    explicit GlobalLines(const Bounds& scene_box, Chords chords = Chords::sphere);
 
     Line line(const Item& item) const;
 
@@ -26,9 +31,26 @@ public:
     double sphere_area() const; ///< [m^2]
 
 private:
-    Vec3 centre_;
+    /// A side of the box, spanned by two unit vectors.
+    struct Side
+    {
+        Vec3 corner;
+        Vec3 along;
+        Vec3 up;
+        double width;
+        double height;
+        double strip_end; ///< [m^2] area of the sides up to this one
+    };
+
+    static std::array<Side, 6> unrolled(const Bounds& box);
+    Line sphere_line(const Item& item) const;
+    Line box_line(const Item& item) const;
+    double area_of_starts() const; ///< [m^2]
+
+    Bounds box_;
+    Chords chords_;
     double radius_;
-    double box_area_;
+    std::array<Side, 6> sides_;
 };
 
 } // namespace multipath

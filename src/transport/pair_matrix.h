@@ -24,10 +24,7 @@ public:
     const Value* row(std::uint32_t i) const { return values_.data() + pair_count(i); }
 
     static std::size_t pair_count(std::uint32_t n) { return std::size_t{n} * (std::size_t{n} + 1) / 2; }
-    static std::size_t index(std::uint32_t i, std::uint32_t j)
-    {
-        return i < j ? pair_count(j) + i : pair_count(i) + j;
-    }
+    static std::size_t index(std::uint32_t i, std::uint32_t j) { return i < j ? pair_count(j) + i : pair_count(i) + j; }
 
 private:
     std::uint32_t n_;

@@ -30,6 +30,14 @@ no_length() {
 }
 check "chords of no length and lines that meet nothing are told as such" no_length
 
+from_the_box() {
+    ends 0 explain "$scene" --lines 2 --of 2^14 --chords box && silent err && narrow && says out "bounding box" &&
+        says out "both just outside the box" && ! grep -q sphere out &&
+        ends 0 explain "$scene" --stage first-shot --of 2^14 --chords box &&
+        ends 0 explain "$scene" --of 2^14 --chords box -o box.svg && says box.svg "grey: the box"
+}
+check "lines from the box are told as such" from_the_box
+
 later_line() {
     ends 0 explain "$scene" --of 2^14 --lines 30 && sed -n '/^line 30 of/,$p' out >last &&
         ends 0 explain "$scene" --of 2^14 --lines 1 --first 30 && sed -n '/^line 30 of/,$p' out | cmp - last && [ -s last ]
@@ -83,6 +91,7 @@ check "line 0 is refused" refused 2 "--first: expected a count" --first 0
 check "a line beyond the last is refused" refused 1 "is asked for" --first 1M
 check "an unknown sequence is refused" refused 2 "unknown sequence 'sobl'" --sequence sobl
 check "an option without effect is refused" refused 2 "--ratio has no effect" --method global --ratio 1
+check "chords of particles are refused" refused 2 "--chords has no effect" --method local --chords box
 check "no direction up is refused" refused 2 "--up: expected a direction" --up 0,0,0
 check "a picture is refused" refused 2 "expected one of .svg" -o lines.png
 

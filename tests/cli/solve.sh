@@ -126,8 +126,8 @@ check "a sequence that is too short is refused" too_short
 budget_options() {
     ends 0 solve "$scene" $quick -q --json --method extended --power-per-line 0.01 --threshold 0 -o a.csv && says out '"method": "extended"' &&
         ends 0 solve "$scene" $quick -q --method extended --steps 2 --ratio 1 -o b.csv && ends 0 solve "$scene" $quick -q --method local \
-        --estimator absorption -o c.csv && ends 2 solve "$scene" --ratio 1 --power-per-line 2 && says err "exclude" &&
-        ends 2 solve "$scene" --threshold -1 && ends 2 solve "$scene" --steps 0
+        --estimator absorption -o c.csv && ends 2 solve "$scene" --method extended --ratio 1 --power-per-line 2 && says err "exclude" &&
+        ends 2 solve "$scene" --method extended --threshold -1 && ends 2 solve "$scene" --method extended --steps 0
 }
 check "the budget of the extended first shot follows its options" budget_options
 

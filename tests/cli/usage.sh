@@ -26,7 +26,7 @@ check "every command that --help lists has its own help" command_help
 
 solve_options() {
     ends 0 solve --help || return
-    for option in output json quiet progress method bidirectional lines ratio power-per-line threshold steps estimator sequence pairing skip seed threads patch-size patches two-sided \
+    for option in output json quiet progress method bidirectional chords lines ratio power-per-line threshold steps estimator sequence pairing skip seed threads patch-size patches two-sided \
         emission-from help; do
         grep -qE -- "^  (-.,|   ) --$option( |$)" out || { echo "--$option is missing:"; cat out; return 1; }
     done

@@ -65,6 +65,18 @@ TEST_CASE("edges that fall together are drawn once: a cube is a square in both v
         CHECK_MESSAGE(count(drawn({1, 0, 0}), side) == 1, std::string(side));
 }
 
+// The box of edge 4 takes 49 % of a square to either side, as the sphere of radius 2 does.
+TEST_CASE("a box around the lines is drawn in both views in place of the sphere")
+{
+    LineDrawing drawing;
+    drawing.box = Bounds{{-2, -2, -2}, {2, 2, 2}};
+    const std::string text = draw_lines(cube(), {{"line 1", {{{0, 0, 0}, {1, 0, 0}, true}}, {}}}, drawing);
+    CHECK(count(text, "M34.4 88.4L34.4 519.6L465.6 519.6L465.6 88.4Z") == 1);
+    CHECK(count(text, "M504.4 519.6L935.6 519.6L935.6 88.4L504.4 88.4Z") == 1);
+    CHECK(count(text, "grey: the box") == 1);
+    CHECK(count(text, "the sphere") == 0);
+}
+
 TEST_CASE("the meetings of few lines are numbered in both views, those of many are dots")
 {
     const DrawnLine line{"line", {{{0, 0, 0}, {1, 0, 0}, false}}, {{0.5, 0, 0}, {1, 0, 0}}};

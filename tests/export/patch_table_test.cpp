@@ -15,7 +15,7 @@ TEST_CASE("the table has the promised columns and numbers that read back exactly
     file.materials[0].name = "red, \"shiny\"";
     const Scene scene(file, 1.0);
     const double awkward = 1.0 / 3.0;
-    std::istringstream table(patch_table(scene, {{awkward, 2, 3}, {4, 5, 6}}, {"one", "two"}));
+    std::istringstream table(patch_table(scene, {{awkward, 2, 3}, {4, 5, 6}}, {}, {"one", "two"}));
     std::string row;
     std::getline(table, row);
     CHECK(row == "# one");
@@ -30,4 +30,16 @@ TEST_CASE("the table has the promised columns and numbers that read back exactly
     std::getline(table, row);
     CHECK(row.substr(0, 4) == "1,0,");
     CHECK(!std::getline(table, row));
+}
+
+TEST_CASE("standard errors, where there are any, are the last columns")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 1.0)).scene(1.0);
+    std::istringstream table(patch_table(scene, {{1, 2, 3}}, {{0.5, 0.25, 0.125}}, {}));
+    std::string row;
+    std::getline(table, row);
+    CHECK(row.substr(row.size() - 36) == ",radiosity_b,error_r,error_g,error_b");
+    std::getline(table, row);
+    CHECK(row.substr(row.size() - 21) == ",1,2,3,0.5,0.25,0.125");
 }

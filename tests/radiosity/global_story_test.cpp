@@ -78,6 +78,18 @@ Rgb lost(const GlobalStory& story, std::uint32_t where)
 
 } // namespace
 
+TEST_CASE("the lines told are the box's where the run draws them from the box")
+{
+    const Scene scene = furnished_room();
+    SolveOptions options = short_run(Method::first_shot);
+    options.chords = Chords::box;
+    const GlobalStory story = tell_all(scene, options);
+    const Solution solution = solve(scene, options, [](double) {});
+    CHECK(story.lines_cast == story.lines_charged);
+    CHECK(story.lines.size() == solution.global_lines_cast);
+    CHECK(radiosity_told(scene, options, story) == solution.radiosity); // the same sums in the same order
+}
+
 // The oracle is the solver. The same powers are added in the same order, so the bits must agree.
 TEST_CASE("the powers told for all global lines add up to the solver's radiosity")
 {

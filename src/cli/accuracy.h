@@ -1,0 +1,32 @@
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/option_table.h"
+#include "radiosity/replicates.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace multipath {
+
+/// How well the user wants to know the result.
+struct Accuracy
+{
+    int replicates = 1;
+    std::optional<double> tolerance;         ///< [1] relative standard error to reach
+    std::optional<double> seconds;           ///< to solve for
+    std::optional<std::uint64_t> most_lines; ///< of the last round, where one of these two decides
+
+    bool in_rounds() const { return tolerance || seconds; }
+};
+
+OptionGroup accuracy_option_group();
+
+/// Throws UsageError.
+Accuracy read_accuracy(const CommandLine& line);
+
+/// Solves as the accuracy asks: once, in replicates, or in rounds until it is reached or would not be in time.
+Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
+                          const ProgressCallback& progress);
+
+} // namespace multipath

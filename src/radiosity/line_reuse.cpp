@@ -1,0 +1,201 @@
+// The walk of the multi-path method uses each line once and forgets it. But what a line tells, which patches see each
+// other, stays true. So here the lines are only counted, and the exchange between all pairs of patches is estimated
+// from the counts; the light follows from linear equations. Noise remains where the lines leave doubt: pairs that see
+// each other in part. Half of the lines, rays between their points, go there.
+
+#include "radiosity/line_reuse.h"
+
+#include "radiosity/exchange_solver.h"
+#include "transport/dense_exchange.h"
+#include "transport/exchange_estimate.h"
+#include "transport/pair_rays.h"
+#include "transport/reconciliation.h"
+#include "transport/symmetric_product.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+using Field = std::vector<Rgb>;
+
+std::vector<double> areas(const Scene& scene)
+{
+    std::vector<double> areas(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        areas[i] = scene.area(i);
+    return areas;
+}
+
+Field reflectances(const Scene& scene)
+{
+    Field rho(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        rho[i] = scene.reflectance(i);
+    return rho;
+}
+
+ExchangeLosses losses(const PairCounts& counts, double crossing_area)
+{
+    ExchangeLosses result;
+    for (std::size_t i = 0; i < counts.escaped.size(); ++i) {
+        result.escaping.push_back(crossing_area * static_cast<double>(counts.escaped[i]));
+        result.behind.push_back(crossing_area * static_cast<double>(counts.behind[i]));
+    }
+    return result;
+}
+
+/// Radiosity good enough to know where more lines are worth it.
+Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& losses, const Field& rho,
+                      const Field& source, int threads)
+{
+    const std::vector<double> ones(pairs.size(), 1.0);
+    std::vector<double> rows = symmetric_product(pairs, {ones}, threads)[0];
+    for (std::uint32_t i = 0; i < pairs.size(); ++i)
+        rows[i] += losses.escaping[i] + losses.behind[i];
+    const DenseExchange exchange(pairs, losses, rows, threads);
+    Field radiosity = solve_exchange(exchange, rho, source, source, 1e-2, 8, threads).radiosity;
+    for (Rgb& b : radiosity)
+        b = {std::max(b.r, 0.0), std::max(b.g, 0.0), std::max(b.b, 0.0)};
+    return radiosity;
+}
+
+/// What the global lines alone tell.
+struct CountedExchange
+{
+    ExchangeEstimate estimate;
+    ExchangeLosses losses;
+};
+
+CountedExchange count_exchange(const Scene& scene, const PairMatrix<float>& unoccluded, const GlobalLines& lines,
+                               const Sequence& sequence, const ReusedLines& plan, double crossing_area, int threads,
+                               const LineCounter& count_lines)
+{
+    const PairCounts counts =
+        count_pairs(scene, lines, sequence, plan.first_line_item, plan.cast, threads, count_lines);
+    return {estimate_exchange(scene, unoccluded, counts, crossing_area, threads), losses(counts, crossing_area)};
+}
+
+/// The exchange with rows that add up to the areas of the patches.
+struct ClosedExchange
+{
+    PairMatrix<float> pairs;
+    ExchangeLosses losses;
+};
+
+/// Takes `change` [m^2] from what is lost, in proportion; what meets nothing at all escapes.
+void change_losses(double change, bool meets_nothing, double& escaping, double& behind)
+{
+    const double lost = escaping + behind;
+    if (lost > 0.0) {
+        escaping += change * (escaping / lost);
+        behind += change * (behind / lost);
+    } else if (meets_nothing) {
+        escaping = change;
+    }
+}
+
+ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, CountedExchange counted,
+                      double crossing_area, int threads)
+{
+    ExchangeLosses losses = std::move(counted.losses);
+    std::vector<double> row_sums = areas(scene);
+    std::vector<double> sum_variance(row_sums.size());
+    for (std::uint32_t i = 0; i < row_sums.size(); ++i) {
+        const double lost = losses.escaping[i] + losses.behind[i];
+        row_sums[i] -= lost;
+        sum_variance[i] = crossing_area * lost;
+    }
+    Reconciled result = reconciled(std::move(counted.estimate), row_sums, sum_variance, threads);
+    const std::vector<double> ones(row_sums.size(), 1.0);
+    const std::vector<double> in_sight = symmetric_product(unoccluded, {ones}, threads)[0];
+    for (std::uint32_t i = 0; i < row_sums.size(); ++i) {
+        const bool meets_nothing = !(in_sight[i] > 0.0);
+        change_losses(meets_nothing ? row_sums[i] : result.sum_change[i], meets_nothing, losses.escaping[i],
+                      losses.behind[i]);
+    }
+    return {std::move(result.exchange), std::move(losses)};
+}
+
+/// Negative estimates set to zero. What the rows then lack or have too much becomes self-exchange, which makes every
+/// row dominated by its diagonal: a solution exists, whatever the noise.
+void clamp_to_positive(PairMatrix<float>& pairs)
+{
+    for (std::uint32_t i = 0; i < pairs.size(); ++i)
+        for (std::uint32_t j = 0; j < i; ++j)
+            pairs.at(i, j) = std::max(pairs.at(i, j), 0.0f);
+}
+
+ExchangeSolution solve(const Exchange& exchange, const Field& rho, const Field& source, const Field& first_guess,
+                       int threads)
+{
+    constexpr double tolerance = 1e-6; // a tenth of the noise of 10^9 lines
+    constexpr int most_steps = 500;
+    return solve_exchange(exchange, rho, source, first_guess, tolerance, most_steps, threads);
+}
+
+/// Moves the power that the solution says: everything that is unshot leaves, bounces, and arrives.
+void distribute(const Scene& scene, const Exchange& exchange, const Field& source, const Field& radiosity, int threads,
+                PowerState& state)
+{
+    const Field received = exchange.apply(radiosity, threads);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double row = exchange.row_area(i);
+        const double scale = row > 0.0 ? scene.area(i) / row : 0.0;
+        const Rgb incident = scale * received[i];
+        const Rgb sent = scene.area(i) * radiosity[i];
+        state.incident[i] += incident;
+        state.unshot[i] = scene.area(i) * source[i] + scene.reflectance(i) * incident - sent;
+        state.escaped += (scale * exchange.escaping(i)) * radiosity[i];
+        state.behind += (scale * exchange.behind(i)) * radiosity[i];
+    }
+}
+
+} // namespace
+
+double reuse_bytes(std::uint32_t patches)
+{
+    constexpr double bytes_per_pair = sizeof(PairCount) + 3 * sizeof(float);
+    return bytes_per_pair * static_cast<double>(PairMatrix<float>::pair_count(patches));
+}
+
+void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const GlobalLines& lines,
+                 const Sequence& sequence, const ReusedLines& plan, int threads, PowerState& state,
+                 const LineCounter& count_lines)
+{
+    if (plan.cast == 0)
+        return;
+    const double crossing_area = 1.0 / lines.expected_crossings(1.0, plan.cast); // (G1)
+    Field source(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        source[i] = (1.0 / scene.area(i)) * state.unshot[i];
+
+    const Field rho = reflectances(scene);
+    CountedExchange counted =
+        count_exchange(scene, unoccluded, lines, sequence, plan, crossing_area, threads, count_lines);
+    Field first_guess = source;
+    if (plan.rays > 0) {
+        first_guess = rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, threads);
+        const PairRays rays{plan.first_ray_item, plan.rays, plan.seed};
+        counted.estimate = refined_by_rays(std::move(counted.estimate), scene, unoccluded, crossing_area, first_guess,
+                                           sequence, rays, threads, count_lines);
+    }
+    ClosedExchange closed_exchange = closed(scene, unoccluded, std::move(counted), crossing_area, threads);
+
+    const auto exchange_of_pairs = [&] {
+        return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, areas(scene), threads);
+    };
+    std::unique_ptr<DenseExchange> exchange = exchange_of_pairs();
+    ExchangeSolution solution = solve(*exchange, rho, source, first_guess, threads);
+    if (!solution.converged) {
+        clamp_to_positive(closed_exchange.pairs);
+        exchange = exchange_of_pairs();
+        solution = solve(*exchange, rho, source, source, threads);
+    }
+    distribute(scene, *exchange, source, solution.radiosity, threads, state);
+}
+
+} // namespace multipath

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "radiosity/power_state.h"
+#include "sampling/sequence.h"
+#include "transport/line_counter.h"
+#include "transport/line_sampling.h"
+#include "transport/pair_matrix.h"
+
+#include <cstdint>
+
+namespace multipath {
+
+/// The lines of a reuse.
+struct ReusedLines
+{
+    std::uint64_t first_line_item = 0; ///< of the sequence, for the global lines
+    std::uint64_t cast = 0;            ///< global lines; below 2^32
+    std::uint64_t first_ray_item = 0;  ///< of the sequence, for the rays
+    std::uint64_t rays = 0;            ///< between pairs of patches
+    std::uint64_t seed = 0;            ///< of the rounding to whole rays
+};
+
+/// Bytes that reuse_lines needs for its pairs of patches.
+double reuse_bytes(std::uint32_t patches);
+
+/// Distributes all unshot power: global lines tell which patches see each other and how well, rays look closer at the
+/// pairs that matter, and the light is found by solving for it (R1) instead of carrying it along the lines.
+/// `unoccluded`: see unoccluded_exchange.
+void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const GlobalLines& lines,
+                 const Sequence& sequence, const ReusedLines& plan, int threads, PowerState& state,
+                 const LineCounter& count_lines);
+
+} // namespace multipath

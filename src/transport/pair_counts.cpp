@@ -1,0 +1,100 @@
+#include "transport/pair_counts.h"
+
+#include "parallel/ordered_blocks.h"
+#include "transport/intersection_list.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t lines_per_block = 4096;
+
+/// What the lines of one block met.
+struct LineBlock
+{
+    struct Pair
+    {
+        std::size_t index; ///< of a PairMatrix
+        bool joined;
+    };
+    struct Loss
+    {
+        std::uint32_t patch;
+        bool behind;
+    };
+
+    std::vector<Item> items;
+    std::vector<Hit> hits;
+    std::vector<Passage> passages;
+    std::vector<Pair> pairs;
+    std::vector<Loss> losses;
+};
+
+/// Notes every facing pair along one line, neighbours or not, and where power would be lost.
+void note(const std::vector<Passage>& passages, LineBlock& block)
+{
+    const std::size_t count = passages.size();
+    for (std::size_t a = 0; a < count; ++a) {
+        const std::uint32_t from = passages[a].leaves;
+        const bool arrives_alone = a == 0 || !Segment::is_patch(passages[a - 1].leaves);
+        if (Segment::is_patch(passages[a].arrives_at) && arrives_alone)
+            block.losses.push_back({passages[a].arrives_at, a > 0});
+        if (!Segment::is_patch(from))
+            continue;
+        if (a + 1 == count || !Segment::is_patch(passages[a + 1].arrives_at))
+            block.losses.push_back({from, a + 1 < count});
+        for (std::size_t b = a + 1; b < count; ++b)
+            if (Segment::is_patch(passages[b].arrives_at))
+                block.pairs.push_back({PairMatrix<PairCount>::index(from, passages[b].arrives_at), b == a + 1});
+    }
+}
+
+void trace(const Scene& scene, const GlobalLines& lines, LineBlock& block)
+{
+    block.pairs.clear();
+    block.losses.clear();
+    for (const Item& item : block.items) {
+        scene.intersector().all_hits(lines.line(item), block.hits);
+        block.passages.clear();
+        append_passages(scene, block.hits, block.passages);
+        note(block.passages, block);
+    }
+}
+
+void add(const LineBlock& block, PairCounts& counts)
+{
+    PairCount* pairs = counts.pairs.row(0);
+    for (const LineBlock::Pair& pair : block.pairs) {
+        pairs[pair.index].through += 1;
+        pairs[pair.index].joined += pair.joined ? 1 : 0;
+    }
+    for (const LineBlock::Loss& loss : block.losses)
+        (loss.behind ? counts.behind : counts.escaped)[loss.patch] += 1;
+}
+
+} // namespace
+
+PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
+                       std::uint64_t lines_cast, int threads, const LineCounter& count_lines)
+{
+    PairCounts counts(scene.patch_count());
+    std::vector<LineBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    const auto trace_block = [&](std::uint64_t number, int slot) {
+        LineBlock& block = blocks[static_cast<std::size_t>(slot)];
+        const std::uint64_t first = number * lines_per_block;
+        block.items.resize(static_cast<std::size_t>(std::min(lines_per_block, lines_cast - first)));
+        sequence.generate(first_item + first, block.items);
+        trace(scene, lines, block);
+    };
+    const auto add_block = [&](std::uint64_t, int slot) {
+        const LineBlock& block = blocks[static_cast<std::size_t>(slot)];
+        add(block, counts);
+        count_lines(block.items.size());
+    };
+    ordered_blocks((lines_cast + lines_per_block - 1) / lines_per_block, threads, trace_block, add_block);
+    return counts;
+}
+
+} // namespace multipath

@@ -1,0 +1,194 @@
+// A pair whose exchange is known with the variance s^2 / m after m rays adds s^2 / m (rho_i^2 B_j^2 / A_i + rho_j^2
+// B_i^2 / A_j) to the error (1), up to factors that all pairs share. For a given number of rays in all the sum is
+// smallest when m is proportional to s times the root of the bracket.
+
+#include "transport/pair_rays.h"
+
+#include "parallel/ordered_blocks.h"
+#include "sampling/random.h"
+#include "transport/fill_level.h"
+#include "transport/ray_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+double sum_of_products(Rgb a, Rgb b)
+{
+    return a.r * b.r + a.g * b.g + a.b * b.b;
+}
+
+/// How much a pair deserves to be looked at.
+class Importance
+{
+public:
+    Importance(const Scene& scene, const std::vector<Rgb>& radiosity)
+    {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const Rgb rho = scene.reflectance(i);
+            receives_.push_back((1.0 / scene.area(i)) * (rho * rho));
+            sends_.push_back(radiosity[i] * radiosity[i]);
+        }
+    }
+    /// `spread` [m^4]: the variance of the exchange if one ray told it.
+    double of(std::uint32_t i, std::uint32_t j, double spread) const
+    {
+        return std::sqrt(spread *
+                         (sum_of_products(receives_[i], sends_[j]) + sum_of_products(receives_[j], sends_[i])));
+    }
+
+private:
+    std::vector<Rgb> receives_; ///< rho^2 / A
+    std::vector<Rgb> sends_;    ///< B^2
+};
+
+bool is_free(const Scene& scene, const RayPair& pair, const RayPair::Ray& ray)
+{
+    const std::optional<Hit> hit = scene.intersector().closest_hit_from(pair.from_surface(), ray.line);
+    return hit && hit->surface == pair.to_surface() && hit->front == pair.to_front();
+}
+
+/// The visible share of a pair by some rays, weighted like the light that they would carry; below zero if the rays tell
+/// nothing.
+double visible_share(const Scene& scene, const RayPair& pair, const Item* items, std::uint64_t rays)
+{
+    double all = 0.0;
+    double free = 0.0;
+    for (std::uint64_t k = 0; k < rays; ++k) {
+        const RayPair::Ray ray = pair.ray(items[k]);
+        if (!(ray.weight > 0.0))
+            continue;
+        all += ray.weight;
+        if (is_free(scene, pair, ray))
+            free += ray.weight;
+    }
+    return all > 0.0 ? free / all : -1.0;
+}
+
+/// The rays of one row of pairs. A running sum over all pairs of what each deserves passes whole numbers: each of them
+/// is a ray.
+struct RowOfRays
+{
+    struct Target
+    {
+        std::uint32_t patch;
+        std::uint64_t rays;
+    };
+
+    /// The pairs of this row get `rate` times what they deserve; those of the rows before got `before`.
+    RowOfRays(const std::vector<double>& deserved, double rate, double before)
+        : first_ray(static_cast<std::uint64_t>(std::floor(before))), end_ray(first_ray)
+    {
+        double sum = 0.0;
+        for (std::uint32_t j = 0; j < deserved.size(); ++j) {
+            sum += deserved[j];
+            const auto reached = static_cast<std::uint64_t>(std::floor(before + rate * sum));
+            if (reached > end_ray)
+                targets.push_back({j, reached - end_ray});
+            end_ray = reached;
+        }
+    }
+
+    std::uint64_t first_ray;
+    std::uint64_t end_ray;
+    std::vector<Target> targets;
+};
+
+/// Calls visit(j, importance, lines) for the pairs (i, j < i) that leave doubt; the estimate is worth so many lines.
+template <class Visit>
+void for_uncertain_pairs(const ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, double crossing_area,
+                         const Importance& importance, std::uint32_t i, const Visit& visit)
+{
+    const float* variance = estimate.variance.row(i);
+    const float* free_exchange = unoccluded.row(i);
+    for (std::uint32_t j = 0; j < i; ++j)
+        if (variance[j] > 0.0f) {
+            const double lines = static_cast<double>(free_exchange[j]) / crossing_area;
+            const double deserves = importance.of(i, j, static_cast<double>(variance[j]) * lines);
+            if (deserves > 0.0)
+                visit(j, deserves, lines);
+        }
+}
+
+/// How many lines and rays a pair should have for its importance.
+double fill_level(const ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, double crossing_area,
+                  const Importance& importance, std::uint64_t rays, int threads)
+{
+    constexpr std::uint32_t parts = 32; // sums of each part in order: the same bits for any number of threads
+    const std::uint32_t n = estimate.exchange.size();
+    std::vector<FillLevel> levels(parts);
+    parallel_blocks(parts, threads, [&](std::uint64_t part) {
+        for (auto i = static_cast<std::uint32_t>(part); i < n; i += parts)
+            for_uncertain_pairs(
+                estimate, unoccluded, crossing_area, importance, i,
+                [&](std::uint32_t, double deserves, double lines) { levels[part].add(deserves, lines); });
+    });
+    FillLevel all;
+    for (const FillLevel& level : levels)
+        all.add(level);
+    return all.level(static_cast<double>(rays));
+}
+
+} // namespace
+
+ExchangeEstimate refined_by_rays(ExchangeEstimate estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
+                                 double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
+                                 const PairRays& plan, int threads, const LineCounter& count_lines)
+{
+    if (plan.rays == 0)
+        return estimate;
+    const std::uint32_t n = scene.patch_count();
+    const Importance importance(scene, radiosity);
+    const double level = fill_level(estimate, unoccluded, crossing_area, importance, plan.rays, threads);
+    if (!(level > 0.0))
+        return estimate;
+    const auto deserved_rays = [&](std::uint32_t i) {
+        std::vector<double> row(i);
+        for_uncertain_pairs(
+            estimate, unoccluded, crossing_area, importance, i,
+            [&](std::uint32_t j, double deserves, double lines) { row[j] = std::max(0.0, level * deserves - lines); });
+        return row;
+    };
+    std::vector<double> row_sums(n);
+    parallel_blocks(n, threads, [&](std::uint64_t number) {
+        const auto i = static_cast<std::uint32_t>(n - 1 - number); // long rows first
+        for (const double x : deserved_rays(i))
+            row_sums[i] += x;
+    });
+    const double rate = static_cast<double>(plan.rays) / std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
+    std::vector<double> before = {bits_to_unit(random_bits(mix_bits(plan.seed ^ 0x243f6a8885a308d3u), 0))};
+    for (const double sum : row_sums)
+        before.push_back(before.back() + rate * sum);
+    const auto cast_row = [&](std::uint32_t i) {
+        const RowOfRays row(deserved_rays(i), rate, before[i]);
+        std::vector<Item> items(static_cast<std::size_t>(row.end_ray - row.first_ray));
+        sequence.generate(plan.first_item + row.first_ray, items);
+        const Item* next = items.data();
+        for (const RowOfRays::Target& target : row.targets) {
+            const double share = visible_share(scene, RayPair(scene, i, target.patch), next, target.rays);
+            next += target.rays;
+            if (share < 0.0)
+                continue;
+            const auto free_exchange = static_cast<double>(unoccluded.at(i, target.patch));
+            const double lines = free_exchange / crossing_area; // what the first estimate is worth
+            const double part = static_cast<double>(target.rays) / (static_cast<double>(target.rays) + lines);
+            float& exchange = estimate.exchange.at(i, target.patch);
+            exchange = static_cast<float>((1.0 - part) * static_cast<double>(exchange) + part * free_exchange * share);
+            float& variance = estimate.variance.at(i, target.patch);
+            variance = static_cast<float>((1.0 - part) * static_cast<double>(variance));
+        }
+        return row.end_ray - row.first_ray;
+    };
+    std::vector<std::uint64_t> cast(n);
+    ordered_blocks(
+        n, threads, [&](std::uint64_t i, int) { cast[i] = cast_row(static_cast<std::uint32_t>(i)); },
+        [&](std::uint64_t i, int) { count_lines(cast[i]); });
+    return estimate;
+}
+
+} // namespace multipath

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "geometry/line.h"
+#include "sampling/sequence.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+
+namespace multipath {
+
+/// Rays between the points of two patches, each with the weight of the light that it would carry: averages over them
+/// are averages over the lines that join the patches.
+class RayPair
+{
+public:
+    struct Ray
+    {
+        Line line;     ///< from the smaller patch towards a point of the larger one
+        double weight; ///< 0 when one of the points is behind the other patch
+    };
+
+    RayPair(const Scene& scene, std::uint32_t one, std::uint32_t other);
+
+    /// Two numbers for each patch. Weights of near pairs are bounded, also when the patches touch.
+    Ray ray(const Item& item) const;
+
+    std::uint32_t from_surface() const { return from_.surface; }
+    std::uint32_t to_surface() const { return to_.surface; }
+    bool to_front() const { return to_front_; } ///< a free ray meets the front of the surface, else its back
+
+private:
+    Ray towards_point(Vec3 start, double u, double v) const;
+    Ray into_solid_angle(Vec3 start, double u, double v) const;
+
+    Patch from_;
+    Patch to_;
+    bool to_front_;
+    Vec3 from_normal_;
+    Vec3 to_normal_;
+    bool near_;
+};
+
+} // namespace multipath

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "transport/pair_matrix.h"
+
+#include <vector>
+
+namespace multipath {
+
+/// The products of a symmetric matrix with some vectors, all of its size. Rows in parallel, each summed in a fixed
+/// order: the same bits for any number of threads.
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads);
+
+} // namespace multipath

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cmath>
+
+namespace multipath {
+
+// Closed forms from Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
+
+constexpr double two_pi = 6.283185307179586476925;
+
+struct Interval
+{
+    double low;
+    double high;
+    double operator[](int k) const { return k == 0 ? low : high; }
+};
+
+inline double sign_of(int i, int j, int k, int l)
+{
+    return (i + j + k + l) % 2 == 0 ? 1.0 : -1.0;
+}
+
+/// A F of the rectangles x1 * y1 and x2 * y2 in parallel planes z apart (Howell C-13).
+inline double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interval y2, double z)
+{
+    const auto term = [&](double u, double v) {
+        const double p = std::sqrt(u * u + z * z);
+        const double q = std::sqrt(v * v + z * z);
+        return v * p * std::atan(v / p) + u * q * std::atan(u / q) - 0.5 * z * z * std::log(u * u + v * v + z * z);
+    };
+    double sum = 0.0;
+    for (int bits = 0; bits < 16; ++bits) {
+        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
+        sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y1[j] - y2[l]);
+    }
+    return sum / two_pi;
+}
+
+/// A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15).
+inline double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z)
+{
+    const auto term = [](double u, double c2) {
+        const double c = std::sqrt(c2);
+        const double square = u * u + c2;
+        return (c > 0.0 ? u * c * std::atan(u / c) : 0.0) -
+               (square > 0.0 ? 0.25 * (c2 - u * u) * std::log(square) : 0.0);
+    };
+    double sum = 0.0;
+    for (int bits = 0; bits < 16; ++bits) {
+        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
+        sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y[j] * y[j] + z[l] * z[l]);
+    }
+    return sum / two_pi;
+}
+
+} // namespace multipath
