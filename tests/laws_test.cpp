@@ -17,7 +17,9 @@ using namespace multipath;
 namespace {
 
 const ProgressCallback silent = [](double) {};
-constexpr std::array<Method, 4> all_methods = {Method::local, Method::global, Method::first_shot, Method::extended};
+constexpr std::array<Method, 4> walks = {Method::local, Method::global, Method::first_shot, Method::extended};
+constexpr std::array<Method, 5> all_methods = {Method::local, Method::global, Method::first_shot, Method::extended,
+                                               Method::reuse};
 
 SolveOptions random_lines(Method method, std::uint64_t lines, std::uint64_t seed)
 {
@@ -81,13 +83,13 @@ double opposite_form_factor()
 
 // A closed box whose walls all have emittance E and reflectance rho: every reflection returns the share rho of the
 // light, so B = E (1 + rho + rho^2 + ...) = E / (1 - rho) everywhere, whatever the shape of the box.
-TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)")
+TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)" * doctest::test_suite("statistics"))
 {
     SceneBuilder builder;
     const std::uint32_t wall = builder.grey(0.3, 1.4);
     builder.room({0, 0, 0}, {1, 2, 3}, wall).box({0.3, 0.5, 0.4}, {0.6, 0.9, 1.0}, wall);
     const Scene scene = builder.scene(1.0);
-    for (const Method method : all_methods) {
+    for (const Method method : walks) {
         const SolveOptions options = random_lines(method, 1u << 14, 0);
         for (const std::uint32_t patch : {0u, 7u, scene.patch_count() - 1})
             CHECK(over_seeds(scene, options, 60, [&](const Solution& s) {
@@ -98,7 +100,7 @@ TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)")
 
 // The same with boxes standing exactly on the floor, bottoms included, and a sheet made of two coincident faces: the
 // furnace has no gaps, so the law holds on covered patches too. Wrong order of coincident hits shows here at once.
-TEST_CASE("the furnace law holds with coincident faces")
+TEST_CASE("the furnace law holds with coincident faces" * doctest::test_suite("statistics"))
 {
     SceneBuilder builder;
     const std::uint32_t wall = builder.grey(0.3, 1.4); // below 0.5, so that the threshold (4) leaves something to shoot
@@ -189,7 +191,7 @@ TEST_CASE("in a closed scene of equal radiosity every patch receives that radios
 // A_T. Hence B_i = E_i + rho_i H with H = mean(B) = mean(E) / (1 - mean(rho)) over the area. Of 360 facets this is true
 // to 0.1 %, and what the walk leaves unshot is about as much; the standard error here is above 0.1 %, so 4 of them
 // leave room for both.
-TEST_CASE("in a sphere of two unlike halves every patch receives the same")
+TEST_CASE("in a sphere of two unlike halves every patch receives the same" * doctest::test_suite("statistics"))
 {
     constexpr int n = 10;
     SceneBuilder builder;
@@ -234,7 +236,7 @@ TEST_CASE("in a sphere of two unlike halves every patch receives the same")
 
 // Six walls of one patch each: B_i = E_i + rho_i sum_j F_ij B_j with two known form factors is a system of six
 // equations.
-TEST_CASE("the unit cube with uneven walls solves its 6 x 6 system")
+TEST_CASE("the unit cube with uneven walls solves its 6 x 6 system" * doctest::test_suite("statistics"))
 {
     const std::array<double, 6> rho = {0.2, 0.7, 0.5, 0.3, 0.9, 0.6};
     const std::array<double, 6> emittance = {0.0, 3.0, 0.0, 0.0, 1.0, 0.0};
@@ -265,7 +267,7 @@ TEST_CASE("the unit cube with uneven walls solves its 6 x 6 system")
     for (std::size_t i = 0; i < 6; ++i)
         CHECK(estimate(moved_samples[i]).agrees_with(exact[i]));
 
-    for (const Method method : all_methods)
+    for (const Method method : walks)
         for (const bool bidirectional : {true, false}) {
             SolveOptions options = random_lines(method, 1u << 14, 0);
             options.bidirectional = bidirectional;
@@ -280,7 +282,7 @@ TEST_CASE("the unit cube with uneven walls solves its 6 x 6 system")
 
 // Square 1 emits, both reflect: B_1 = E + rho_1 F B_2, B_2 = rho_2 F B_1. What the other square does not catch escapes:
 // (1 - F) of all that leaves either square.
-TEST_CASE("between two facing squares the share F arrives and the rest escapes")
+TEST_CASE("between two facing squares the share F arrives and the rest escapes" * doctest::test_suite("statistics"))
 {
     SceneBuilder builder;
     const std::uint32_t lamp = builder.grey(0.4, 2.0);
@@ -291,7 +293,7 @@ TEST_CASE("between two facing squares the share F arrives and the rest escapes")
     const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
     const double b_2 = 0.7 * f * b_1;
     const double escaped = (1.0 - f) * (b_1 + b_2);
-    for (const Method method : all_methods) {
+    for (const Method method : walks) {
         const SolveOptions options = random_lines(method, 1u << 14, 0);
         CHECK(over_seeds(scene, options, 32, [](const Solution& s) { return s.radiosity[0].r; }).agrees_with(b_1));
         CHECK(over_seeds(scene, options, 32, [](const Solution& s) { return s.radiosity[1].r; }).agrees_with(b_2));

@@ -1,4 +1,5 @@
 # Runs every test, shows what failed, and ends with the line "N passed, N failed".
+# UNIT_ARGS are for the unit tests, such as -tse=statistics to leave out the long ones that prove no more under sanitizers.
 # usage: run.sh UNIT_TESTS PROGRAM BUILD
 [ $# -eq 3 ] || { echo "usage: run.sh UNIT_TESTS PROGRAM BUILD" >&2; exit 2; }
 absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
@@ -23,7 +24,7 @@ tally() {
     failed=$((failed + 1))
 }
 
-(cd "$root" && "$unit_tests") >"$scratch/unit_tests.log" 2>&1
+(cd "$root" && "$unit_tests" $UNIT_ARGS) >"$scratch/unit_tests.log" 2>&1
 tally unit_tests $? "$scratch/unit_tests.log" "$(sed -n \
     's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests.log")"
 

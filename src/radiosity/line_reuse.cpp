@@ -5,6 +5,7 @@
 
 #include "radiosity/line_reuse.h"
 
+#include "radiosity/distribution.h"
 #include "radiosity/exchange_solver.h"
 #include "transport/dense_exchange.h"
 #include "transport/exchange_estimate.h"
@@ -28,14 +29,6 @@ std::vector<double> areas(const Scene& scene)
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         areas[i] = scene.area(i);
     return areas;
-}
-
-Field reflectances(const Scene& scene)
-{
-    Field rho(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        rho[i] = scene.reflectance(i);
-    return rho;
 }
 
 ExchangeLosses losses(const PairCounts& counts, double crossing_area)
@@ -137,23 +130,6 @@ ExchangeSolution solve(const Exchange& exchange, const Field& rho, const Field& 
     return solve_exchange(exchange, rho, source, first_guess, tolerance, most_steps, threads);
 }
 
-/// Moves the power that the solution says: everything that is unshot leaves, bounces, and arrives.
-void distribute(const Scene& scene, const Exchange& exchange, const Field& source, const Field& radiosity, int threads,
-                PowerState& state)
-{
-    const Field received = exchange.apply(radiosity, threads);
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double row = exchange.row_area(i);
-        const double scale = row > 0.0 ? scene.area(i) / row : 0.0;
-        const Rgb incident = scale * received[i];
-        const Rgb sent = scene.area(i) * radiosity[i];
-        state.incident[i] += incident;
-        state.unshot[i] = scene.area(i) * source[i] + scene.reflectance(i) * incident - sent;
-        state.escaped += (scale * exchange.escaping(i)) * radiosity[i];
-        state.behind += (scale * exchange.behind(i)) * radiosity[i];
-    }
-}
-
 } // namespace
 
 double reuse_bytes(std::uint32_t patches)
@@ -169,10 +145,7 @@ void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const 
     if (plan.cast == 0)
         return;
     const double crossing_area = 1.0 / lines.expected_crossings(1.0, plan.cast); // (G1)
-    Field source(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        source[i] = (1.0 / scene.area(i)) * state.unshot[i];
-
+    const Field source = unshot_radiosity(scene, state);
     const Field rho = reflectances(scene);
     CountedExchange counted =
         count_exchange(scene, unoccluded, lines, sequence, plan, crossing_area, threads, count_lines);
@@ -195,7 +168,7 @@ void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const 
         exchange = exchange_of_pairs();
         solution = solve(*exchange, rho, source, source, threads);
     }
-    distribute(scene, *exchange, source, solution.radiosity, threads, state);
+    distribute(scene, *exchange, solution.radiosity, 1.0, threads, state);
 }
 
 } // namespace multipath

@@ -1,6 +1,8 @@
 #include "radiosity/solve.h"
 
+#include "radiosity/counted_reuse.h"
 #include "radiosity/first_stage.h"
+#include "radiosity/gathered_light.h"
 #include "radiosity/item_plan.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/line_reuse.h"
@@ -9,6 +11,7 @@
 #include "transport/unoccluded_exchange.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -60,17 +63,32 @@ public:
                           counter(pass.lines_cast, solution_.global_lines)); // (M1) (M2)
     }
 
+    /// With a table of all pairs.
     void reuse(const PairMatrix<float>& unoccluded)
     {
-        const std::uint64_t rays = options_.direct == Direct::gather
-                                       ? split_lines(options_.lines, options_.ratio.value_or(1.0)).local_lines
-                                       : 0;
+        const std::uint64_t rays = gathers() ? std::min(local_share(1.0), options_.lines - 1) : 0;
         const std::uint64_t first_ray = first_item_ + solution_.local_lines;
         solution_.local_lines += rays;
         plan_global_lines();
         const ReusedLines plan{first_global_item(), solution_.global_lines_cast, first_ray, rays, options_.seed};
         reuse_lines(scene_, unoccluded, lines_, *sequence_, plan, options_.threads, state_,
                     counter(plan.cast + rays, solution_.global_lines + rays)); // (R1)
+    }
+
+    /// Without one.
+    void reuse_counts()
+    {
+        if (gathers()) {
+            const GatheredLight light = gather_direct_light(scene_, *sequence_, first_item_, local_share(0.25),
+                                                            options_.threads, counter(1, 1));
+            receive(light);
+            solution_.local_lines += light.lines;
+            shoot_what_stands_out();
+        }
+        plan_global_lines();
+        reuse_counted_lines(scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
+                            static_cast<std::size_t>(options_.memory), options_.threads, state_,
+                            counter(solution_.global_lines_cast, solution_.global_lines)); // (R1)
     }
 
     Solution finish()
@@ -83,6 +101,46 @@ public:
     }
 
 private:
+    bool gathers() const { return options_.direct == Direct::gather; }
+
+    /// The user's ratio of local to global lines, or the usual one.
+    std::uint64_t local_share(double usual_ratio) const
+    {
+        return split_lines(options_.lines, options_.ratio.value_or(usual_ratio)).local_lines;
+    }
+
+    /// Where little is lit, and brightly, its light is better shot than left to global lines, which seldom come by. The
+    /// more of the unshot power stands out above the threshold (4), the more lines it gets, up to half of what is left;
+    /// where little does, shooting it with few lines would only add noise. The figures were found by trying.
+    void shoot_what_stands_out()
+    {
+        ExtendedShotOptions shot;
+        shot.threshold = options_.threshold.value_or(threshold_radiosity(scene_)); // (4)
+        shot.most_steps = options_.most_steps;
+        shot.seed = options_.seed;
+        const double unshot = mean(power_balance(scene_, state_).unshot);
+        const double share = unshot > 0.0 ? power_above(scene_, state_, shot.threshold) / unshot : 0.0;
+        if (share < 0.2)
+            return;
+        const std::uint64_t left = options_.lines - std::min(options_.lines, solution_.local_lines);
+        shot.lines = static_cast<std::uint64_t>(0.5 * std::sqrt(share) * static_cast<double>(left));
+        solution_.shot_passes = shoot_extended(scene_, *sequence_, first_item_ + solution_.local_lines, shot,
+                                               options_.threads, state_, counter(1, 1)); // (S2)
+        for (const ShotPass& pass : solution_.shot_passes)
+            solution_.local_lines += pass.lines;
+    }
+
+    /// The sources have sent all their light, and the patches have it.
+    void receive(const GatheredLight& light)
+    {
+        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i) {
+            state_.incident[i] += light.incident[i];
+            state_.unshot[i] = scene_.reflectance(i) * light.incident[i];
+        }
+        state_.escaped += light.escaped;
+        state_.behind += light.behind;
+    }
+
     /// The global lines get what is left, also what a first shot had no use for.
     void plan_global_lines()
     {
@@ -124,7 +182,7 @@ Preparation prepare(const Scene& scene, const SolveOptions& options)
     const bool optimum = options.method == Method::first_shot || options.method == Method::extended;
     if (optimum && !options.power_by_line)
         preparation.ratio = ratio_for(scene, options);
-    if (options.method == Method::reuse)
+    if (options.method == Method::reuse && reuse_bytes(scene.patch_count()) <= options.memory)
         preparation.unoccluded = std::make_shared<const PairMatrix<float>>(unoccluded_exchange(scene, options.threads));
     return preparation;
 }
@@ -140,8 +198,10 @@ Solution solve(const Scene& scene, const Preparation& preparation, const SolveOp
         run.particles();
     } else {
         run.shots();
-        if (options.method == Method::reuse)
+        if (options.method == Method::reuse && preparation.unoccluded)
             run.reuse(*preparation.unoccluded);
+        else if (options.method == Method::reuse)
+            run.reuse_counts();
         else
             run.global_pass();
     }

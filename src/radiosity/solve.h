@@ -34,8 +34,9 @@ using ProgressCallback = std::function<void(double done)>;
 /// What solving needs to know of a scene and is the same for every run with the same options but seed and lines.
 struct Preparation
 {
-    std::optional<double> ratio;                         ///< N_l / N_g of the methods that have one
-    std::shared_ptr<const PairMatrix<float>> unoccluded; ///< [m^2] of the method `reuse`
+    std::optional<double> ratio; ///< N_l / N_g of the methods that have one
+    std::shared_ptr<const PairMatrix<float>>
+        unoccluded; ///< [m^2] of the method `reuse`, if it has a table of all pairs
 };
 
 Preparation prepare(const Scene& scene, const SolveOptions& options);

@@ -76,6 +76,19 @@ void add(const LineBlock& block, PairCounts& counts)
 
 } // namespace
 
+PairCounts& PairCounts::operator+=(const PairCounts& others)
+{
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+        for (std::uint32_t j = 0; j <= i; ++j) {
+            pairs.at(i, j).joined += others.pairs.at(i, j).joined;
+            pairs.at(i, j).through += others.pairs.at(i, j).through;
+        }
+        escaped[i] += others.escaped[i];
+        behind[i] += others.behind[i];
+    }
+    return *this;
+}
+
 PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
                        std::uint64_t lines_cast, int threads, const LineCounter& count_lines)
 {

@@ -24,6 +24,8 @@ struct PairCounts
 {
     explicit PairCounts(std::uint32_t patches) : pairs(patches), escaped(patches, 0), behind(patches, 0) {}
 
+    PairCounts& operator+=(const PairCounts& others);
+
     PairMatrix<PairCount> pairs;
     std::vector<std::uint64_t> escaped; ///< per patch: lines that left its front and met nothing more
     std::vector<std::uint64_t> behind;  ///< per patch: lines that left its front and met a surface from behind

@@ -9,6 +9,7 @@
 #include "geometry/flat_polygon.h"
 #include "geometry/shared_planes.h"
 #include "parallel/ordered_blocks.h"
+#include "transport/contact.h"
 
 #include <array>
 #include <cstddef>
@@ -46,14 +47,19 @@ std::vector<Side> sides_of(const Scene& scene)
     return sides;
 }
 
+bool in_one_plane(const Side& a, const Side& b, double touching)
+{
+    return heights(a.outline, b.whole.centre, b.whole.normal).within(touching) ||
+           heights(b.outline, a.whole.centre, a.whole.normal).within(touching);
+}
+
 bool may_exchange(const Side& a, const Side& b, double touching)
 {
     if (a.surface == b.surface)
         return false;
     const HeightRange a_heights = heights(a.outline, b.whole.centre, b.whole.normal);
     const HeightRange b_heights = heights(b.outline, a.whole.centre, a.whole.normal);
-    const bool in_one_plane = a_heights.within(touching) || b_heights.within(touching);
-    return in_one_plane || (a_heights.high > touching && b_heights.high > touching);
+    return in_one_plane(a, b, touching) || (a_heights.high > touching && b_heights.high > touching);
 }
 
 /// One direction of a surface's grid.
@@ -159,9 +165,22 @@ public:
             fill_moved(a, place_of_cells(a_grid, places.a), b, place_of_cells(b_grid, places.b), places.count);
         else
             fill_each(a, b);
+        if (in_one_plane(a, b, touching_))
+            keep_contacts(a, b);
     }
 
 private:
+    /// Patches that lie in one plane back to back see nothing of each other.
+    void keep_contacts(const Side& a, const Side& b)
+    {
+        for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {
+            float* row = matrix_.row(i);
+            for (std::uint32_t j = b.first_patch; j < b.first_patch + b.patch_count; ++j)
+                if (row[j] > 0.0f && !in_contact(scene_, i, j))
+                    row[j] = 0.0f;
+        }
+    }
+
     float exchange(std::uint32_t i, std::uint32_t j) const
     {
         return static_cast<float>(exchange_area(pieces_[i], pieces_[j], touching_));

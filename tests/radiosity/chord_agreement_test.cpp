@@ -76,7 +76,7 @@ std::array<double, 3> light_in_cube(double rho, double emittance)
 
 // 2^16 lines cross each of the six patches 20,000 times: what they leave unshot is 5e-5 of what is reflected, a tenth
 // of the standard error.
-TEST_CASE("lines from the box give a closed cube its exact light")
+TEST_CASE("lines from the box give a closed cube its exact light" * doctest::test_suite("statistics"))
 {
     SceneBuilder builder;
     const std::uint32_t wall = builder.grey(0.6, 0.0);
@@ -104,7 +104,8 @@ TEST_CASE("lines from the box give a closed cube its exact light")
 }
 
 // Both kinds cast the same density of lines, so they leave the same share unshot, which cancels in the comparison.
-TEST_CASE("lines from the box and from the sphere give every object of a room the same light")
+TEST_CASE("lines from the box and from the sphere give every object of a room the same light" *
+          doctest::test_suite("statistics"))
 {
     const Scene scene(read_obj("scenes/5cubes.obj"), 100.0);
     for (const Method method : {Method::global, Method::extended}) {

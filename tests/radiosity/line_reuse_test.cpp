@@ -5,10 +5,13 @@
 #include "radiosity/solve.h"
 #include "scene/obj_reader.h"
 #include "test_scenes.h"
+#include "transport/pair_counts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <memory>
+#include <utility>
 
 using namespace multipath;
 
@@ -58,6 +61,53 @@ TEST_CASE("an empty furnace is solved exactly by any number of lines")
             CHECK(b.g == doctest::Approx(2.0).epsilon(2e-5));
 }
 
+// Square 1 emits, both reflect: B_1 = E + rho_1 F B_2, B_2 = rho_2 F B_1. The share of the light that escapes is not
+// counted but follows from what arrives: it is exact too.
+TEST_CASE("between two facing squares the share F arrives and the rest escapes, known without noise")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.4, 2.0));
+    builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.7, 0.0));
+    const Scene scene = builder.scene(1.0);
+    const double f = 0.19982489569838746; // Howell, C-11, for opposite sides of a cube
+    const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
+    const Solution solution = solve(scene, reuse_options(1u << 18), silent);
+    CHECK(solution.radiosity[0].r == doctest::Approx(b_1).epsilon(1e-3));
+    CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(1e-3));
+    CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(1e-3));
+}
+
+TEST_CASE("light that meets nothing escapes, all of it")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.9, 2.0)).scene(0.1);
+    const Solution solution = solve(scene, reuse_options(1u << 10), silent);
+    CHECK(solution.balance.escaped.r == doctest::Approx(2.0).epsilon(1e-9));
+    for (const Rgb b : solution.radiosity)
+        CHECK(b.r == doctest::Approx(2.0).epsilon(1e-9));
+}
+
+// Too many patches for a table of all pairs, or too little memory for it: counts alone, with gathered direct light.
+TEST_CASE("without a table of pairs the result is the same within its noise, also in rounds")
+{
+    const Scene scene = bundled("5cubes", 0.5);
+    const Solution with_table = solve(scene, reuse_options(1u << 20), silent);
+    SolveOptions options = reuse_options(1u << 18);
+    options.memory = 1e6; // the table takes 1.2 MB
+    const Solution one = solve(scene, options, silent);
+    options.seed = 2;
+    const double noise = relative_error(scene, solve(scene, options, silent), one);
+    CHECK(relative_error(scene, one, with_table) < noise);
+    CHECK(noise < 1e-3);
+    CHECK(one.radiosity != with_table.radiosity);
+    options.memory = 1e5;
+    const Solution rounds = solve(scene, options, silent);
+    CHECK(relative_error(scene, rounds, with_table) < 2.0 * noise);
+    CHECK(rounds.balance.relative_error() < 1e-9);
+    options.threads = 7;
+    CHECK(solve(scene, options, silent).radiosity == rounds.radiosity);
+}
+
 // In a closed room of one reflectance everywhere, lamp included, the absorbed power (1 - rho) A H adds up to what the
 // lamp emits, whatever stands in the room: the mean radiosity of what is reflected is rho Phi / (A (1 - rho)).
 TEST_CASE("rho = 0.9 loses no light: the mean radiosity is exact with obstacles too")
@@ -77,7 +127,8 @@ TEST_CASE("rho = 0.9 loses no light: the mean radiosity is exact with obstacles 
     CHECK(std::abs(solution.balance.unshot.g) < 1e-6 * scene.source_power().g);
 }
 
-TEST_CASE("the error falls faster than 1 / N to the power of 1.2 in a closed room of reflectance 0.9")
+TEST_CASE("the error falls faster than 1 / N to the power of 1.2 in a closed room of reflectance 0.9" *
+          doctest::test_suite("statistics"))
 {
     SceneBuilder builder;
     const std::uint32_t wall = builder.grey(0.9, 0.0);
@@ -119,7 +170,7 @@ TEST_CASE("a lamp in a corner does not explode on the walls that it touches")
 
 // Particles and counted lines share the intersector and nothing else of substance. Against one of two runs of particles
 // the other differs by twice the variance of one; what is nearly exact by half of that.
-TEST_CASE("reuse converges to what particles converge to")
+TEST_CASE("reuse converges to what particles converge to" * doctest::test_suite("statistics"))
 {
     for (const char* name : {"5cubes", "4chairs-up"})
         for (const double patch_size : {0.5, 100.0}) {
@@ -137,7 +188,8 @@ TEST_CASE("reuse converges to what particles converge to")
         }
 }
 
-TEST_CASE("on 5CUBES and 4CHAIRS reuse has a twentieth of the error of the paper's methods")
+TEST_CASE("on 5CUBES and 4CHAIRS reuse has a twentieth of the error of the paper's methods" *
+          doctest::test_suite("statistics"))
 {
     for (const char* name : {"5cubes", "4chairs"}) {
         const Scene scene = bundled(name, 0.3);
@@ -150,6 +202,48 @@ TEST_CASE("on 5CUBES and 4CHAIRS reuse has a twentieth of the error of the paper
         CAPTURE(name);
         CHECK(reused < walked / 20.0);
     }
+}
+
+// Of two faces in one plane, turned away from each other, geometry alone cannot tell whether they are a sheet or the
+// two sides of a gap: the order of the hits along a line can. Light on one side of the sheet must stay there.
+TEST_CASE("no light comes through a sheet made of two coincident faces")
+{
+    for (const bool two_sided : {false, true}) {
+        SceneBuilder builder;
+        const std::uint32_t wall = builder.grey(0.5, 0.0);
+        builder.room({0, 0, 0}, {2, 1, 1}, wall);
+        builder.rectangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, wall);                             // looks to +x
+        builder.rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}, wall);                             // looks to -x
+        builder.rectangle({0.2, 0.3, 0.3}, {0, 0.2, 0}, {0, 0, 0.2}, builder.grey(0.5, 3.0)); // shines to +x
+        const Scene scene = builder.scene(0.25, two_sided);
+        const Solution solution = solve(scene, reuse_options(1u << 16), silent);
+        double dark_side = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            if (scene.patch(i).shape.centre().x > 1.0)
+                dark_side += scene.area(i) * std::abs(solution.radiosity[i].g);
+        CHECK(dark_side < 1e-3 * scene.source_power().g); // not nothing: it takes lines to know that
+        CHECK(solution.balance.escaped.g > -1e-3 * scene.source_power().g);
+    }
+}
+
+// Counts are integers and add up exactly, so parts of the lines can be cast anywhere.
+TEST_CASE("merged counts of shards of the lines are those of a single run")
+{
+    const Scene scene = bundled("5cubes", 0.5);
+    const GlobalLines lines(scene.bounds(), Chords::box);
+    const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 1);
+    const LineCounter silent_counter = [](std::uint64_t) {};
+    const PairCounts all = count_pairs(scene, lines, *sequence, 0, 30000, 2, silent_counter);
+    PairCounts merged(scene.patch_count());
+    for (const auto& [first, count] : {std::pair{20000u, 10000u}, {0u, 7001u}, {7001u, 12999u}})
+        merged += count_pairs(scene, lines, *sequence, first, count, 1, silent_counter);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint32_t j = 0; j <= i; ++j) {
+            REQUIRE(merged.pairs.at(i, j).joined == all.pairs.at(i, j).joined);
+            REQUIRE(merged.pairs.at(i, j).through == all.pairs.at(i, j).through);
+        }
+    CHECK(merged.escaped == all.escaped);
+    CHECK(merged.behind == all.behind);
 }
 
 TEST_CASE("the result of reuse does not depend on the number of threads")

@@ -194,7 +194,7 @@ double largest_deviation(const std::vector<Estimate>& a, const std::vector<Estim
 // one comparison in 3,500 exceeds 4 by chance, so at most one in 90 of these checks of 39 comparisons each. A bias of
 // 1 % in the local method, the first shot or the extended one is found, of 5 % in the global one, whose few lines
 // through a small lamp make it ten times as noisy.
-TEST_CASE("all methods give every object the same light as particles do")
+TEST_CASE("all methods give every object the same light as particles do" * doctest::test_suite("statistics"))
 {
     for (const std::string name : rooms) {
         CAPTURE(name);

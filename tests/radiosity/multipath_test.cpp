@@ -58,7 +58,7 @@ std::vector<double> areas(const Scene& scene)
 
 // Published with the scene: first shot at N_l / N_g = 0.8 and 2^21 lines in all gives MSE 9.5e-6 with random lines
 // and 2.8e-6 with Sobol's, measured by an independent program; 30 % for the spread of a single figure.
-TEST_CASE("on the grey 5CUBES the error is that of an independent implementation")
+TEST_CASE("on the grey 5CUBES the error is that of an independent implementation" * doctest::test_suite("statistics"))
 {
     const Scene scene = grey_five_cubes();
     REQUIRE(scene.patch_count() == 736);

@@ -57,7 +57,8 @@ TEST_CASE(
     CHECK(error.local <= 2.0 * error.extended);
 }
 
-TEST_CASE("lit towards the floor, both are better than local Monte Carlo and near each other")
+TEST_CASE("lit towards the floor, both are better than local Monte Carlo and near each other" *
+          doctest::test_suite("statistics"))
 {
     const MeanErrors error = mean_errors("scenes/4chairs.obj"); // Figure 9
     CHECK(error.first_shot < error.local);

@@ -57,7 +57,7 @@ double coverage(const Scene& scene, SolveOptions options, int replicates, double
 } // namespace
 
 // Student's t with 9 degrees of freedom: 95 % lie within 2.262 standard errors.
-TEST_CASE("intervals of 95 % cover the truth in 90 to 99 % of cases")
+TEST_CASE("intervals of 95 % cover the truth in 90 to 99 % of cases" * doctest::test_suite("statistics"))
 {
     constexpr int replicates = 10;
     constexpr double student = 2.262;

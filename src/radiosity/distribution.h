@@ -1,0 +1,21 @@
+#pragma once
+
+#include "radiosity/power_state.h"
+#include "transport/exchange.h"
+
+#include <vector>
+
+namespace multipath {
+
+std::vector<Rgb> reflectances(const Scene& scene);
+
+/// U / A per patch [W/m^2].
+std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state);
+
+/// Moves the power that a solution of (R1) for the unshot radiosity says: all of `radiosity` leaves, and is received,
+/// escapes, or meets backs. What the patches then hold beyond what they sent is unshot: what the solution lacks.
+/// Several solutions are averaged by their shares, which must add up to 1.
+void distribute(const Scene& scene, const Exchange& exchange, const std::vector<Rgb>& radiosity, double share,
+                int threads, PowerState& state);
+
+} // namespace multipath

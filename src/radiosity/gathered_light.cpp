@@ -1,0 +1,137 @@
+// A patch gets E G V from a light of emittance E. The exchange G without obstacles has a closed form for each point of
+// the patch. V, the visible share, is taken from rays between points of both:
+//
+//   V ~ sum of w v / sum of w,   v = 1 where the ray is free, 0 where not,   w = cos cos' / (pi r^2)
+//
+// so a pair with nothing in between, or with nothing free, has no error. The first rays tell where the others are worth
+// more. Where patch and light touch, w has no bound; there the density of the rays contains it. A ratio of sums of a
+// few rays has a bias; there too.
+
+#include "radiosity/gathered_light.h"
+
+#include "radiosity/first_shot.h"
+#include "radiosity/ray_allotment.h"
+#include "sampling/random.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+/// A number in [0, 1) that tells nothing of the item from which it is made.
+double offset_from(const Item& item)
+{
+    return bits_to_unit(bits_from(item));
+}
+
+Rgb emitted_power(const Scene& scene, const std::vector<std::uint32_t>& surfaces)
+{
+    Rgb power;
+    for (const std::uint32_t surface : surfaces)
+        power += scene.surfaces()[surface].area() * surface_emittance(scene, surface);
+    return power;
+}
+
+/// Emitting surfaces, the strongest first.
+std::vector<std::uint32_t> lights_by_power(const Scene& scene)
+{
+    std::vector<std::uint32_t> lights;
+    std::vector<double> power;
+    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
+        power.push_back(mean(emitted_power(scene, {surface})));
+        if (power.back() > 0.0)
+            lights.push_back(surface);
+    }
+    std::stable_sort(lights.begin(), lights.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return power[a] > power[b]; });
+    return lights;
+}
+
+/// For how many lights gathering is worth its memory and its closed forms: with a ray for every other patch.
+std::size_t lights_to_gather(const Scene& scene, std::size_t lights, std::uint64_t rays)
+{
+    constexpr std::uint64_t most_pairs = std::uint64_t{1} << 24; // half a gigabyte
+    return static_cast<std::size_t>(
+        std::min<std::uint64_t>(std::min(2 * rays, most_pairs) / scene.patch_count(), lights));
+}
+
+void gather_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
+                 std::uint64_t first_item, std::uint64_t rays, int threads, GatheredLight& light,
+                 const LineCounter& count_lines)
+{
+    const GatherPairs pairs = find_gather_pairs(scene, lights, threads);
+    const auto pair_count = static_cast<double>(pairs.pairs.size());
+    if (rays == 0 || pairs.pairs.empty())
+        return;
+    const auto all_rays = static_cast<double>(rays);
+    const double first_rays = all_rays >= 8.0 * pair_count ? 0.25 * all_rays : all_rays;
+    const double offset = offset_from(sequence.item(first_item));
+
+    std::vector<Sight> sights(pairs.pairs.size());
+    const std::vector<double> first = first_allotment(scene, pairs, first_rays);
+    const std::vector<Look> looks = choose_looks(scene, pairs, first);
+    light.lines =
+        cast_shadow_rays(scene, pairs, looks, {first, offset, first_item}, sequence, threads, sights, count_lines);
+    if (first_rays < all_rays) {
+        const double rest = all_rays - static_cast<double>(light.lines);
+        ShadowRays second = {second_allotment(scene, pairs, first, sights, rest, threads), offset,
+                             first_item + light.lines};
+        light.lines += cast_shadow_rays(scene, pairs, looks, second, sequence, threads, sights, count_lines);
+    }
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k) {
+            const double rarity = std::min(first[k], 1.0); // the ray of one such pair counts for those without
+            const double exchange = static_cast<double>(pairs.pairs[k].exchange) * sights[k].share() / rarity;
+            light.incident[patch] += exchange * surface_emittance(scene, lights[pairs.pairs[k].light]);
+        }
+}
+
+/// Adds the light of surfaces that are shot.
+void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
+                std::uint64_t first_item, std::uint64_t rays, int threads, GatheredLight& light,
+                const LineCounter& count_lines)
+{
+    PowerState state = PowerState::empty(scene);
+    for (const std::uint32_t surface : lights) {
+        const std::uint32_t first = scene.first_patch(surface);
+        for (std::uint32_t i = first; i < first + scene.tessellation(surface).cell_count(); ++i)
+            state.unshot[i] = scene.area(i) * scene.emittance(i);
+    }
+    const double power = power_above(scene, state, 0.0);
+    if (rays == 0 || !(power > 0.0))
+        return;
+    const ShotRule rule = {0.0, power / static_cast<double>(rays), offset_from(sequence.item(first_item))};
+    const std::vector<Shot> shots = plan_shots(scene, state, rule);
+    shoot(scene, sequence, first_item, shots, threads, state, count_lines);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        light.incident[i] += state.incident[i];
+    light.lines += ray_count(shots);
+    light.behind += state.behind;
+}
+
+} // namespace
+
+GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                  std::uint64_t rays, int threads, const LineCounter& count_lines)
+{
+    GatheredLight light;
+    light.incident.resize(scene.patch_count());
+    const std::vector<std::uint32_t> lights = lights_by_power(scene);
+    const auto split = lights.begin() + static_cast<std::ptrdiff_t>(lights_to_gather(scene, lights.size(), rays));
+    const std::vector<std::uint32_t> gathered(lights.begin(), split);
+    const std::vector<std::uint32_t> shot(split, lights.end());
+    const double gathered_share = mean(emitted_power(scene, gathered)) / mean(emitted_power(scene, lights));
+    const auto gathering_rays = static_cast<std::uint64_t>(gathered_share * static_cast<double>(rays) + 0.5);
+
+    gather_from(gathered, scene, sequence, first_item, gathering_rays, threads, light, count_lines);
+    shoot_from(shot, scene, sequence, first_item + light.lines, rays - std::min(rays, light.lines), threads, light,
+               count_lines);
+
+    light.escaped = scene.source_power() - light.behind;
+    for (const Rgb& incident : light.incident)
+        light.escaped = light.escaped - incident;
+    return light;
+}
+
+} // namespace multipath

@@ -1,0 +1,172 @@
+#include "radiosity/shadow_rays.h"
+
+#include "parallel/ordered_blocks.h"
+#include "sampling/random.h"
+#include "transport/local_ray.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t patches_per_block = 16;
+
+/// The rays of one pair.
+class PairSight
+{
+public:
+    PairSight(const Scene& scene, std::uint32_t patch, std::uint32_t light_surface)
+        : scene_(scene), patch_(patch), light_surface_(light_surface), pair_(light_pair(scene, patch, light_surface))
+    {
+    }
+
+    void look(Look look, const std::vector<Item>& items, Sight& sight) const
+    {
+        for (const Item& item : items)
+            if (look == Look::around)
+                look_around(item, sight);
+            else if (look == Look::at_all_points)
+                look_at(pair_.points(item), pair_.kernel(pair_.points(item)), sight);
+            else
+                look_at(likely_points(item), 1.0, sight);
+    }
+
+private:
+    void look_at(const LightPair::Points& points, double weight, Sight& sight) const
+    {
+        const Line ray = {points.on_receiver, points.on_light - points.on_receiver};
+        const std::optional<Hit> hit = scene_.intersector().closest_hit_from(scene_.surface_of(patch_), ray);
+        sight.all += weight;
+        if (hit && hit->surface == light_surface_ && hit->front)
+            sight.free += weight;
+    }
+
+    /// The density of the directions contains the kernel: all that would meet the light weigh the same.
+    void look_around(const Item& item, Sight& sight) const
+    {
+        const Line ray = local_line(scene_.patch(patch_), item);
+        if (const std::optional<Vec3> target = pair_.target(ray))
+            look_at({ray.origin, *target}, 1.0, sight);
+    }
+
+    /// One of several candidates, with a probability proportional to its kernel.
+    LightPair::Points likely_points(const Item& item) const
+    {
+        const std::uint64_t key = bits_from(item);
+        std::uint64_t counter = 0;
+        const auto random = [&] { return bits_to_unit(random_bits(key, counter++)); };
+        LightPair::Points chosen = pair_.points(item);
+        double sum = pair_.kernel(chosen);
+        for (int candidate = 1; candidate < 16; ++candidate) {
+            const LightPair::Points points = pair_.points({random(), random(), random(), random()});
+            const double kernel = pair_.kernel(points);
+            sum += kernel;
+            if (random() * sum < kernel)
+                chosen = points;
+        }
+        return chosen;
+    }
+
+    const Scene& scene_;
+    std::uint32_t patch_;
+    std::uint32_t light_surface_;
+    LightPair pair_;
+};
+
+/// Whole numbers that a running sum has passed are rays.
+std::uint64_t whole(double sum)
+{
+    return static_cast<std::uint64_t>(sum);
+}
+
+/// The sum before each patch; one entry more than patches.
+std::vector<double> deserved_before(const GatherPairs& pairs, const std::vector<double>& deserved, double offset)
+{
+    std::vector<double> before;
+    before.reserve(pairs.first_pair.size());
+    double sum = offset;
+    std::size_t k = 0;
+    for (const std::size_t first : pairs.first_pair) {
+        for (; k < first; ++k)
+            sum += deserved[k];
+        before.push_back(sum);
+    }
+    return before;
+}
+
+Look choose_look(const Scene& scene, std::uint32_t patch, const GatherPairs& pairs, std::size_t k, double rays)
+{
+    constexpr double many = 8.0;  // the bias of a ratio of two sums, about 1 / (2 rays), is then below its noise
+    constexpr double wide = 0.05; // share of the directions in which the light is; fewer would mostly miss it
+    if (rays < many)
+        return Look::at_likely_points;
+    const double width = static_cast<double>(pairs.pairs[k].exchange) / scene.area(patch);
+    if (width < wide || !light_pair(scene, patch, pairs.lights[pairs.pairs[k].light]).is_near())
+        return Look::at_all_points;
+    return rays * width < many ? Look::at_likely_points : Look::around;
+}
+
+} // namespace
+
+std::vector<Look> choose_looks(const Scene& scene, const GatherPairs& pairs, const std::vector<double>& rays)
+{
+    std::vector<Look> looks;
+    looks.reserve(pairs.pairs.size());
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k)
+            looks.push_back(choose_look(scene, patch, pairs, k, rays[k]));
+    return looks;
+}
+
+std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, const std::vector<Look>& looks,
+                               const ShadowRays& rays, const Sequence& sequence, int threads,
+                               std::vector<Sight>& sights, const LineCounter& count_lines)
+{
+    constexpr std::uint64_t most_items = 4096;
+    const std::uint32_t patches = scene.patch_count();
+    const std::vector<double> before = deserved_before(pairs, rays.deserved, rays.offset);
+    const auto look_from = [&](std::uint32_t patch, std::vector<Item>& items) {
+        double sum = before[patch];
+        for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k) {
+            std::uint64_t ray = whole(sum);
+            sum += rays.deserved[k];
+            if (ray == whole(sum))
+                continue;
+            const PairSight pair(scene, patch, pairs.lights[pairs.pairs[k].light]);
+            for (const std::uint64_t end = whole(sum); ray < end; ray += items.size()) {
+                items.resize(static_cast<std::size_t>(std::min(most_items, end - ray)));
+                sequence.generate(rays.first_item + ray, items);
+                pair.look(looks[k], items, sights[k]);
+            }
+        }
+    };
+    const auto first_patch = [&](std::uint64_t block) {
+        return static_cast<std::uint32_t>(std::min<std::uint64_t>(block * patches_per_block, patches));
+    };
+    std::vector<std::vector<Item>> items(static_cast<std::size_t>(slot_count(threads)));
+    ordered_blocks((patches + patches_per_block - 1) / patches_per_block, threads,
+                   [&](std::uint64_t block, int slot) {
+                       for (std::uint32_t patch = first_patch(block); patch < first_patch(block + 1); ++patch)
+                           look_from(patch, items[static_cast<std::size_t>(slot)]);
+                   },
+                   [&](std::uint64_t block, int) {
+                       count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));
+                   });
+    return whole(before.back());
+}
+
+std::uint64_t bits_from(const Item& item)
+{
+    std::uint64_t mixed = 0;
+    for (const double x : item) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof bits);
+        mixed = mix_bits(mixed ^ bits) + 1;
+    }
+    return mix_bits(mixed);
+}
+
+} // namespace multipath

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "radiosity/gather_pairs.h"
+#include "sampling/sequence.h"
+#include "scene/scene.h"
+#include "transport/line_counter.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// How the rays of a pair are chosen.
+enum class Look : std::uint8_t {
+    at_likely_points, ///< points chosen by the kernel between them: without bias for a single ray
+    at_all_points,    ///< uniform points, weighted with the kernel: better for many rays
+    around,           ///< cosine-distributed directions: for a light so near that the kernel has peaks
+};
+
+/// For every pair, given how many rays it gets on the average.
+std::vector<Look> choose_looks(const Scene& scene, const GatherPairs& pairs, const std::vector<double>& rays);
+
+/// What the rays of one pair found, each counted with its weight.
+struct Sight
+{
+    double all = 0.0;
+    double free = 0.0;
+
+    /// [1] Visible share; 0 without rays.
+    double share() const { return all > 0.0 ? free / all : 0.0; }
+};
+
+/// Shadow rays for every pair, `deserved` on the average, rounded by a running sum that begins with `offset` in [0, 1).
+/// Ray number n of all takes the item first_item + n.
+struct ShadowRays
+{
+    std::vector<double> deserved;
+    double offset = 0.0;
+    std::uint64_t first_item = 0;
+};
+
+/// Casts the rays and adds what they find to the sights. Returns their number.
+std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, const std::vector<Look>& looks,
+                               const ShadowRays& rays, const Sequence& sequence, int threads,
+                               std::vector<Sight>& sights, const LineCounter& count_lines);
+
+/// Random bits that are a function of the item and tell nothing of it.
+std::uint64_t bits_from(const Item& item);
+
+} // namespace multipath

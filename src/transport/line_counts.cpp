@@ -1,0 +1,177 @@
+// The patches are dealt out to some hundred parts. A thread sorts the ends of its lines by parts and hands each part
+// what belongs to it; a part that is just busy is visited later. Which thread comes first changes nothing: counts are
+// integers, and rows are sorted.
+
+#include "transport/line_counts.h"
+
+#include "parallel/ordered_blocks.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t most_parts = 256; // many times the threads, so that they rarely meet
+
+int bits_of_part(std::uint32_t patches)
+{
+    int bits = 0;
+    while ((patches >> bits) >= most_parts)
+        ++bits;
+    return bits;
+}
+
+} // namespace
+
+LineCounts::LineCounts(std::uint32_t patches, std::size_t byte_limit)
+    : patches_(patches), byte_limit_(byte_limit), part_bits_(bits_of_part(patches))
+{
+    const std::uint32_t rows = 1u << part_bits_;
+    for (std::uint32_t first = 0; first < patches; first += rows)
+        parts_.emplace_back(std::min(rows, patches - first), patches);
+}
+
+std::vector<LineCounts::LineEnd> LineCounts::line_ends(const std::vector<Segment>& segments)
+{
+    std::vector<LineEnd> ends;
+    ends.reserve(2 * segments.size());
+    for (const Segment& segment : segments) {
+        if (Segment::is_patch(segment.from))
+            ends.push_back({segment.from, segment.to});
+        if (Segment::is_patch(segment.to))
+            ends.push_back({segment.to, segment.from});
+    }
+    return ends;
+}
+
+void LineCounts::add(const std::vector<Segment>& segments)
+{
+    const std::vector<LineEnd> ends = line_ends(segments);
+    std::vector<std::size_t> end_of_part(parts_.size() + 1, 0);
+    for (const LineEnd& end : ends)
+        ++end_of_part[(end.patch >> part_bits_) + 1];
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+        end_of_part[p + 1] += end_of_part[p];
+    std::vector<LineEnd> by_part(ends.size());
+    for (const LineEnd& end : ends)
+        by_part[end_of_part[end.patch >> part_bits_]++] = end; // moves the beginning of a part to its end
+
+    const auto add_to = [&](std::size_t p) {
+        add(by_part.data() + (p > 0 ? end_of_part[p - 1] : 0), by_part.data() + end_of_part[p], parts_[p]);
+    };
+    std::vector<std::size_t> busy;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const std::unique_lock<std::mutex> lock(parts_[p].mutex, std::try_to_lock);
+        if (lock.owns_lock())
+            add_to(p);
+        else
+            busy.push_back(p);
+    }
+    for (const std::size_t p : busy) {
+        const std::lock_guard<std::mutex> lock(parts_[p].mutex);
+        add_to(p);
+    }
+}
+
+void LineCounts::add(const LineEnd* first, const LineEnd* last, Part& part) const
+{
+    for (const LineEnd* end = first; end != last; ++end)
+        part.counts.add(place(end->patch), end->other);
+}
+
+void LineCounts::merge(int threads)
+{
+    parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) { parts_[p].counts.merge(); });
+}
+
+void LineCounts::add(const LineCounts& others, int threads)
+{
+    parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) { parts_[p].counts.add(others.parts_[p].counts); });
+}
+
+std::uint64_t LineCounts::line_ends() const
+{
+    std::uint64_t lines = 0;
+    for (const Part& part : parts_)
+        lines += part.counts.lines();
+    return lines;
+}
+
+std::size_t LineCounts::bytes() const
+{
+    std::size_t bytes = 0;
+    for (const Part& part : parts_)
+        bytes += part.counts.bytes();
+    return bytes;
+}
+
+bool LineCounts::full() const
+{
+    return bytes() > byte_limit_ - byte_limit_ / 8;
+}
+
+namespace {
+
+constexpr std::uint64_t lines_per_block = 4096;
+
+/// Buffers of one block of lines.
+struct LineBlock
+{
+    std::vector<Item> items;
+    std::vector<Hit> hits;
+    std::vector<Segment> segments;
+};
+
+void trace(const Scene& scene, const GlobalLines& lines, LineBlock& block)
+{
+    block.segments.clear();
+    for (const Item& item : block.items) {
+        scene.intersector().all_hits(lines.line(item), block.hits);
+        append_segments(scene, block.hits, block.segments);
+    }
+}
+
+/// How many lines to cast before the next merge: notes must fit below the limit, and not take more than the rows do.
+std::uint64_t lines_of_round(const CountedLines& counted)
+{
+    constexpr double least = 1u << 17; // cast in a moment, noted in a few megabytes
+    if (counted.lines_cast == 0)
+        return static_cast<std::uint64_t>(least);
+    const auto ends = static_cast<double>(std::max<std::uint64_t>(counted.counts.line_ends(), 1));
+    const double bytes_per_line = sizeof(CountEntry) * ends / static_cast<double>(counted.lines_cast);
+    const auto bytes = static_cast<double>(counted.counts.bytes());
+    const double room = static_cast<double>(counted.counts.byte_limit()) - bytes;
+    return static_cast<std::uint64_t>(std::min(std::max(least, bytes / bytes_per_line), 1.0 + room / bytes_per_line));
+}
+
+} // namespace
+
+CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
+                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, int threads,
+                         const LineCounter& count_lines_done)
+{
+    CountedLines counted{LineCounts(scene.patch_count(), byte_limit), 0};
+    std::vector<LineBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    while (counted.lines_cast < lines && !counted.counts.full()) {
+        const std::uint64_t first = counted.lines_cast;
+        const std::uint64_t round = std::min(lines - first, lines_of_round(counted));
+        const auto trace_block = [&](std::uint64_t number, int slot) {
+            LineBlock& block = blocks[static_cast<std::size_t>(slot)];
+            const std::uint64_t begin = number * lines_per_block;
+            block.items.resize(static_cast<std::size_t>(std::min(lines_per_block, round - begin)));
+            sequence.generate(first_item + first + begin, block.items);
+            trace(scene, global_lines, block);
+            counted.counts.add(block.segments);
+        };
+        const auto report = [&](std::uint64_t, int slot) {
+            count_lines_done(blocks[static_cast<std::size_t>(slot)].items.size());
+        };
+        ordered_blocks((round + lines_per_block - 1) / lines_per_block, threads, trace_block, report);
+        counted.counts.merge(threads);
+        counted.lines_cast += round;
+    }
+    return counted;
+}
+
+} // namespace multipath
