@@ -13,7 +13,9 @@ struct FlatPolygon
     std::array<Vec3, 5> corners; ///< the first `size` count
     std::size_t size = 0;
 
+    bool empty() const { return size == 0; }
     void add(Vec3 corner) { corners[size++] = corner; }
+    Vec3 next(std::size_t k) const { return corners[k + 1 < size ? k + 1 : 0]; } ///< corner after number k
 };
 
 FlatPolygon polygon_of(const Surface& surface);

@@ -6,69 +6,39 @@
 
 namespace multipath {
 
-ConvexPolygon outline(const Surface& surface)
+FlatPolygon part_above_horizon(const Surface& surface, Vec3 point, Vec3 normal)
 {
-    ConvexPolygon polygon;
-    polygon.append(surface.origin);
-    polygon.append(surface.origin + surface.edge_u);
-    if (surface.shape == Shape::parallelogram)
-        polygon.append(surface.at(1.0, 1.0));
-    polygon.append(surface.origin + surface.edge_v);
-    return polygon;
-}
-
-ConvexPolygon part_in_front(const Surface& surface, Vec3 point, Vec3 normal)
-{
-    const ConvexPolygon whole = outline(surface);
+    const FlatPolygon whole = polygon_of(surface);
     const double play = 1e-10 * (length(surface.edge_u) + length(surface.edge_v) + length(surface.origin - point));
-    std::array<double, 5> height{};
-    bool any_in_front = false;
-    for (std::size_t k = 0; k < whole.count; ++k) {
-        height[k] = dot(normal, whole.corners[k] - point);
-        if (std::abs(height[k]) <= play)
-            height[k] = 0.0;
-        any_in_front = any_in_front || height[k] > 0.0;
-    }
-    ConvexPolygon part;
-    if (!any_in_front)
-        return part;
-    for (std::size_t k = 0; k < whole.count; ++k) {
-        const double here = height[k];
-        const double there = height[k + 1 < whole.count ? k + 1 : 0];
-        if (here >= 0.0)
-            part.append(whole.corners[k]);
-        if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0))
-            part.append(whole.corners[k] + here / (here - there) * (whole.next(k) - whole.corners[k]));
-    }
-    return part;
+    return heights(whole, point, normal).high > play ? part_in_front(whole, point, normal, play) : FlatPolygon{};
 }
 
 namespace {
 
-Vec3 upward(const ConvexPolygon& polygon)
+Vec3 upward(const FlatPolygon& polygon)
 {
     return cross(polygon.corners[1] - polygon.corners[0], polygon.corners[2] - polygon.corners[0]);
 }
 
 } // namespace
 
-bool contains(const ConvexPolygon& polygon, Vec3 point)
+bool contains(const FlatPolygon& polygon, Vec3 point)
 {
     const Vec3 up = upward(polygon);
-    for (std::size_t k = 0; k < polygon.count; ++k)
+    for (std::size_t k = 0; k < polygon.size; ++k)
         if (dot(cross(up, polygon.next(k) - polygon.corners[k]), point - polygon.corners[k]) < 0.0)
             return false;
     return true;
 }
 
-double distance(Vec3 point, const ConvexPolygon& polygon)
+double distance(Vec3 point, const FlatPolygon& polygon)
 {
     if (contains(polygon, point)) { // or above it, which the test does not tell apart
         const Vec3 up = upward(polygon);
         return std::abs(dot(up, point - polygon.corners[0])) / length(up);
     }
     double square = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < polygon.count; ++k) {
+    for (std::size_t k = 0; k < polygon.size; ++k) {
         const Vec3 edge = polygon.next(k) - polygon.corners[k];
         const Vec3 to_point = point - polygon.corners[k];
         const double along = std::clamp(dot(to_point, edge) / dot(edge, edge), 0.0, 1.0);
@@ -78,12 +48,12 @@ double distance(Vec3 point, const ConvexPolygon& polygon)
     return std::sqrt(square);
 }
 
-double irradiance_from(const ConvexPolygon& polygon, Vec3 point, Vec3 normal)
+double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
 {
     // Each edge adds the angle under which it is seen times the cosine between the normal and the plane through edge
     // and point; clockwise as seen from the front, hence the sign.
     double sum = 0.0;
-    for (std::size_t k = 0; k < polygon.count; ++k) {
+    for (std::size_t k = 0; k < polygon.size; ++k) {
         const Vec3 a = polygon.corners[k] - point;
         const Vec3 b = polygon.next(k) - point;
         const Vec3 across = cross(a, b);

@@ -11,10 +11,10 @@ FlatRegion::FlatRegion(const Surface& whole)
     append(whole);
 }
 
-FlatRegion::FlatRegion(const ConvexPolygon& polygon)
+FlatRegion::FlatRegion(const FlatPolygon& polygon)
 {
     const Vec3 first = polygon.corners[0];
-    for (std::size_t k = 1; k + 1 < polygon.count; ++k)
+    for (std::size_t k = 1; k + 1 < polygon.size; ++k)
         append({Shape::triangle, first, polygon.corners[k] - first, polygon.corners[k + 1] - first});
 }
 
@@ -89,7 +89,7 @@ double radius(const Surface& piece)
 
 /// Irradiance bends most near the light: points as dense as the distance asks for.
 template <class Function>
-double integral_near(const Surface& piece, const ConvexPolygon& light, int splits, const Function& f)
+double integral_near(const Surface& piece, const FlatPolygon& light, int splits, const Function& f)
 {
     const double reach = radius(piece);
     const double gap = distance(piece.centre(), light) - reach;
@@ -112,11 +112,11 @@ double integral_near(const Surface& piece, const ConvexPolygon& light, int split
                          f);
 }
 
-FlatRegion region(const Surface& whole, const ConvexPolygon& part)
+FlatRegion region(const Surface& whole, const FlatPolygon& part)
 {
-    const ConvexPolygon uncut = outline(whole);
+    const FlatPolygon uncut = polygon_of(whole);
     const bool is_whole =
-        part.count == uncut.count && std::equal(uncut.corners.begin(), uncut.corners.begin() + 3, part.corners.begin());
+        part.size == uncut.size && std::equal(uncut.corners.begin(), uncut.corners.begin() + 3, part.corners.begin());
     return is_whole ? FlatRegion(whole) : FlatRegion(part);
 }
 
@@ -126,8 +126,8 @@ LightPair::LightPair(const Surface& receiver, const Surface& light, double clamp
     : receiver_surface_(receiver),
       receiver_normal_(receiver.normal()),
       light_normal_(light.normal()),
-      light_outline_(part_in_front(light, receiver.origin, receiver_normal_)),
-      receiver_outline_(part_in_front(receiver, light.origin, light_normal_)),
+      light_outline_(part_above_horizon(light, receiver.origin, receiver_normal_)),
+      receiver_outline_(part_above_horizon(receiver, light.origin, light_normal_)),
       receiver_(region(receiver, receiver_outline_)),
       light_(region(light, light_outline_)),
       clamp_area_(clamp_area),

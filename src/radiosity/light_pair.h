@@ -17,7 +17,7 @@ class FlatRegion
 public:
     explicit FlatRegion(const Surface& whole);
     /// Triangles around the polygon's first corner.
-    explicit FlatRegion(const ConvexPolygon& polygon);
+    explicit FlatRegion(const FlatPolygon& polygon);
 
     Vec3 uniform_point(double a, double b) const;
 
@@ -64,8 +64,8 @@ private:
     Surface receiver_surface_;
     Vec3 receiver_normal_;
     Vec3 light_normal_;
-    ConvexPolygon light_outline_;
-    ConvexPolygon receiver_outline_;
+    FlatPolygon light_outline_;
+    FlatPolygon receiver_outline_;
     FlatRegion receiver_;
     FlatRegion light_;
     double clamp_area_;

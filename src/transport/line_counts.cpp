@@ -5,6 +5,7 @@
 #include "transport/line_counts.h"
 
 #include "parallel/ordered_blocks.h"
+#include "transport/line_block.h"
 
 #include <algorithm>
 
@@ -113,25 +114,6 @@ bool LineCounts::full() const
 
 namespace {
 
-constexpr std::uint64_t lines_per_block = 4096;
-
-/// Buffers of one block of lines.
-struct LineBlock
-{
-    std::vector<Item> items;
-    std::vector<Hit> hits;
-    std::vector<Segment> segments;
-};
-
-void trace(const Scene& scene, const GlobalLines& lines, LineBlock& block)
-{
-    block.segments.clear();
-    for (const Item& item : block.items) {
-        scene.intersector().all_hits(lines.line(item), block.hits);
-        append_segments(scene, block.hits, block.segments);
-    }
-}
-
 /// How many lines to cast before the next merge: notes must fit below the limit, and not take more than the rows do.
 std::uint64_t lines_of_round(const CountedLines& counted)
 {
@@ -152,22 +134,19 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
                          const LineCounter& count_lines_done)
 {
     CountedLines counted{LineCounts(scene.patch_count(), byte_limit), 0};
-    std::vector<LineBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
     while (counted.lines_cast < lines && !counted.counts.full()) {
-        const std::uint64_t first = counted.lines_cast;
-        const std::uint64_t round = std::min(lines - first, lines_of_round(counted));
+        const std::uint64_t first = first_item + counted.lines_cast;
+        const std::uint64_t round = std::min(lines - counted.lines_cast, lines_of_round(counted));
         const auto trace_block = [&](std::uint64_t number, int slot) {
-            LineBlock& block = blocks[static_cast<std::size_t>(slot)];
-            const std::uint64_t begin = number * lines_per_block;
-            block.items.resize(static_cast<std::size_t>(std::min(lines_per_block, round - begin)));
-            sequence.generate(first_item + first + begin, block.items);
-            trace(scene, global_lines, block);
+            SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
+            block.trace(scene, global_lines, sequence, first, round, number);
             counted.counts.add(block.segments);
         };
         const auto report = [&](std::uint64_t, int slot) {
-            count_lines_done(blocks[static_cast<std::size_t>(slot)].items.size());
+            count_lines_done(blocks[static_cast<std::size_t>(slot)].lines.lines());
         };
-        ordered_blocks((round + lines_per_block - 1) / lines_per_block, threads, trace_block, report);
+        ordered_blocks(LineBlock::blocks_for(round), threads, trace_block, report);
         counted.counts.merge(threads);
         counted.lines_cast += round;
     }

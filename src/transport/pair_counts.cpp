@@ -2,17 +2,14 @@
 
 #include "parallel/ordered_blocks.h"
 #include "transport/intersection_list.h"
-
-#include <algorithm>
+#include "transport/line_block.h"
 
 namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t lines_per_block = 4096;
-
 /// What the lines of one block met.
-struct LineBlock
+struct PairBlock
 {
     struct Pair
     {
@@ -25,15 +22,14 @@ struct LineBlock
         bool behind;
     };
 
-    std::vector<Item> items;
-    std::vector<Hit> hits;
+    LineBlock lines;
     std::vector<Passage> passages;
     std::vector<Pair> pairs;
     std::vector<Loss> losses;
 };
 
 /// Notes every facing pair along one line, neighbours or not, and where power would be lost.
-void note(const std::vector<Passage>& passages, LineBlock& block)
+void note(const std::vector<Passage>& passages, PairBlock& block)
 {
     const std::size_t count = passages.size();
     for (std::size_t a = 0; a < count; ++a) {
@@ -51,26 +47,14 @@ void note(const std::vector<Passage>& passages, LineBlock& block)
     }
 }
 
-void trace(const Scene& scene, const GlobalLines& lines, LineBlock& block)
-{
-    block.pairs.clear();
-    block.losses.clear();
-    for (const Item& item : block.items) {
-        scene.intersector().all_hits(lines.line(item), block.hits);
-        block.passages.clear();
-        append_passages(scene, block.hits, block.passages);
-        note(block.passages, block);
-    }
-}
-
-void add(const LineBlock& block, PairCounts& counts)
+void add(const PairBlock& block, PairCounts& counts)
 {
     PairCount* pairs = counts.pairs.row(0);
-    for (const LineBlock::Pair& pair : block.pairs) {
+    for (const PairBlock::Pair& pair : block.pairs) {
         pairs[pair.index].through += 1;
         pairs[pair.index].joined += pair.joined ? 1 : 0;
     }
-    for (const LineBlock::Loss& loss : block.losses)
+    for (const PairBlock::Loss& loss : block.losses)
         (loss.behind ? counts.behind : counts.escaped)[loss.patch] += 1;
 }
 
@@ -93,20 +77,23 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
                        std::uint64_t lines_cast, int threads, const LineCounter& count_lines)
 {
     PairCounts counts(scene.patch_count());
-    std::vector<LineBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    std::vector<PairBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
     const auto trace_block = [&](std::uint64_t number, int slot) {
-        LineBlock& block = blocks[static_cast<std::size_t>(slot)];
-        const std::uint64_t first = number * lines_per_block;
-        block.items.resize(static_cast<std::size_t>(std::min(lines_per_block, lines_cast - first)));
-        sequence.generate(first_item + first, block.items);
-        trace(scene, lines, block);
+        PairBlock& block = blocks[static_cast<std::size_t>(slot)];
+        block.pairs.clear();
+        block.losses.clear();
+        block.lines.trace(scene, lines, sequence, first_item, lines_cast, number, [&](const std::vector<Hit>& hits) {
+            block.passages.clear();
+            append_passages(scene, hits, block.passages);
+            note(block.passages, block);
+        });
     };
     const auto add_block = [&](std::uint64_t, int slot) {
-        const LineBlock& block = blocks[static_cast<std::size_t>(slot)];
+        const PairBlock& block = blocks[static_cast<std::size_t>(slot)];
         add(block, counts);
-        count_lines(block.items.size());
+        count_lines(block.lines.lines());
     };
-    ordered_blocks((lines_cast + lines_per_block - 1) / lines_per_block, threads, trace_block, add_block);
+    ordered_blocks(LineBlock::blocks_for(lines_cast), threads, trace_block, add_block);
     return counts;
 }
 

@@ -127,7 +127,7 @@ TEST_CASE("a lamp in the corner of the ceiling lights the walls that it touches 
     const Surface lamp = scene.surfaces().back();
     for (std::uint32_t i = 0; i < scene.first_patch(6); ++i) {
         const Surface shape = scene.patch(i).shape;
-        const ConvexPolygon seen = part_in_front(lamp, shape.origin, shape.normal());
+        const FlatPolygon seen = part_above_horizon(lamp, shape.origin, shape.normal());
         double sum = 0.0;
         for (int k = 0; k < 1600; ++k)
             sum += irradiance_from(seen, shape.at((k / 40 + 0.5) / 40.0, (k % 40 + 0.5) / 40.0), shape.normal());
