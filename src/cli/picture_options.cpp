@@ -17,12 +17,35 @@ ToneOperator tone_operator(const std::string& name)
     return name == "percentile" ? ToneOperator::percentile : ToneOperator::aces;
 }
 
+Shown read_shown(const CommandLine& line)
+{
+    const std::string name = line.text("show");
+    if (name == "radiosity")
+        return Shown::radiosity;
+    for (const std::string option : {"shading", "exposure", "tone-map"})
+        if (line.has(option) && line.text(option) != "flat")
+            throw UsageError("--" + option + " has no effect with --show " + name +
+                             "; expected --show radiosity with it");
+    if (name == "irradiance")
+        return Shown::irradiance;
+    return name == "error" ? Shown::error : Shown::patches;
+}
+
 } // namespace
 
 OptionGroup picture_option_group()
 {
     return {"Picture",
-            {{"size", 0, "WxH", "800x600", "Width and height in pixels."},
+            {{"show",
+              0,
+              "WHAT",
+              "radiosity",
+              "What pictures show: radiosity, the room as an eye would see it; in false colours with a legend, "
+              "irradiance or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
+              "patches, each in a colour of its own. A PFM holds the values.",
+              false,
+              {"radiosity", "irradiance", "error", "patches"}},
+             {"size", 0, "WxH", "800x600", "Width and height in pixels."},
              {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
              {"shading",
               0,
@@ -48,11 +71,13 @@ OptionGroup picture_option_group()
 PictureOptions read_picture_options(const CommandLine& line, int threads)
 {
     PictureOptions options;
+    options.shown = read_shown(line);
     const PixelSize size = read_pixel_size("--size", line.text("size"));
     options.render.width = size.width;
     options.render.height = size.height;
     options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
-    options.render.shading = line.text("shading") == "flat" ? Shading::flat : Shading::smooth;
+    const bool smooth = options.shown == Shown::radiosity && line.text("shading") == "smooth";
+    options.render.shading = smooth ? Shading::smooth : Shading::flat;
     options.render.threads = threads;
     options.tone.tone = tone_operator(line.text("tone-map"));
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);

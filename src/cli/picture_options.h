@@ -11,9 +11,13 @@
 
 namespace multipath {
 
+/// What of the solution a picture shows.
+enum class Shown { radiosity, irradiance, error, patches };
+
 /// How the user wants pictures to look.
 struct PictureOptions
 {
+    Shown shown = Shown::radiosity;
     RenderOptions render;
     ToneMapOptions tone;
     std::optional<Vec3> eye;

@@ -9,10 +9,12 @@
 #include "cli/solve_summary.h"
 #include "cli/usage_error.h"
 #include "export/patch_table.h"
+#include "image/false_colour.h"
 #include "image/pfm.h"
 #include "image/picture.h"
 #include "image/png.h"
 #include "image/ppm.h"
+#include "image/quantity.h"
 #include "radiosity/solve.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
@@ -83,6 +85,31 @@ bool is_picture(const PlannedOutput& output)
     return output.format != OutputFormat::csv;
 }
 
+Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown)
+{
+    switch (shown) {
+    case Shown::irradiance:
+        return {"irradiance [W/m\xB2]", irradiance(scene, solution.radiosity)};
+    case Shown::error:
+        return {"standard error of the radiosity [W/m\xB2]", solution.standard_error};
+    case Shown::patches:
+        return {"patches", patch_colours(scene.patch_count())};
+    case Shown::radiosity:
+        break;
+    }
+    return {"radiosity [W/m\xB2]", solution.radiosity};
+}
+
+ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const Camera& camera,
+                           const PictureOptions& options)
+{
+    if (options.shown == Shown::radiosity)
+        return picture(scene, quantity.values, camera, options.render, options.tone);
+    if (options.shown == Shown::patches)
+        return flat_picture(scene, quantity.values, camera, options.render);
+    return false_colour(scene, quantity, camera, options.render);
+}
+
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
                    const PictureOptions& picture_options, const std::vector<std::string>& comments)
 {
@@ -92,17 +119,18 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
 
     const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
     const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
+    const Quantity quantity = pictures ? shown_quantity(scene, solution, picture_options.shown) : Quantity{};
     ScreenImage screen;
     for (PlannedOutput& output : outputs) {
         const bool shows_screen = output.format == OutputFormat::ppm || output.format == OutputFormat::png;
         if (shows_screen && screen.bytes.empty())
-            screen = picture(scene, solution.radiosity, camera, picture_options.render, picture_options.tone);
+            screen = screen_picture(scene, quantity, camera, picture_options);
         if (output.format == OutputFormat::ppm)
             output.file.write(ppm_bytes(screen, comment));
         else if (output.format == OutputFormat::png)
             output.file.write(png_bytes(screen, comment));
         else if (output.format == OutputFormat::pfm)
-            output.file.write(pfm_bytes(render(scene, solution.radiosity, camera, picture_options.render)));
+            output.file.write(pfm_bytes(render(scene, quantity.values, camera, picture_options.render)));
         else
             output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
     }
@@ -126,6 +154,13 @@ void require_light(const Scene& scene, const Solution& solution)
         throw InputError(
             scene.path() +
             ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
+}
+
+void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
+{
+    if (pictures.shown == Shown::error && accuracy.replicates < 2)
+        throw UsageError("--show: a single run does not tell its error; expected --replicates, such as 4, or "
+                         "--tolerance with --show error");
 }
 
 void require_one_on_standard_output(const CommandLine& line)
@@ -156,6 +191,7 @@ int run_solve(const CommandLine& line)
     const SolveOptions options = read_solve_options(line, "lines");
     const Accuracy accuracy = read_accuracy(line);
     const PictureOptions picture_options = read_picture_options(line, options.threads);
+    require_error_to_show(picture_options, accuracy);
     const std::string sequence =
         accuracy.replicates > 1 ? randomised_name(checked_sequence_name(options)) : checked_sequence_name(options);
     const std::string scene_path = line.operands()[0];

@@ -144,4 +144,34 @@ camera() {
         ends 2 solve "$scene" $quick --eye 1,1 -o a.ppm && ends 2 solve "$scene" $quick --up 0,0,0 -o a.ppm
 }
 check "the camera follows its options" camera
+
+# Single precision keeps 7 digits of a value; nothing seen is 0.
+shown_error() {
+    ends 0 solve "$scene" --lines 2^14 -q --replicates 4 --show error --size 80x60 --samples 1 -o error.pfm -o error.csv || return
+    { grep -v '^#' error.csv | awk -F, 'NR > 1 { print $20, "table" } END { print 0, "table" }'
+        tail -n +4 error.pfm | od -An -v -tf4 | tr -s ' ' '\n' | awk 'NF && ++n % 3 == 1 { print $1, "pixel" }'; } | sort -g >values
+    awk '{ value[NR] = $1; pixel[NR] = $2 == "pixel" }
+        function near(i, by) { while (pixel[i]) i += by
+            return i > 0 && i <= NR && (value[i] - value[here]) ^ 2 <= (1e-6 * value[here]) ^ 2 }
+        END { for (here = 1; here <= NR; ++here) if (pixel[here]) {
+                if (value[here] != value[here - 1]) ++different
+                if (!near(here, 1) && !near(here, -1)) { print value[here], "is not in the table"; exit 1 } }
+            exit different < 100 }' values
+}
+check "a PFM of the error holds the errors of the table" shown_error
+
+shown_pictures() {
+    for what in radiosity irradiance error patches; do
+        ends 0 solve "$scene" --lines 2^14 -q --replicates 2 --show $what --size 320x240 --samples 1 -o $what.ppm || return
+        [ "$(head -c 2 $what.ppm)" = P6 ] && [ "$(wc -c <$what.ppm)" -gt 230400 ] || return
+    done
+    ends 0 solve "$scene" --lines 2^15 -q --tolerance 50% --show error --size 320x240 --samples 1 -o rounds.ppm || return
+    # The legend's paper, of grey 32, is in the last row of the pictures with a legend and of no other.
+    for what in radiosity irradiance error patches rounds; do
+        tail -c 960 $what.ppm | od -An -v -tu1 | tr -s ' ' '\n' | sort -u | tr -s '\n' ' ' >$what.row
+    done
+    grep -q '^ 32 $' error.row && cmp error.row irradiance.row && cmp error.row rounds.row &&
+        ! cmp -s error.row radiosity.row && ! cmp -s error.row patches.row
+}
+check "quantities have a legend, the room and its patches none" shown_pictures
 finish

@@ -27,7 +27,7 @@ check "every command that --help lists has its own help" command_help
 solve_options() {
     ends 0 solve --help || return
     for option in output json quiet progress method bidirectional chords lines ratio power-per-line threshold steps estimator sequence pairing skip seed threads patch-size patches two-sided \
-        emission-from help; do
+        emission-from show size help; do
         grep -qE -- "^  (-.,|   ) --$option( |$)" out || { echo "--$option is missing:"; cat out; return 1; }
     done
 }
@@ -64,6 +64,11 @@ check "a decimal comma is refused" refused "--lines: expected a count" --lines 1
 check "an unknown method is answered with the right one" refused "did you mean global" --method globl
 check "a value that is missing is asked for" refused "--lines needs a value" --lines
 check "an option given twice is refused" refused "--lines is given twice" --lines 5 --lines 6
+check "an error to show needs more than one run" refused "expected --replicates" --show error
+check "and the refusal names the other way to have it" refused "--tolerance" --show error --replicates 1
+check "a quantity that is none is answered with the right one" refused "did you mean error" --show eror
+check "false colours are not exposed" refused "--exposure has no effect with --show irradiance" --show irradiance --exposure 1
+check "nor interpolated" refused "--shading has no effect with --show patches" --show patches --shading smooth
 check "a flag with a value is refused" refused "--quiet takes no value" --quiet=yes
 check "an unknown output extension is refused" refused room.xyz -o room.xyz
 check "an output without extension is refused" refused "'room'" -o room

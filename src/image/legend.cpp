@@ -1,0 +1,116 @@
+// From top to bottom: the title, the bar of colours, a mark for every step and below it the number. Lengths are in font
+// pixels, which become squares of as many pixels as the size of the picture allows.
+
+#include "image/legend.h"
+
+#include "image/bitmap_font.h"
+#include "image/colour_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace multipath {
+
+namespace {
+
+constexpr int title_top = 4;
+constexpr int bar_top = title_top + font_height + 2;
+constexpr int bar_bottom = bar_top + 8;
+constexpr int mark_bottom = bar_bottom + 2;
+constexpr int numbers_top = mark_bottom + 2;
+constexpr int strip_height = numbers_top + font_ascent + 4;
+constexpr int side_margin = 24;    // half of the longest number
+constexpr int least_width = 300;   // numbers of five steps side by side
+constexpr std::uint8_t paper = 32; // neither black, which means no value, nor a colour of the map
+constexpr std::uint8_t ink = 230;
+
+std::size_t byte_of(const ScreenImage& picture, int x, int y)
+{
+    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+}
+
+/// Colours and marks between the columns `left` and `right`.
+void draw_bar(ScreenImage& strip, int scale, int left, int right, int steps)
+{
+    for (int x = left; x < right; ++x) {
+        const Rgb colour = map_colour((x - left + 0.5) / (right - left));
+        const std::array<std::uint8_t, 3> bytes = {screen_byte(colour.r), screen_byte(colour.g), screen_byte(colour.b)};
+        for (int y = scale * bar_top; y < scale * bar_bottom; ++y)
+            std::copy(bytes.begin(), bytes.end(),
+                      strip.bytes.begin() + static_cast<std::ptrdiff_t>(byte_of(strip, x, y)));
+    }
+    for (int step = 0; step <= steps; ++step) {
+        const int middle = left + (right - left) * step / steps;
+        for (int y = scale * bar_bottom; y < scale * mark_bottom; ++y)
+            std::fill_n(strip.bytes.begin() + static_cast<std::ptrdiff_t>(byte_of(strip, middle - scale / 2, y)),
+                        3 * scale, ink);
+    }
+}
+
+} // namespace
+
+double LegendScale::top() const
+{
+    return steps * mantissa * std::pow(10.0, exponent);
+}
+
+std::string LegendScale::number(int step) const
+{
+    std::string digits = std::to_string(step * mantissa);
+    if (step == 0)
+        return digits;
+    if (exponent < -5 || exponent > 3)
+        return digits + "e" + std::to_string(exponent);
+    if (exponent >= 0)
+        return digits + std::string(static_cast<std::size_t>(exponent), '0');
+    const auto decimals = static_cast<std::size_t>(-exponent);
+    if (digits.size() <= decimals)
+        digits.insert(0, decimals + 1 - digits.size(), '0');
+    return digits.insert(digits.size() - decimals, ".");
+}
+
+LegendScale round_scale(double reach)
+{
+    if (!(reach > 0.0))
+        return {};
+    for (int exponent = static_cast<int>(std::floor(std::log10(reach))) - 2;; ++exponent)
+        for (const int mantissa : {10, 20, 25, 50}) {
+            // A reach that is itself round needs no step more because of its rounding.
+            const double steps = std::ceil(reach / (mantissa * std::pow(10.0, exponent)) - 1e-9);
+            if (steps > 5.0)
+                continue;
+            const bool ends_in_zero = mantissa % 10 == 0;
+            return {ends_in_zero ? mantissa / 10 : mantissa, ends_in_zero ? exponent + 1 : exponent,
+                    static_cast<int>(steps)};
+        }
+}
+
+int legend_height(int width, int height, const std::string& title)
+{
+    const int needed_width = std::max(least_width, text_width(title) + 2 * side_margin);
+    const int scale = std::min(width / needed_width, std::max(height / (6 * strip_height), 1));
+    return 3 * strip_height <= height ? scale * strip_height : 0;
+}
+
+ScreenImage legend_strip(int width, int height, const Legend& legend)
+{
+    const int scale = height / strip_height;
+    ScreenImage strip{width, height, {}};
+    strip.bytes.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper);
+    const int left = scale * side_margin;
+    const int right = width - left;
+    draw_text(strip, left, scale * title_top, scale, legend.title, ink);
+    draw_bar(strip, scale, left, right, legend.scale.steps);
+    for (int step = 0; step <= legend.scale.steps; ++step) {
+        const std::string number = legend.scale.number(step);
+        const int middle = left + (right - left) * step / legend.scale.steps;
+        const bool open = legend.exceeded && step == legend.scale.steps;
+        draw_text(strip, middle - scale * text_width(number) / 2, scale * numbers_top, scale,
+                  open ? number + "+" : number, ink);
+    }
+    return strip;
+}
+
+} // namespace multipath

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// Something that every patch has its own value of, to be shown in a picture.
+struct Quantity
+{
+    std::string title;       ///< with its unit in brackets, in the characters of draw_text
+    std::vector<Rgb> values; ///< per patch, >= 0; not a number in the channels where a patch has none
+};
+
+/// [W/m^2] H = (B - E) / rho of every patch; not a number in the channels in which it reflects nothing, since there the
+/// radiosity does not tell.
+std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosity);
+
+/// For every patch a colour (linear light, 0 ... 1) that has nothing to do with its neighbours'.
+std::vector<Rgb> patch_colours(std::size_t patches);
+
+} // namespace multipath
