@@ -21,7 +21,7 @@ constexpr int bar_bottom = bar_top + 8;
 constexpr int mark_bottom = bar_bottom + 2;
 constexpr int numbers_top = mark_bottom + 2;
 constexpr int strip_height = numbers_top + font_ascent + 4;
-constexpr int side_margin = 24;    // half of the longest number
+constexpr int side_margin = 24;    // half of the longest number, such as 0.00025+
 constexpr int least_width = 300;   // numbers of five steps side by side
 constexpr std::uint8_t paper = 32; // neither black, which means no value, nor a colour of the map
 constexpr std::uint8_t ink = 230;
@@ -104,11 +104,10 @@ ScreenImage legend_strip(int width, int height, const Legend& legend)
     draw_text(strip, left, scale * title_top, scale, legend.title, ink);
     draw_bar(strip, scale, left, right, legend.scale.steps);
     for (int step = 0; step <= legend.scale.steps; ++step) {
-        const std::string number = legend.scale.number(step);
-        const int middle = left + (right - left) * step / legend.scale.steps;
         const bool open = legend.exceeded && step == legend.scale.steps;
-        draw_text(strip, middle - scale * text_width(number) / 2, scale * numbers_top, scale,
-                  open ? number + "+" : number, ink);
+        const std::string number = legend.scale.number(step) + (open ? "+" : "");
+        const int middle = left + (right - left) * step / legend.scale.steps;
+        draw_text(strip, middle - scale * text_width(number) / 2, scale * numbers_top, scale, number, ink);
     }
     return strip;
 }

@@ -7,6 +7,7 @@
 #include "radiosity/line_budget.h"
 #include "radiosity/line_reuse.h"
 #include "radiosity/multipath.h"
+#include "scene/input_error.h"
 #include "transport/line_sampling.h"
 #include "transport/unoccluded_exchange.h"
 
@@ -18,6 +19,13 @@
 namespace multipath {
 
 namespace {
+
+/// `reuse` counts lines in 32 bits.
+void require_countable(const SolveOptions& options)
+{
+    if (options.method == Method::reuse && options.lines > 0xffffffffu)
+        throw InputError("the method reuse counts at most 4294967295 lines; expected fewer");
+}
 
 void require_balance(const PowerBalance& balance)
 {
@@ -193,6 +201,7 @@ Solution solve(const Scene& scene, const Preparation& preparation, const SolveOp
     SolveOptions prepared = options;
     if (preparation.ratio)
         prepared.ratio = preparation.ratio;
+    require_countable(prepared);
     Run run(scene, prepared, progress);
     if (options.method == Method::local) {
         run.particles();

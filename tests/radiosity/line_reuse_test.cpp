@@ -3,6 +3,7 @@
 
 #include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
+#include "scene/input_error.h"
 #include "scene/obj_reader.h"
 #include "test_scenes.h"
 #include "transport/pair_counts.h"
@@ -256,6 +257,13 @@ TEST_CASE("the result of reuse does not depend on the number of threads")
         options.threads = threads;
         CHECK(solve(scene, options, silent).radiosity == alone.radiosity);
     }
+}
+
+TEST_CASE("more lines than can be counted are refused before the first")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(0.5, 1.0)).scene(1.0);
+    CHECK_THROWS_AS(solve(scene, reuse_options(std::uint64_t{1} << 32), silent), InputError);
 }
 
 // Fewer lines than patches: little can be known, but nothing may be infinite, and no light is lost.
