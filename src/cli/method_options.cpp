@@ -5,6 +5,7 @@
 #include "cli/usage_error.h"
 #include "sampling/sequence.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -32,6 +33,8 @@ Option method_option(bool with_reuse)
     }
     return option;
 }
+
+constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
 
 /// What only the method reuse knows.
 std::vector<Option> reuse_options()
@@ -89,6 +92,15 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           "Where the lines come from: random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, "
           "each also with four coprime bases as in halton:2,7,3,5; kronecker, kronecker-shift; hammersley:N for N "
           "items."},
+         {"line-order",
+          0,
+          "HOW",
+          "shuffled",
+          "In which order the walk takes its global lines: shuffled in blocks, or that of the sequence, as in the "
+          "paper, "
+          "which with quasi-random sequences and few patches converges to something slightly wrong.",
+          false,
+          {"shuffled", "sequence"}},
          {"pairing",
           0,
           "HOW",
@@ -105,34 +117,57 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
     return group;
 }
 
-SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count)
+Method method_named(std::string_view name)
+{
+    return name == "local"      ? Method::local
+           : name == "global"   ? Method::global
+           : name == "extended" ? Method::extended
+           : name == "reuse"    ? Method::reuse
+                                : Method::first_shot;
+}
+
+Pairing pairing_named(std::string_view name)
+{
+    return name == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
+}
+
+Chords chords_named(std::string_view name)
+{
+    return name == "box" ? Chords::box : Chords::sphere;
+}
+
+LineOrder line_order_named(std::string_view name)
+{
+    return name == "sequence" ? LineOrder::sequence : LineOrder::shuffled;
+}
+
+bool has_global_lines(Method method)
+{
+    return method != Method::local;
+}
+
+bool walks(Method method)
+{
+    return method == Method::global || method == Method::first_shot || method == Method::extended;
+}
+
+SolveOptions read_settings(const CommandLine& line)
 {
     SolveOptions options;
-    const std::string method = line.text("method");
-    options.method = method == "local"      ? Method::local
-                     : method == "global"   ? Method::global
-                     : method == "extended" ? Method::extended
-                     : method == "reuse"    ? Method::reuse
-                                            : Method::first_shot;
-    if (line.has("power-per-line") && line.has("ratio"))
+    const bool power_given = line.knows("power-per-line") && line.has("power-per-line");
+    if (power_given && line.has("ratio"))
         throw UsageError("--power-per-line and --ratio exclude each other; expected one of them");
-    if (line.has("power-per-line"))
+    if (power_given)
         options.power_by_line = read_positive("--power-per-line", line.text("power-per-line"));
     if (line.text("threshold") != "auto")
         options.threshold = read_real("--threshold", line.text("threshold"));
     options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
     options.estimator = line.text("estimator") == "absorption" ? Estimator::absorption : Estimator::collision;
-    options.sequence = line.text("sequence");
-    options.pairing = line.text("pairing") == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
-    constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
     options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
     options.seed = read_count("--seed", line.text("seed"));
-    options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
     if (line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
     options.bidirectional = line.text("bidirectional") == "yes";
-    if (line.has("chords"))
-        options.chords = line.text("chords") == "box" ? Chords::box : Chords::sphere;
     if (line.knows("memory")) {
         options.direct = line.text("direct") == "shoot" ? Direct::shoot : Direct::gather;
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
@@ -141,38 +176,60 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
     return options;
 }
 
+SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count)
+{
+    SolveOptions options = read_settings(line);
+    options.method = method_named(line.text("method"));
+    options.sequence = line.text("sequence");
+    options.line_order = line_order_named(line.text("line-order"));
+    options.pairing = pairing_named(line.text("pairing"));
+    options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
+    if (line.has("chords"))
+        options.chords = chords_named(line.text("chords"));
+    return options;
+}
+
 void require_options_with_effect(const CommandLine& line)
 {
-    const std::string method = line.text("method");
+    require_options_with_effect(line, {line.text("method")}, "--method " + line.text("method"));
+}
+
+void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
+                                 const std::string& given)
+{
+    const auto any = [&](auto&& has_use_for) {
+        return std::any_of(methods.begin(), methods.end(),
+                           [&](const std::string& name) { return has_use_for(method_named(name)); });
+    };
     const auto refuse = [&](std::initializer_list<const char*> names, const std::string& expected) {
         for (const std::string name : names)
             if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name))
-                throw UsageError("--" + name + " has no effect with --method " + method + "; expected " + expected +
-                                 " with it");
+                throw UsageError("--" + name + " has no effect with " + given + "; expected " + expected + " with it");
     };
-    const bool walks = method == "global" || method == "first-shot" || method == "extended";
-    const bool reuses = method == "reuse";
-    const bool shoots = method == "first-shot" || method == "extended" || (reuses && line.text("direct") == "shoot");
-    if (!shoots)
+    const auto reuses = [](Method m) { return m == Method::reuse; };
+    const auto shoots = [&](Method m) {
+        return m == Method::first_shot || m == Method::extended || (reuses(m) && line.text("direct") == "shoot");
+    };
+    if (!any(shoots))
         refuse({"power-per-line", "threshold", "steps"}, "--method first-shot or extended");
-    if (!shoots && !reuses)
+    if (!any(shoots) && !any(reuses))
         refuse({"ratio"}, "--method first-shot or extended");
-    if (!walks)
-        refuse({"bidirectional"}, "a method that walks along global lines");
-    if (method == "local")
+    if (!any(walks))
+        refuse({"bidirectional", "line-order", "line-orders"}, "a method that walks along global lines");
+    if (!any(has_global_lines))
         refuse({"chords"}, "a method with global lines");
-    if (method != "local")
+    if (!any([](Method m) { return m == Method::local; }))
         refuse({"estimator"}, "--method local");
-    if (!reuses)
+    if (!any(reuses))
         refuse({"direct", "memory"}, "--method reuse");
 }
 
-std::string checked_sequence_name(const SolveOptions& options)
+std::string checked_sequence_name(const SolveOptions& options, const std::string& option)
 {
     try {
         return make_line_sequence(options.sequence, options.seed, options.pairing)->name();
     } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--sequence: ") + error.what());
+        throw UsageError(option + ": " + error.what());
     }
 }
 

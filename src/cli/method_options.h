@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace multipath {
 
@@ -17,10 +18,26 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 /// `line_count`: the name of that option. Throws UsageError.
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count);
 
+/// The same without method, sequence, pairing, line order, chords and number of lines.
+SolveOptions read_settings(const CommandLine& line);
+
+/// Words that the tables allow.
+Method method_named(std::string_view name);
+Pairing pairing_named(std::string_view name);
+Chords chords_named(std::string_view name);
+LineOrder line_order_named(std::string_view name);
+
+bool has_global_lines(Method method);
+bool walks(Method method); ///< along global lines
+
 /// Options that the method has no use for are mistakes: throws UsageError.
 void require_options_with_effect(const CommandLine& line);
 
-/// The sequence's full name; its absence is the user's mistake (UsageError).
-std::string checked_sequence_name(const SolveOptions& options);
+/// The same for several methods, of which one must have a use for the option. `given`: what the user wrote of them.
+void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
+                                 const std::string& given);
+
+/// The sequence's full name; its absence is the user's mistake (UsageError) with `option`.
+std::string checked_sequence_name(const SolveOptions& options, const std::string& option = "--sequence");
 
 } // namespace multipath

@@ -1,6 +1,24 @@
 #include "cli/option_table.h"
 
+#include <algorithm>
+
 namespace multipath {
+
+OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names)
+{
+    const auto left_out = [&](const Option& option) {
+        return std::find(names.begin(), names.end(), option.name) != names.end();
+    };
+    group.options.erase(std::remove_if(group.options.begin(), group.options.end(), left_out), group.options.end());
+    return group;
+}
+
+CommandTable without_options(CommandTable table, const std::vector<std::string>& names)
+{
+    for (OptionGroup& group : table.groups)
+        group = without_options(group, names);
+    return table;
+}
 
 const Option* find_option(const CommandTable& table, std::string_view name)
 {

@@ -42,6 +42,10 @@ struct CommandTable
     std::string_view notes = {}; ///< examples and remarks below the options, printed as they are
 };
 
+/// The table, or the group, without the options of these long names.
+CommandTable without_options(CommandTable table, const std::vector<std::string>& names);
+OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names);
+
 /// The option with this long name, nullptr when the table has none.
 const Option* find_option(const CommandTable& table, std::string_view name);
 

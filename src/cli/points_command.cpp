@@ -212,20 +212,6 @@ int run_listing(const CommandLine& line)
     return 0;
 }
 
-/// The table of the options that stand in a figure's provenance: the others are refused and have only their defaults.
-CommandTable figure_table(const std::vector<std::string>& refused)
-{
-    CommandTable table = points_table();
-    for (OptionGroup& group : table.groups)
-        group.options.erase(std::remove_if(group.options.begin(), group.options.end(),
-                                           [&](const Option& option) {
-                                               return std::find(refused.begin(), refused.end(), option.name) !=
-                                                      refused.end();
-                                           }),
-                            group.options.end());
-    return table;
-}
-
 int run_figure(const CommandLine& line)
 {
     const std::vector<std::string> fixed = {"sequence", "dims", "skip", "pairs", "order", "discrepancy"};
@@ -235,7 +221,7 @@ int run_figure(const CommandLine& line)
     require_drawable(count);
     std::vector<PlannedOutput> outputs = open(line, {OutputFormat::svg});
     const auto figure = line.text("figure") == "1" ? paper_figure_1 : paper_figure_2;
-    const std::string drawing = figure(count, seed, provenance(figure_table(fixed), line));
+    const std::string drawing = figure(count, seed, provenance(without_options(points_table(), fixed), line));
     for (PlannedOutput& output : outputs)
         output.file.write(drawing);
     finish(outputs);

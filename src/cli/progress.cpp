@@ -12,6 +12,14 @@ ProgressStyle automatic_progress()
     return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
+ProgressStyle progress_style(const CommandLine& line)
+{
+    const std::string when = line.text("progress");
+    if (when == "never" || (line.has("quiet") && when == "auto"))
+        return ProgressStyle::none;
+    return automatic_progress();
+}
+
 Progress::Progress(std::string what, ProgressStyle style) : what_(std::move(what)), style_(style) {}
 
 Progress::~Progress()

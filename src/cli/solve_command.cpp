@@ -170,14 +170,6 @@ void require_one_on_standard_output(const CommandLine& line)
         throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
 }
 
-ProgressStyle progress_style(const CommandLine& line, bool quiet)
-{
-    const std::string when = line.text("progress");
-    if (when == "never" || (quiet && when == "auto"))
-        return ProgressStyle::none;
-    return automatic_progress();
-}
-
 int run_solve(const CommandLine& line)
 {
     using Clock = std::chrono::steady_clock;
@@ -207,7 +199,7 @@ int run_solve(const CommandLine& line)
     const Clock::time_point solve_start = Clock::now();
     Solution solution;
     {
-        Progress progress("solving", progress_style(line, quiet));
+        Progress progress("solving", progress_style(line));
         solution = solve_accurately(scene, options, accuracy, [&](double done) { progress.show(done); });
     }
     const double seconds_trace = seconds_since(solve_start);

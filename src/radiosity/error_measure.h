@@ -17,4 +17,8 @@ struct ErrorMeasure
 ErrorMeasure measure_error(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
                            const std::vector<Rgb>& reference);
 
+/// The relative MSE (1) that an estimate with these standard errors [W/m^2] can be expected to have; 0 for a dark one.
+double expected_relative_square(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
+                                const std::vector<Rgb>& standard_error);
+
 } // namespace multipath

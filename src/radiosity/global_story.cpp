@@ -86,12 +86,14 @@ GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, co
     require_in_stage(range, story.lines_cast, "global lines");
 
     const ItemPlan items = plan_items(*sequence, options.skip, story.local_lines, story.lines_cast);
+    const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, story.lines_cast);
     PowerWalk walk(scene, story.crossings_per_area, options.bidirectional, state);
     WalkTally not_told;
     std::vector<Hit> hits;
     std::vector<Segment> segments;
     for (std::uint64_t n = 0; n < range.first + range.count; ++n) {
-        const LineOrigin origin{n, items.global_pass + n, sequence->item(items.global_pass + n)};
+        const std::uint64_t item = order.item_at(items.global_pass + n);
+        const LineOrigin origin{n, item, sequence->item(item)};
         const Line line = lines.line(origin.numbers);
         scene.intersector().all_hits(line, hits);
         segments.clear();

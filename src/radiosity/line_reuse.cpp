@@ -23,14 +23,6 @@ namespace {
 
 using Field = std::vector<Rgb>;
 
-std::vector<double> areas(const Scene& scene)
-{
-    std::vector<double> areas(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        areas[i] = scene.area(i);
-    return areas;
-}
-
 ExchangeLosses losses(const PairCounts& counts, double crossing_area)
 {
     ExchangeLosses result;
@@ -95,7 +87,7 @@ ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, C
                       double crossing_area, int threads)
 {
     ExchangeLosses losses = std::move(counted.losses);
-    std::vector<double> row_sums = areas(scene);
+    std::vector<double> row_sums = scene.areas();
     std::vector<double> sum_variance(row_sums.size());
     for (std::uint32_t i = 0; i < row_sums.size(); ++i) {
         const double lost = losses.escaping[i] + losses.behind[i];
@@ -159,7 +151,7 @@ void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const 
     ClosedExchange closed_exchange = closed(scene, unoccluded, std::move(counted), crossing_area, threads);
 
     const auto exchange_of_pairs = [&] {
-        return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, areas(scene), threads);
+        return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(), threads);
     };
     std::unique_ptr<DenseExchange> exchange = exchange_of_pairs();
     ExchangeSolution solution = solve(*exchange, rho, source, first_guess, threads);

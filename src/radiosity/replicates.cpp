@@ -1,5 +1,6 @@
 #include "radiosity/replicates.h"
 
+#include "radiosity/error_measure.h"
 #include "sampling/random.h"
 #include "scene/input_error.h"
 
@@ -44,19 +45,6 @@ private:
     std::vector<Rgb> squares_;
 };
 
-/// Root of the area-weighted mean square of the errors of all patches and channels, over the mean radiosity: the same
-/// measure as the root of the relative MSE (1).
-double relative_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& errors)
-{
-    double squares = 0.0;
-    double power = 0.0;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        squares += scene.area(i) * mean(errors[i] * errors[i]);
-        power += scene.area(i) * mean(radiosity[i]);
-    }
-    return power > 0.0 ? std::sqrt(squares * scene.total_area()) / power : 0.0;
-}
-
 void add(const PowerBalance& part, double share, PowerBalance& sum)
 {
     sum.emitted += share * part.emitted;
@@ -98,7 +86,7 @@ Solution solve_round(const Scene& scene, const Preparation& preparation, const S
     }
     sum.radiosity = moments.mean();
     sum.standard_error = moments.standard_errors();
-    sum.relative_standard_error = relative_error(scene, sum.radiosity, sum.standard_error);
+    sum.relative_standard_error = std::sqrt(expected_relative_square(scene.areas(), sum.radiosity, sum.standard_error));
     sum.replicates = replicates;
     sum.all_lines = sum.local_lines + sum.global_lines;
     return sum;

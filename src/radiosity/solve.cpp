@@ -67,7 +67,8 @@ public:
     {
         plan_global_lines();
         const GlobalPass pass{first_global_item(), solution_.global_lines_cast, options_.bidirectional};
-        cast_global_lines(scene_, lines_, *sequence_, pass, options_.threads, state_,
+        const ShuffledOrder items = walking_order(*sequence_, options_.line_order, pass.first_item, pass.lines_cast);
+        cast_global_lines(scene_, lines_, items, pass, options_.threads, state_,
                           counter(pass.lines_cast, solution_.global_lines)); // (M1) (M2)
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "radiosity/item_plan.h"
 #include "radiosity/local_monte_carlo.h"
 #include "sampling/sequence.h"
 #include "transport/line_sampling.h"
@@ -23,11 +24,12 @@ struct SolveOptions
     Method method = Method::first_shot;
     std::string sequence = "sobol"; ///< a name that make_sequence knows
     Pairing pairing = Pairing::four_dimensional;
-    std::optional<Chords> chords;   ///< empty: the method's own
-    std::uint64_t seed = 1;         ///< of what is random
-    std::uint64_t skip = 0;         ///< items of the sequence to leave out at its beginning
-    std::uint64_t lines = 1u << 20; ///< N_l + N_g
-    std::optional<double> ratio;    ///< N_l / N_g; empty: (3) with figures measured on the scene
+    LineOrder line_order = LineOrder::shuffled; ///< of the methods that walk along global lines
+    std::optional<Chords> chords;               ///< empty: the method's own
+    std::uint64_t seed = 1;                     ///< of what is random
+    std::uint64_t skip = 0;                     ///< items of the sequence to leave out at its beginning
+    std::uint64_t lines = 1u << 20;             ///< N_l + N_g
+    std::optional<double> ratio;                ///< N_l / N_g; empty: (3) with figures measured on the scene
     std::optional<double>
         power_by_line;               ///< [W] instead of the ratio: what one ray of the (extended) first shot carries
     std::optional<double> threshold; ///< [W/m^2] unshot radiosity kept by every patch; empty: (4)

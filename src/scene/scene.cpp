@@ -67,6 +67,14 @@ Scene::Scene(SceneFile file, double patch_size, bool two_sided)
         throw InputError(file_.path + ": no emitter: the scene has no light; expected a material with Ke above 0");
 }
 
+std::vector<double> Scene::areas() const
+{
+    std::vector<double> areas(patch_count_);
+    for (std::uint32_t i = 0; i < patch_count_; ++i)
+        areas[i] = area(i);
+    return areas;
+}
+
 Patch Scene::patch(std::uint32_t patch) const
 {
     const std::uint32_t cell = cell_of(patch);

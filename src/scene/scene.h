@@ -48,6 +48,7 @@ public:
     }
     Patch patch(std::uint32_t patch) const;
     double area(std::uint32_t patch) const { return cell_area_[surface_of(patch)]; }      ///< [m^2]
+    std::vector<double> areas() const;                                                    ///< [m^2] of all patches
     Rgb reflectance(std::uint32_t patch) const { return material_of(patch).reflectance; } ///< [1]
     /// [W/m^2]; only fronts emit
     Rgb emittance(std::uint32_t patch) const { return is_front(patch) ? material_of(patch).emittance : Rgb{}; }

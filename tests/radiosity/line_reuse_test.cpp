@@ -31,17 +31,9 @@ SolveOptions reuse_options(std::uint64_t lines, std::uint64_t seed = 1)
     return options;
 }
 
-std::vector<double> areas(const Scene& scene)
-{
-    std::vector<double> areas;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        areas.push_back(scene.area(i));
-    return areas;
-}
-
 double relative_error(const Scene& scene, const Solution& solution, const Solution& reference)
 {
-    return measure_error(areas(scene), solution.radiosity, reference.radiosity).relative_mean_square;
+    return measure_error(scene.areas(), solution.radiosity, reference.radiosity).relative_mean_square;
 }
 
 Scene bundled(const std::string& name, double patch_size)

@@ -46,14 +46,6 @@ std::vector<Rgb> reference_radiosity(const Scene& scene)
     return result;
 }
 
-std::vector<double> areas(const Scene& scene)
-{
-    std::vector<double> result;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        result.push_back(scene.area(i));
-    return result;
-}
-
 } // namespace
 
 // Published with the scene: first shot at N_l / N_g = 0.8 and 2^21 lines in all gives MSE 9.5e-6 with random lines
@@ -68,7 +60,7 @@ TEST_CASE("on the grey 5CUBES the error is that of an independent implementation
     options.ratio = 0.8;
     options.threads = 2;
     const auto mean_square_error = [&] {
-        return measure_error(areas(scene), solve(scene, options, silent).radiosity, reference).mean_square;
+        return measure_error(scene.areas(), solve(scene, options, silent).radiosity, reference).mean_square;
     };
     CHECK(mean_square_error() == doctest::Approx(2.8e-6).epsilon(0.3));
 
@@ -92,7 +84,7 @@ TEST_CASE("4-D Sobol items converge, pairs of 2-D items do not")
         options.lines = lines;
         options.ratio = 0.8;
         options.threads = 2;
-        return measure_error(areas(scene), solve(scene, options, silent).radiosity, reference).relative_mean_square;
+        return measure_error(scene.areas(), solve(scene, options, silent).radiosity, reference).relative_mean_square;
     };
     const double few = error("sobol", Pairing::four_dimensional, 1u << 16);
     const double many = error("sobol", Pairing::four_dimensional, 1u << 20);

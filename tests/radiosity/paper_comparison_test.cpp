@@ -24,9 +24,6 @@ MeanErrors mean_errors(const char* path)
 {
     const ProgressCallback silent = [](double) {};
     const Scene scene(read_obj(path), 0.25);
-    std::vector<double> areas;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        areas.push_back(scene.area(i));
     SolveOptions options;
     options.threads = 2;
     options.sequence = "sobol-owen";
@@ -40,7 +37,7 @@ MeanErrors mean_errors(const char* path)
         options.method = method;
         double sum = 0.0;
         for (options.seed = 1; options.seed <= 6; ++options.seed)
-            sum += measure_error(areas, solve(scene, options, silent).radiosity, reference).mean_square;
+            sum += measure_error(scene.areas(), solve(scene, options, silent).radiosity, reference).mean_square;
         return sum / 6.0;
     };
     return {mean_error(Method::local), mean_error(Method::first_shot), mean_error(Method::extended)};
