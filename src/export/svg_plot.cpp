@@ -10,55 +10,36 @@ namespace multipath {
 namespace {
 
 constexpr std::array<const char*, 4> series_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7"};
+constexpr const char* text_colour = "#222222";
 
-/// [px] with one decimal, without a trailing ".0": a drawing of thousands of points is mostly such numbers.
-std::string number(double value)
+/// `content` is XML.
+std::string text_element(double x, double y, const std::string& content, SvgAnchor anchor, double size,
+                         const std::string& colour)
 {
-    const double tenths = std::round(10.0 * value);
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), std::fmod(tenths, 10.0) == 0.0 ? "%.0f" : "%.1f", tenths / 10.0 + 0.0);
-    return text.data();
+    constexpr std::array<const char*, 3> anchors = {"start", "middle", "end"};
+    return "<text" + svg_attribute("x", svg_number(x)) + svg_attribute("y", svg_number(y)) +
+           svg_attribute("text-anchor", anchors[static_cast<std::size_t>(anchor)]) +
+           svg_attribute("font-size", svg_number(size)) + svg_attribute("fill", colour) + ">" + content + "</text>\n";
 }
 
-/// Text as XML holds it. Control characters, which XML forbids, become '?'.
-std::string escaped(const std::string& text)
+/// What follows a '^' is raised.
+std::string tick_label(double x, double y, const std::string& label, SvgAnchor anchor)
 {
-    std::string result;
-    for (const char c : text)
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else
-            result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    return result;
+    const std::size_t caret = std::min(label.find('^'), label.size());
+    std::string content = svg_escaped(label.substr(0, caret));
+    if (caret < label.size())
+        content += "<tspan dy=\"-4\" font-size=\"8.5\">" + svg_escaped(label.substr(caret + 1)) + "</tspan>";
+    return text_element(x, y, content, anchor, 11.0, text_colour);
 }
 
-double place_across(const Plot& plot, double value)
+std::string plot_titles(const Plot& plot)
 {
-    return plot.left + plot.width * (value - plot.across.low) / (plot.across.high - plot.across.low);
-}
-
-double place_up(const Plot& plot, double value)
-{
-    return plot.top + plot.height * (plot.up.high - value) / (plot.up.high - plot.up.low);
-}
-
-std::string place(double x, double y)
-{
-    return number(x) + " " + number(y);
-}
-
-std::string attribute(const char* name, const std::string& value)
-{
-    return " " + std::string(name) + "=\"" + value + "\"";
-}
-
-std::string stroke(const std::string& colour, const char* width)
-{
-    return attribute("fill", "none") + attribute("stroke", colour) + attribute("stroke-width", width);
+    const double middle = plot.left + 0.5 * plot.width;
+    const SvgPoint beside = {plot.left - plot.up_title_distance, plot.top + 0.5 * plot.height};
+    return svg_text(middle, plot.top + plot.height + 32.0, plot.across.title, SvgAnchor::middle) + "<g" +
+           svg_attribute("transform", "rotate(-90 " + svg_place(beside) + ")") + ">" +
+           svg_text(beside.x, beside.y, plot.up.title, SvgAnchor::middle) + "</g>\n" +
+           svg_text(middle, plot.top - 8.0, plot.title, SvgAnchor::middle, 13.0);
 }
 
 } // namespace
@@ -82,12 +63,13 @@ std::string svg_ramp_colour(double share)
 
 std::string svg_head(double width, double height, const std::string& title, const std::vector<std::string>& comments)
 {
-    std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", number(width)) +
-                       attribute("height", number(height)) +
-                       attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
-                       attribute("font-family", "sans-serif") + ">\n<title>" + escaped(title) + "</title>\n<desc>";
+    std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + svg_attribute("width", svg_number(width)) +
+                       svg_attribute("height", svg_number(height)) +
+                       svg_attribute("viewBox", "0 0 " + svg_number(width) + " " + svg_number(height)) +
+                       svg_attribute("font-family", "sans-serif") + ">\n<title>" + svg_escaped(title) +
+                       "</title>\n<desc>";
     for (const std::string& comment : comments)
-        text += escaped(comment) + "\n";
+        text += svg_escaped(comment) + "\n";
     return text + "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
 
@@ -98,70 +80,87 @@ std::string svg_end()
 
 std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size)
 {
-    constexpr std::array<const char*, 3> anchors = {"start", "middle", "end"};
-    return "<text" + attribute("x", number(x)) + attribute("y", number(y)) +
-           attribute("text-anchor", anchors[static_cast<std::size_t>(anchor)]) + attribute("font-size", number(size)) +
-           attribute("fill", "#222222") + ">" + escaped(text) + "</text>\n";
+    return svg_text(x, y, text, anchor, size, text_colour);
+}
+
+std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size,
+                     const std::string& colour)
+{
+    return text_element(x, y, svg_escaped(text), anchor, size, colour);
+}
+
+SvgPoint Plot::at(PlotPoint point) const
+{
+    return {left + width * (point.x - across.low) / (across.high - across.low),
+            top + height * (up.high - point.y) / (up.high - up.low)};
+}
+
+std::string svg_grid(const Plot& plot)
+{
+    std::string lines;
+    for (const PlotTick& tick : plot.across.ticks)
+        lines += "M" + svg_place({plot.at({tick.value, 0.0}).x, plot.top}) + "v" + svg_number(plot.height);
+    for (const PlotTick& tick : plot.up.ticks)
+        lines += "M" + svg_place({plot.left, plot.at({0.0, tick.value}).y}) + "h" + svg_number(plot.width);
+    return "<path" + svg_attribute("d", lines) + svg_stroke("#e4e4e4", "1") + "/>\n";
 }
 
 std::string svg_axes(const Plot& plot)
 {
     const double right = plot.left + plot.width;
     const double bottom = plot.top + plot.height;
-    std::string lines =
-        "M" + place(plot.left, plot.top) + "H" + number(right) + "V" + number(bottom) + "H" + number(plot.left) + "Z";
+    const auto across_tick = [&](double value) { return "M" + svg_place({plot.at({value, 0.0}).x, bottom}); };
+    const auto up_tick = [&](double value) { return "M" + svg_place({plot.left, plot.at({0.0, value}).y}); };
+    std::string lines = "M" + svg_place({plot.left, plot.top}) + "H" + svg_number(right) + "V" + svg_number(bottom) +
+                        "H" + svg_number(plot.left) + "Z";
     std::string labels;
     for (const PlotTick& tick : plot.across.ticks) {
-        const double x = place_across(plot, tick.value);
-        lines += "M" + place(x, bottom) + "v4";
-        labels += svg_text(x, bottom + 16.0, tick.label, SvgAnchor::middle, 11.0);
+        lines += across_tick(tick.value) + "v4";
+        labels += tick_label(plot.at({tick.value, 0.0}).x, bottom + 16.0, tick.label, SvgAnchor::middle);
     }
     for (const PlotTick& tick : plot.up.ticks) {
-        const double y = place_up(plot, tick.value);
-        lines += "M" + place(plot.left, y) + "h-4";
-        labels += svg_text(plot.left - 7.0, y + 4.0, tick.label, SvgAnchor::end, 11.0);
+        lines += up_tick(tick.value) + "h-4";
+        labels += tick_label(plot.left - 7.0, plot.at({0.0, tick.value}).y + 4.0, tick.label, SvgAnchor::end);
     }
-    const double middle_up = plot.top + 0.5 * plot.height;
-    const std::string turned = "<g" + attribute("transform", "rotate(-90 " + place(plot.left - 34.0, middle_up) + ")") +
-                               ">" + svg_text(plot.left - 34.0, middle_up, plot.up.title, SvgAnchor::middle) + "</g>\n";
-    return "<path" + attribute("d", lines) + stroke("#555555", "1") + "/>\n" + labels +
-           svg_text(plot.left + 0.5 * plot.width, bottom + 32.0, plot.across.title, SvgAnchor::middle) + turned +
-           svg_text(plot.left + 0.5 * plot.width, plot.top - 8.0, plot.title, SvgAnchor::middle, 13.0);
+    for (const double value : plot.across.minor_ticks)
+        lines += across_tick(value) + "v2";
+    for (const double value : plot.up.minor_ticks)
+        lines += up_tick(value) + "h-2";
+    return "<path" + svg_attribute("d", lines) + svg_stroke("#555555", "1") + "/>\n" + labels + plot_titles(plot);
 }
 
 std::string svg_dots(const Plot& plot, const std::vector<PlotPoint>& points, const std::string& colour, double diameter)
 {
     std::string dots;
     for (const PlotPoint& p : points)
-        dots += "M" + place(place_across(plot, p.x), place_up(plot, p.y)) + "h0"; // a line of length 0 with round ends
-    return "<path" + attribute("d", dots) + attribute("stroke-linecap", "round") +
-           stroke(colour, number(diameter).c_str()) + "/>\n";
+        dots += "M" + svg_place(plot.at(p)) + "h0"; // a line of length 0 with round ends
+    return "<path" + svg_attribute("d", dots) + svg_attribute("stroke-linecap", "round") +
+           svg_stroke(colour, svg_number(diameter)) + "/>\n";
 }
 
 std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std::string& colour)
 {
-    const double x = place_across(plot, to.x);
-    const double y = place_up(plot, to.y);
-    const double run = x - place_across(plot, from.x);
-    const double rise = y - place_up(plot, from.y);
+    const auto [x, y] = plot.at(to);
+    const double run = x - plot.at(from).x;
+    const double rise = y - plot.at(from).y;
     const double length = std::hypot(run, rise);
-    std::string shape = "M" + place(x - run, y - rise) + "L" + place(x, y);
+    std::string shape = "M" + svg_place({x - run, y - rise}) + "L" + svg_place({x, y});
     if (length > 0.0) {
         const double back = std::min(6.0, 0.5 * length) / length;
         const double aside = 0.45 * back;
-        shape = "M" + place(x - run, y - rise) + "L" + place(x, y) + "M" +
-                place(x - back * run - aside * rise, y - back * rise + aside * run) + "L" + place(x, y) + "L" +
-                place(x - back * run + aside * rise, y - back * rise - aside * run);
+        shape = "M" + svg_place({x - run, y - rise}) + "L" + svg_place({x, y}) + "M" +
+                svg_place({x - back * run - aside * rise, y - back * rise + aside * run}) + "L" + svg_place({x, y}) +
+                "L" + svg_place({x - back * run + aside * rise, y - back * rise - aside * run});
     }
-    return "<path" + attribute("d", shape) + stroke(colour, "0.9") + "/>\n";
+    return "<path" + svg_attribute("d", shape) + svg_stroke(colour, "0.9") + "/>\n";
 }
 
 std::string svg_legend(double x, double y, const std::vector<std::string>& labels)
 {
     std::string text;
     for (std::size_t series = 0; series < labels.size(); ++series) {
-        text += "<circle" + attribute("cx", number(x)) + attribute("cy", number(y - 4.0)) + attribute("r", "4") +
-                attribute("fill", svg_series_colour(series)) + "/>\n";
+        text += "<circle" + svg_attribute("cx", svg_number(x)) + svg_attribute("cy", svg_number(y - 4.0)) +
+                svg_attribute("r", "4") + svg_attribute("fill", svg_series_colour(series)) + "/>\n";
         text += svg_text(x + 9.0, y, labels[series], SvgAnchor::start);
         x += 26.0 + 7.0 * static_cast<double>(labels[series].size()); // a generous guess: fonts differ
     }

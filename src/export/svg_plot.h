@@ -1,5 +1,7 @@
 #pragma once
 
+#include "export/svg_element.h"
+
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ std::string svg_ramp_colour(double share);
 struct PlotTick
 {
     double value;
-    std::string label;
+    std::string label; ///< what follows a '^' is raised: "10^6"
 };
 
 /// One direction of a plot: the values at its ends and what is written beside it. A logarithmic axis has logarithms as
@@ -29,6 +31,14 @@ struct PlotAxis
     double low = 0.0;
     double high = 1.0;
     std::vector<PlotTick> ticks;
+    std::vector<double> minor_ticks = {}; ///< shorter and without labels
+};
+
+/// A place in a plot, in the values of its axes.
+struct PlotPoint
+{
+    double x;
+    double y;
 };
 
 /// A rectangle of the drawing [px] with its axes.
@@ -41,13 +51,9 @@ struct Plot
     std::string title;
     PlotAxis across;
     PlotAxis up;
-};
+    double up_title_distance = 34.0; ///< [px] from the frame to the title of `up`
 
-/// A place in a plot, in the values of its axes.
-struct PlotPoint
-{
-    double x;
-    double y;
+    SvgPoint at(PlotPoint point) const;
 };
 
 /// Everything that comes before the pieces. The title and the comments are for readers of the file, not drawn.
@@ -57,8 +63,14 @@ std::string svg_end();
 enum class SvgAnchor { start, middle, end };
 
 std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size = 12.0);
+std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size,
+                     const std::string& colour);
 
-/// Frame, ticks, labels and titles, around the plot: 46 px to the left, 36 below, 20 above.
+/// Light lines through the plot at the ticks that have labels.
+std::string svg_grid(const Plot& plot);
+
+/// Frame, ticks, labels and titles, around the plot: 36 px below, 20 above, to the left 12 more than the title's
+/// distance.
 std::string svg_axes(const Plot& plot);
 
 /// One round dot per point, all in one path, which keeps the file small.

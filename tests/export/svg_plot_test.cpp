@@ -47,6 +47,36 @@ TEST_CASE("axes label every tick and every title, with XML's special characters 
     CHECK_FALSE(contains(axes, "a < b"));
 }
 
+TEST_CASE("what follows a '^' in a tick's label is raised, and nowhere else")
+{
+    Plot plot = unit_plot();
+    plot.across.ticks = {{0.5, "10^<2"}};
+    plot.title = "2^20 lines";
+    const std::string axes = svg_axes(plot);
+    CHECK(contains(axes, ">10<tspan dy=\"-4\" font-size=\"8.5\">&lt;2</tspan></text>"));
+    CHECK(contains(axes, ">2^20 lines</text>"));
+}
+
+TEST_CASE("minor ticks are shorter than those with labels, and the grid leaves them out")
+{
+    Plot plot = unit_plot();
+    plot.across.minor_ticks = {0.25};
+    plot.up.minor_ticks = {0.5};
+    const std::string axes = svg_axes(plot);
+    for (const char* part : {"M250 120v4", "M100 120v2", "M50 20h-4", "M50 70h-2"})
+        CHECK_MESSAGE(contains(axes, part), part);
+    CHECK(contains(svg_grid(plot), "d=\"M50 20v100M250 20v100M50 120h200M50 20h200\""));
+}
+
+TEST_CASE("the title of the axis up is turned about its place, as far from the frame as asked for")
+{
+    Plot plot = unit_plot();
+    CHECK(contains(svg_axes(plot), "rotate(-90 16 70)"));
+    plot.up_title_distance = 44.5;
+    CHECK(contains(svg_axes(plot), "rotate(-90 5.5 70)"));
+    CHECK(contains(svg_axes(plot), "x=\"5.5\" y=\"70\""));
+}
+
 TEST_CASE("an arrow of no length has no head, and none of its numbers is undefined")
 {
     const std::string still = svg_arrow(unit_plot(), {0.5, 0.5}, {0.5, 0.5}, "#000000");

@@ -1,0 +1,208 @@
+#include "export/csv_text.h"
+
+#include "scene/text_words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+std::string field_count(std::size_t count)
+{
+    return std::to_string(count) + (count == 1 ? " field" : " fields");
+}
+
+bool is_empty_line(const CsvRow& row)
+{
+    return row.fields.size() == 1 && row.fields[0].empty();
+}
+
+class CsvParser
+{
+public:
+    CsvParser(std::string_view text, const std::string& path) : text_(text), path_(path) {}
+    CsvTable parse();
+
+private:
+    std::string comment();
+    CsvRow header();
+    CsvRow row(std::size_t fields_to_expect);
+    std::string plain_field();
+    std::string quoted_field();
+    void require_text(char c) const;
+    bool take_line_end();
+
+    bool ended() const { return next_ == text_.size(); }
+    bool at(char c) const { return !ended() && text_[next_] == c; }
+    bool at_line_end() const { return at('\n') || (at('\r') && text_.substr(next_ + 1, 1) == "\n"); }
+    TextPlace place() const { return {path_, line_}; }
+
+    const std::string_view text_;
+    const std::string& path_;
+    std::size_t next_ = 0;
+    std::uint32_t line_ = 1;
+};
+
+CsvTable CsvParser::parse()
+{
+    CsvTable table;
+    table.path = path_;
+    while (at('#'))
+        table.comments.push_back(comment());
+    table.header = header();
+    const std::size_t columns = table.header.fields.size();
+    while (!ended()) {
+        CsvRow next = row(columns);
+        if (next.fields.size() != columns)
+            refuse(table.place(next), is_empty_line(next)
+                                          ? "empty line, expected a row of " + field_count(columns)
+                                          : "row has " + field_count(next.fields.size()) + ", expected " +
+                                                std::to_string(columns) + " as in the header");
+        table.rows.push_back(std::move(next));
+    }
+    return table;
+}
+
+std::string CsvParser::comment()
+{
+    ++next_;
+    if (at(' '))
+        ++next_;
+    const std::size_t begin = next_;
+    for (; !ended() && !at_line_end(); ++next_)
+        require_text(text_[next_]);
+    const std::string_view words = text_.substr(begin, next_ - begin);
+    take_line_end();
+    return std::string(words);
+}
+
+CsvRow CsvParser::header()
+{
+    if (ended())
+        refuse(place(), "the file ends here, expected a line with the names of the columns");
+    CsvRow names = row(0);
+    if (is_empty_line(names))
+        refuse({path_, names.line}, "empty line, expected the names of the columns");
+    std::vector<std::string> sorted = names.fields;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twin != sorted.end())
+        refuse({path_, names.line}, "two columns are named " + in_quotes(*twin) + ", expected different names");
+    return names;
+}
+
+CsvRow CsvParser::row(std::size_t fields_to_expect)
+{
+    CsvRow row;
+    row.fields.reserve(fields_to_expect);
+    row.line = line_;
+    for (;;) {
+        row.fields.push_back(at('"') ? quoted_field() : plain_field());
+        if (ended() || take_line_end())
+            return row;
+        if (!at(','))
+            refuse(place(), "text behind a closing quote, expected a comma or the end of the line");
+        ++next_;
+    }
+}
+
+std::string CsvParser::plain_field()
+{
+    const std::size_t begin = next_;
+    for (; !ended() && !at(',') && !at_line_end(); ++next_) {
+        require_text(text_[next_]);
+        if (at('"'))
+            refuse(place(), "quote inside a field, expected the whole field in quotes and this one doubled");
+    }
+    return std::string(text_.substr(begin, next_ - begin));
+}
+
+std::string CsvParser::quoted_field()
+{
+    const TextPlace opening = place();
+    std::string field;
+    do {
+        ++next_; // an opening quote, or the second of a doubled one
+        const std::size_t begin = next_;
+        for (; !ended() && !at('"'); ++next_) {
+            if (at('\n'))
+                ++line_;
+            else if (!at_line_end())
+                require_text(text_[next_]);
+        }
+        if (ended())
+            refuse(opening, "a quote is opened and never closed, expected another before the end of the file");
+        field += text_.substr(begin, next_ - begin);
+        ++next_;
+        if (at('"'))
+            field += '"';
+    } while (at('"'));
+    return field;
+}
+
+void CsvParser::require_text(char c) const
+{
+    if (c == '\r')
+        refuse(place(), "carriage return inside a line, expected lines that end in LF or CRLF");
+    if (static_cast<unsigned char>(c) < ' ' && !is_blank(c))
+        refuse(place(), "control character, expected a text file (is it binary or damaged?)");
+}
+
+bool CsvParser::take_line_end()
+{
+    if (!at_line_end())
+        return false;
+    next_ += at('\r') ? 2 : 1;
+    ++line_;
+    return true;
+}
+
+} // namespace
+
+std::optional<std::size_t> CsvTable::find_column(std::string_view name) const
+{
+    const auto found = std::find(header.fields.begin(), header.fields.end(), name);
+    if (found == header.fields.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - header.fields.begin());
+}
+
+std::size_t CsvTable::column(std::string_view name) const
+{
+    const std::optional<std::size_t> found = find_column(name);
+    if (!found)
+        refuse(place(header), "no column " + in_quotes(name) + ", expected one of that name");
+    return *found;
+}
+
+double CsvTable::number(const CsvRow& row, std::size_t column) const
+{
+    return read_number(row.fields[column], place(row), header.fields[column]);
+}
+
+CsvTable parse_csv(std::string_view text, const std::string& path)
+{
+    return CsvParser(text, path).parse();
+}
+
+CsvTable read_csv(const std::string& path)
+{
+    TextLines lines(path);
+    std::string text;
+    while (const std::optional<TextLine> line = lines.next())
+        text.append(line->text).append(line->ended ? "\n" : "");
+    return parse_csv(text, path);
+}
+
+std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name)
+{
+    const std::string start = std::string(name) + ": ";
+    for (const std::string& comment : comments)
+        if (comment.compare(0, start.size(), start) == 0)
+            return comment.substr(start.size());
+    return std::nullopt;
+}
+
+} // namespace multipath

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "scene/text_lines.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace multipath {
+
+struct CsvRow
+{
+    std::vector<std::string> fields; ///< without the quotes
+    std::uint32_t line = 0;          ///< of the file, from 1; the first one if a quoted field goes over several
+};
+
+/// A table as text: comments, the names of the columns, and rows that are all as long as the header.
+struct CsvTable
+{
+    std::string path;                  ///< what messages call the table
+    std::vector<std::string> comments; ///< without "# "
+    CsvRow header;
+    std::vector<CsvRow> rows;
+
+    std::optional<std::size_t> find_column(std::string_view name) const;
+
+    /// Throws InputError when there is none of that name.
+    std::size_t column(std::string_view name) const;
+
+    /// The field as a finite number, correctly rounded, whatever the locale. Throws InputError for any other text.
+    double number(const CsvRow& row, std::size_t column) const;
+
+    TextPlace place(const CsvRow& row) const { return {path, row.line}; }
+};
+
+/// Reads CSV strictly as RFC 4180 has it: fields quoted whole or not at all, lines that end in LF or CRLF; and besides,
+/// lines with `#` before the header, which are comments. Throws InputError for anything else, for control characters
+/// outside of what the project takes for text, and for two columns of one name. `path` is for messages.
+CsvTable parse_csv(std::string_view text, const std::string& path);
+
+/// The same from a file; throws InputError also for a file that TextLines refuses.
+CsvTable read_csv(const std::string& path);
+
+/// What the comment "name: value" says; the first one if there are several.
+std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name);
+
+} // namespace multipath

@@ -1,0 +1,158 @@
+# `multipath compare`: how far one table of patches is from another.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/5cubes.obj
+quick="--lines 4096 --patch-size 1 --quiet"
+"$program" solve "$scene" $quick -o one.csv -o default.png --size 8x6 2>setup.log
+"$program" solve "$scene" $quick --sequence random --method local --replicates 16 --seed 1 --json -o first.csv >first.json
+"$program" solve "$scene" $quick --sequence random --method local --replicates 16 --seed 2 -o second.csv
+
+# Mean radiosities 4.75 and 5; MSE (1 * 2^2 + 3 * 1^2) / 4 = 1.75, relative 1.75 / 5^2, shares 4/7 and 3/7.
+columns=patch,surface,material,x,y,z,area,radiosity_r,radiosity_g,radiosity_b
+printf '%s\n' $columns '0,0,"red, ""shiny""",1,2,3,1,10,10,10' 1,0,wall,4,5,6,3,3,3,3 >a.csv
+printf '%s\n' $columns '0,0,"red, ""shiny""",1,2,3,1,8,8,8' 1,0,wall,4,5,6,3,4,4,4 >b.csv
+
+# Adds equal standard errors to all patches.
+# usage: with_error ERROR FILE
+with_error() { sed "1s/\$/,error_r,error_g,error_b/;1!s/\$/,$1,$1,$1/" "$2"; }
+with_error 0.5 a.csv >a-half.csv
+with_error 1 b.csv >b-one.csv
+with_error 0.1 b.csv >b-tenth.csv
+with_error 10 b.csv >b-ten.csv
+with_error 0 b.csv >b-none.csv
+
+by_hand() {
+    ends 0 compare a.csv b.csv && silent err && lines_are out 9 && says out "2, 4 m^2" &&
+        says out "1.75 W^2/m^4; relative 0.07, its root 26.46 %" &&
+        says out "+2 W/m^2 in one channel of patch 0, 40 % of the mean" &&
+        says out "4.75 in A, 5 in B W/m^2: a difference of -5 %" &&
+        grep -qE '^ +0 +57.14 % +10 +8 +\(1, 2, 3\) +red, "shiny"$' out &&
+        grep -qE '^ +1 +42.86 % +3 +4 +\(4, 5, 6\) +wall$' out
+}
+check "the report has the numbers that a hand computes" by_hand
+
+channels() {
+    sed 's/3,3,3,3$/3,4,1,4/;s/10,10,10/8,8,8/' a.csv >green.csv
+    ends 0 compare green.csv b.csv && says out " 2.25 W^2/m^4" && says out "-3 W/m^2 in one channel of patch 1, 60 %" &&
+        grep -qE '^ +1 +100.00 % +3 +4 ' out
+}
+check "in colour the MSE is the mean over the channels, the largest deviation that of one" channels
+
+# usage: explained EXPECTED_A EXPECTED_B VERDICT FILES...
+explained() {
+    expected="A $1, B $2" verdict=$3
+    shift 3
+    ends 0 compare "$@" && says out "by its own standard errors: $expected" && says out "$verdict"
+}
+check "standard errors of both explain the MSE" \
+    explained "0.0111 (10.5 %)" "0.04 (20 %)" "is 1.4 times what these errors let expect: they explain it" a-half.csv b-one.csv
+check "or they do not" \
+    explained "0.0111 (10.5 %)" "0.0004 (2 %)" "is 6.73 times what these errors let expect: they do not" a-half.csv b-tenth.csv
+check "those of the reference may do alone" explained unknown "0.04 (20 %)" "is 1.75 times what these errors let expect: that of B alone" a.csv b-one.csv
+check "or leave the rest to the other" explained unknown "0.0004 (2 %)" "the rest is the unknown one of A" a.csv b-tenth.csv
+check "results that differ less than their errors are noticed" explained unknown "4 (200 %)" "less than independent results" a.csv b-ten.csv
+check "errors of 0 explain nothing" explained unknown "0 (0 %)" "explain nothing" a.csv b-none.csv
+
+identical() {
+    ends 0 compare one.csv one.csv --tolerance 0 && silent err && says out "90, 70.3446 m^2" && says out "MSE        0 W" &&
+        says out "+0 W/m^2" && ! grep -qE "worst|errors" out
+}
+check "a table is no distance from itself, and no patch is the worst" identical
+
+# Patch 5 is 1 m^2 of 70.3446398: MSE 0.5^2 / 3 / 70.3446398 = 1.18464e-3.
+one_changed() {
+    awk -F, -v OFS=, '$1 == 5 { $17 = sprintf("%.17g", $17 + 0.5) } 1' one.csv >changed.csv
+    ends 0 compare changed.csv one.csv --worst 1 && says out "MSE        0.001185 W" && says out "+0.5 W/m^2 in one channel of patch 5" &&
+        grep -qE "^ +5 +100.00 % .* floor$" out && ends 0 compare changed.csv one.csv --json && says out '"mean_square_error": 0.0011846'
+}
+check "one changed patch of a real table gives the MSE of its area" one_changed
+
+own_error() {
+    ends 0 compare first.csv second.csv --json && silent err &&
+        cat first.json out | awk '/"relative_standard_error"/ { own = $2 } / "expected_relative_mean_square_error"/ { expected = $2 }
+            END { exit !(own > 0 && expected / (own * own) > 1 - 1e-9 && expected / (own * own) < 1 + 1e-9) }'
+}
+check "the error expected of a table is the one that solve has told" own_error
+
+# 16 replicates leave the ratio a scatter of about 0.15 around 1.
+independent() {
+    ends 0 compare first.csv second.csv && says out "they explain it" && ends 0 compare first.csv second.csv --json &&
+        awk '/"measured_over_expected"/ { ratio = $2 } END { exit !(ratio > 0.5 && ratio < 2) }' out
+}
+check "the errors of independent replicates explain how they differ" independent
+
+json() {
+    ends 0 compare a.csv b-one.csv --json && silent err && for line in '"result": "a.csv"' '"reference": "b-one.csv"' \
+        '"patches": 2' '"area_m2": 4' '"mean_square_error": 1.75' '"relative_mean_square_error": 0.07' \
+        '"relative_root_mean_square_error": 0.264575' '"largest_deviation": 2' '"largest_deviation_patch": 0' \
+        '"mean_radiosity": 4.75' '"reference_mean_radiosity": 5' '"mean_radiosity_difference": -0.05' \
+        '"expected_relative_mean_square_error": null' '"reference_expected_relative_mean_square_error": 0.04' \
+        '"measured_over_expected": 1.75' \
+        '{"patch": 0, "material": "red, \"shiny\"", "centre": [1, 2, 3], "radiosity": 10, "reference_radiosity": 8, "share": 0.57142'; do
+        says out "$line" || return
+    done
+}
+check "--json gives the same to programs" json
+
+worst() {
+    awk -F, -v OFS=, '$1 ~ /^[0-9]+$/ { $17 = sprintf("%.17g", $17 + 1 / ($1 + 1)) } 1' one.csv >all-changed.csv
+    ends 0 compare all-changed.csv one.csv && lines_are out 12 && ends 0 compare all-changed.csv one.csv --worst 0 && lines_are out 6 &&
+        ends 0 compare all-changed.csv one.csv --worst 1M && lines_are out 97 || return
+    tail -n 90 out | awk '$2 + 0 > before && NR > 1 { exit 1 } { before = $2 + 0 }'
+}
+check "--worst chooses how many patches are named, largest share first" worst
+
+tolerance() {
+    ends 0 compare a.csv b.csv --tolerance 27% && silent err && ends 0 compare a.csv b.csv --tolerance 0.2646 &&
+        ends 1 compare a.csv b.csv --tolerance 26% && says out "MSE" && lines_are err 1 &&
+        says err "a.csv is 26.46 % from b.csv, expected at most 26 %" &&
+        ends 1 compare a.csv b.csv --tolerance 0 --json && says out '"mean_square_error": 1.75'
+}
+check "--tolerance decides the exit code, and nothing else does" tolerance
+
+other_scene() {
+    sed 's/^# scene: .*/# scene: 0000000000000000/' one.csv >other.csv
+    ends 0 compare one.csv other.csv && lines_are err 1 && says err "warning: one.csv is of scene " &&
+        says err "other.csv of scene 0000000000000000" && says out "MSE        0 W"
+}
+check "tables of another scene with the same patches are compared with a warning" other_scene
+
+# usage: refused TEXT FILES...
+refused() {
+    text=$1
+    shift
+    ends 1 compare "$@" && silent out && lines_are err 1 && says err "$text"
+}
+check "tables of unequal length are not compared" refused "multipath: a.csv: 2 patches, expected 90 as in one.csv" a.csv one.csv
+
+other_areas() {
+    sed 's/6,3,3/6,3.000003,3/' a.csv >larger.csv && sed 's/6,3,3/6,3.000000000003,3/' a.csv >rounded.csv
+    refused "larger.csv: patch 1 has 3.000003 m^2, expected 3 m^2 as in b.csv" larger.csv b.csv &&
+        ends 0 compare rounded.csv b.csv && silent err
+}
+check "nor are patches of other areas, except for rounding" other_areas
+
+check "a missing file is named" refused "none.csv: cannot be opened" a.csv none.csv
+check "a folder is no table" refused "is a directory" . a.csv
+check "a picture is no table" refused "default.png:2: control character" default.png a.csv
+"$program" points --count 4 >points.csv
+check "a table of points is none of patches" refused "points.csv:4: no column \`patch\`" points.csv a.csv
+sed '3s/,3,3$//' a.csv >cut.csv
+check "a row that is cut off is found" refused "cut.csv:3: row has 8 fields, expected 10 as in the header" cut.csv a.csv
+sed 's/,[0-9]*,[0-9]*,[0-9]*$/,0,0,0/' b.csv >dark.csv
+check "a dark reference is none" refused "dark.csv: mean radiosity is 0, expected a reference with light" a.csv dark.csv
+dark_result() { ends 0 compare dark.csv b.csv && says out "a difference of -100 %"; }
+check "a dark result is compared" dark_result
+sed 's/10,10,10/1e200,0,0/' a.csv >huge.csv
+check "numbers beyond all sense are refused" refused "huge.csv: numbers too large to compare with b.csv" huge.csv b.csv
+
+# usage: wrong TEXT ARGS...
+wrong() {
+    text=$1
+    shift
+    ends 2 compare "$@" && silent out && says err "$text"
+}
+check "one table is not enough" wrong "missing B.csv" a.csv
+check "three are too many" wrong "b.csv" a.csv b.csv b.csv
+check "a number of patches that is none is refused" wrong "--worst: expected a count" a.csv b.csv --worst some
+check "a tolerance that could mean two things is refused" wrong "--tolerance: expected a share" a.csv b.csv --tolerance 1
+finish
