@@ -1,5 +1,6 @@
 #include "cli/provenance.h"
 
+#include "cli/shell_words.h"
 #include "cli/version.h"
 
 #include <algorithm>
@@ -10,43 +11,74 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> without_effect = {"threads",  "output", "quiet",
+constexpr std::array<std::string_view, 7> without_effect = {"threads",  "output", "quiet",  "cache",
                                                             "progress", "json",   "verbose"};
 
-/// A word as a shell reads it back.
-std::string shell_word(const std::string& text)
+/// A default that holds only as long as another option has its own: written out, it would be refused beside that
+/// option, or mean something else.
+struct DependentDefault
 {
-    const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,^%+=@";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos)
-        return text;
-    std::string quoted = "'";
-    for (const char c : text)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    std::string_view option;
+    std::string_view other;
+};
+
+constexpr std::array<DependentDefault, 8> dependent_defaults = {{{"ratio", "power-per-line"},
+                                                                 {"lines", "tolerance"},
+                                                                 {"lines", "time"},
+                                                                 {"replicates", "tolerance"},
+                                                                 {"replicates", "time"},
+                                                                 {"shading", "show"},
+                                                                 {"exposure", "show"},
+                                                                 {"tone-map", "show"}}};
+
+bool default_holds(const CommandLine& line, std::string_view option)
+{
+    return std::none_of(dependent_defaults.begin(), dependent_defaults.end(), [&](const DependentDefault& d) {
+        return d.option == option && line.knows(d.other) && line.text(d.other) != line.default_text(d.other);
+    });
+}
+
+/// " --name value", such that the parser takes the value for one.
+std::string option_text(const std::string& name, const std::string& value)
+{
+    return " --" + name + (value.compare(0, 2, "--") == 0 ? "=" : " ") + shell_word(value);
+}
+
+/// With a blank before it.
+std::string option_text(const Option& option, const CommandLine& line)
+{
+    const std::string name(option.name);
+    if (option.argument.empty())
+        return line.has(name) ? " --" + name : "";
+    if (!line.has(name))
+        return line.text(name).empty() || !default_holds(line, name) ? "" : option_text(name, line.text(name));
+    std::string text;
+    for (const std::string& value : line.all(name))
+        if (!value.empty())
+            text += option_text(name, value);
+    return text;
 }
 
 std::string command_text(const CommandTable& table, const CommandLine& line)
 {
-    std::string text = "multipath " + std::string(table.name);
-    for (const std::string& operand : line.operands())
-        text += " " + shell_word(operand);
+    const std::vector<std::string>& operands = line.operands();
+    const bool like_options =
+        std::any_of(operands.begin(), operands.end(), [](const std::string& word) { return word.substr(0, 1) == "-"; });
+    std::string options;
     for (const OptionGroup& group : table.groups)
-        for (const Option& option : group.options) {
-            const bool matters =
-                std::find(without_effect.begin(), without_effect.end(), option.name) == without_effect.end();
-            if (matters && option.argument.empty() && line.has(option.name))
-                text += " --" + std::string(option.name);
-            if (!matters || option.argument.empty())
-                continue;
-            const std::vector<std::string> given = line.all(option.name);
-            for (const std::string& value : given.empty() ? std::vector{line.text(option.name)} : given)
-                if (!value.empty())
-                    text += " --" + std::string(option.name) + " " + shell_word(value);
-        }
-    return text;
+        for (const Option& option : group.options)
+            if (is_recorded(option.name))
+                options += option_text(option, line);
+    const std::string words = operands.empty() ? "" : " " + shell_text(operands);
+    return "multipath " + std::string(table.name) + (like_options ? options + " --" + words : words + options);
 }
 
 } // namespace
+
+bool is_recorded(std::string_view option)
+{
+    return std::find(without_effect.begin(), without_effect.end(), option) == without_effect.end();
+}
 
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line, const Scene& scene)
 {
@@ -59,7 +91,10 @@ std::vector<std::string> provenance(const CommandTable& table, const CommandLine
 
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line)
 {
-    return {version(), "command: " + command_text(table, line), "seed: " + line.text("seed")};
+    std::vector<std::string> facts = {version(), "command: " + command_text(table, line)};
+    if (line.knows("seed"))
+        facts.push_back("seed: " + line.text("seed"));
+    return facts;
 }
 
 } // namespace multipath

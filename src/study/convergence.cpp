@@ -1,0 +1,177 @@
+#include "study/convergence.h"
+
+#include "parallel/ordered_blocks.h"
+#include "radiosity/error_measure.h"
+#include "sampling/random.h"
+#include "study/processor_time.h"
+#include "transport/line_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+namespace multipath {
+
+namespace {
+
+constexpr double clearly_above = 10.0; ///< times the reference's own error: it then moves a point by a tenth at most
+
+std::string curve_name(const CurveKind& kind)
+{
+    return kind.method + " " + kind.sequence + " " + kind.pairing + " " + kind.chords + " " + kind.line_order;
+}
+
+/// Does the seed choose among sequences of this name?
+bool is_random(const std::string& sequence, Pairing pairing)
+{
+    const auto first_item = [&](std::uint64_t seed) { return make_line_sequence(sequence, seed, pairing)->item(0); };
+    return first_item(1) != first_item(2);
+}
+
+/// Items between the beginnings of two executions: a power of two, so that stretches of Sobol's sequence begin where
+/// one of its nets does; no run of so many lines takes more.
+std::uint64_t stretch(const Scene& scene, const SolveOptions& options)
+{
+    const std::uint64_t most = GlobalLines(scene.bounds(), chords_of(options)).lines_to_cast(options.lines);
+    std::uint64_t items = 1;
+    while (items < most)
+        items *= 2;
+    return items;
+}
+
+/// The executions of one curve, which share what can be prepared once.
+class CurveRuns
+{
+public:
+    CurveRuns(const Scene& scene, const CurvePlan& plan, std::uint64_t seed)
+        : scene_(scene), plan_(plan), seed_(seed), random_(is_random(plan.options.sequence, plan.options.pairing))
+    {
+    }
+
+    Execution run(std::uint64_t lines, int number, const std::vector<double>& areas, const Reference& reference)
+    {
+        prepare_once();
+        const ProcessorTime time;
+        const Solution solution = solve(scene_, preparation_, options_for(lines, number), [](double) {});
+        const double seconds = preparation_seconds_ + time.seconds();
+        const ErrorMeasure error = measure_error(areas, solution.radiosity, reference.radiosity);
+        return {solution.local_lines, solution.global_lines, error.mean_square, error.relative_mean_square, seconds};
+    }
+
+private:
+    void prepare_once()
+    {
+        std::call_once(prepared_, [&] {
+            const ProcessorTime time;
+            preparation_ = prepare(scene_, plan_.options);
+            preparation_seconds_ = time.seconds();
+        });
+    }
+
+    SolveOptions options_for(std::uint64_t lines, int number) const
+    {
+        const auto execution = static_cast<std::uint64_t>(number);
+        SolveOptions options = plan_.options;
+        options.lines = lines;
+        options.seed = random_bits(mix_bits(seed_ ^ lines), execution);
+        if (!random_)
+            options.skip += execution * stretch(scene_, options);
+        return options;
+    }
+
+    const Scene& scene_;
+    const CurvePlan& plan_;
+    std::uint64_t seed_;
+    bool random_;
+    std::once_flag prepared_;
+    Preparation preparation_;
+    double preparation_seconds_ = 0.0;
+};
+
+struct PlannedRun
+{
+    std::size_t curve;
+    ExecutionKey key;
+};
+
+/// Those that the journal does not know, the longest first: threads that end with short ones end together.
+std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal)
+{
+    std::vector<PlannedRun> runs;
+    for (auto lines = plan.line_counts.rbegin(); lines != plan.line_counts.rend(); ++lines)
+        for (std::size_t c = 0; c < plan.curves.size(); ++c)
+            for (int number = 0; number < plan.executions; ++number) {
+                const ExecutionKey key{curve_name(plan.curves[c].kind), *lines, number};
+                if (!journal.find(key))
+                    runs.push_back({c, key});
+            }
+    return runs;
+}
+
+CurvePoint mean_point(const CurveKind& kind, std::uint64_t lines, int executions, const Journal& journal)
+{
+    CurvePoint point;
+    point.lines = lines;
+    double squares = 0.0;
+    for (int number = 0; number < executions; ++number) {
+        const Execution e = *journal.find({curve_name(kind), lines, number});
+        const double before = e.relative - point.relative; // running mean and squares (Welford)
+        const double share = 1.0 / (number + 1);
+        point.relative += share * before;
+        squares += before * (e.relative - point.relative);
+        point.mean_square += share * (e.mean_square - point.mean_square);
+        point.local_lines += share * (static_cast<double>(e.local_lines) - point.local_lines);
+        point.global_lines += share * (static_cast<double>(e.global_lines) - point.global_lines);
+        point.seconds += share * (e.seconds - point.seconds);
+    }
+    if (executions > 1)
+        point.relative_error = std::sqrt(squares / (executions - 1.0) / executions);
+    return point;
+}
+
+Curve mean_curve(const CurveKind& kind, const StudyPlan& plan, const Reference& reference, const Journal& journal)
+{
+    Curve curve{kind, {}, {}};
+    for (const std::uint64_t count : plan.line_counts) {
+        curve.points.push_back(mean_point(kind, count, plan.executions, journal));
+        CurvePoint& point = curve.points.back();
+        point.above_reference = point.relative > clearly_above * reference.relative_square.value_or(0.0);
+    }
+    curve.law = fit(curve.points); // (2)
+    return curve;
+}
+
+} // namespace
+
+Study run_study(const Scene& scene, const Reference& reference, const StudyPlan& plan, Journal& journal, int threads,
+                const ProgressCallback& progress)
+{
+    const std::vector<double> areas = scene.areas();
+    std::vector<std::unique_ptr<CurveRuns>> curves;
+    for (const CurvePlan& curve : plan.curves)
+        curves.push_back(std::make_unique<CurveRuns>(scene, curve, plan.seed));
+
+    const std::vector<PlannedRun> runs = runs_to_do(plan, journal);
+    double all_lines = 0.0;
+    for (const PlannedRun& run : runs)
+        all_lines += static_cast<double>(run.key.lines);
+    double done_lines = 0.0;
+    std::mutex mutex;
+    parallel_blocks(runs.size(), threads, [&](std::uint64_t n) {
+        const PlannedRun& run = runs[n];
+        journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference));
+        const std::lock_guard<std::mutex> lock(mutex);
+        done_lines += static_cast<double>(run.key.lines);
+        progress(done_lines / all_lines);
+    });
+
+    Study study;
+    study.executions = plan.executions;
+    study.reference_relative_square = reference.relative_square;
+    for (const CurvePlan& curve : plan.curves)
+        study.curves.push_back(mean_curve(curve.kind, plan, reference, journal));
+    return study;
+}
+
+} // namespace multipath

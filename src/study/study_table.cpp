@@ -1,0 +1,124 @@
+#include "study/study_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdarg>
+#include <cstdio>
+
+namespace multipath {
+
+namespace {
+
+std::string format(const char* pattern, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
+
+std::string format(const char* pattern, ...)
+{
+    std::array<char, 256> text{};
+    va_list values;
+    va_start(values, pattern);
+    std::vsnprintf(text.data(), text.size(), pattern, values);
+    va_end(values);
+    return text.data();
+}
+
+using KindPart = std::string CurveKind::*;
+
+/// Is there another curve of the same method that differs in this part?
+bool differs(const Study& study, const Curve& curve, KindPart part)
+{
+    return std::any_of(study.curves.begin(), study.curves.end(), [&](const Curve& other) {
+        return other.kind.method == curve.kind.method && other.kind.*part != curve.kind.*part;
+    });
+}
+
+/// A name that may hold commas, as CSV has it.
+std::string csv_field(const std::string& text)
+{
+    return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
+}
+
+std::string reference_text(const Study& study)
+{
+    if (!study.reference_relative_square)
+        return "reference: of unknown error; no point is left out of the fits\n";
+    return format("reference: relative MSE %.2g by its own estimate; points less than ten times above it are marked * "
+                  "and left out of the fits\n",
+                  *study.reference_relative_square);
+}
+
+std::string point_text(const Study& study, const CurvePoint& point)
+{
+    const std::string spread =
+        study.executions > 1 ? format(" +- %3.0f %%", 100.0 * point.relative_error / point.relative) : "";
+    return format("  %12" PRIu64 "  %12.0f  %12.0f  %11.4e%s%s  %10.3g\n", point.lines, point.local_lines,
+                  point.global_lines, point.relative, spread.c_str(), point.above_reference ? " " : "*", point.seconds);
+}
+
+std::string slope_text(const Curve& curve)
+{
+    if (!curve.law)
+        return "slope: too few points\n";
+    return format("slope %.3f +- %.3f (95 %%: %.3f to %.3f)\n", curve.law->exponent, curve.law->exponent_error,
+                  curve.law->exponent - exponent_interval(*curve.law),
+                  curve.law->exponent + exponent_interval(*curve.law));
+}
+
+} // namespace
+
+std::string curve_label(const Study& study, const Curve& curve)
+{
+    std::string label = curve.kind.method + ", " + curve.kind.sequence;
+    if (differs(study, curve, &CurveKind::pairing) || curve.kind.pairing != "4d")
+        label += ", " + curve.kind.pairing;
+    if (differs(study, curve, &CurveKind::chords))
+        label += ", " + curve.kind.chords;
+    if (differs(study, curve, &CurveKind::line_order))
+        label += curve.kind.line_order == "shuffled" ? ", shuffled" : ", in order";
+    return label;
+}
+
+std::string study_text(const Study& study)
+{
+    std::string text = reference_text(study);
+    if (study.executions > 1)
+        text += format("every point is the mean of %d executions\n", study.executions);
+    for (const Curve& curve : study.curves) {
+        text += "\n" + curve_label(study, curve) + "\n";
+        text += format("  %12s  %12s  %12s  %s%s  %10s\n", "lines", "local", "global", "relative MSE",
+                       study.executions > 1 ? "        " : "", "seconds");
+        for (const CurvePoint& point : curve.points)
+            text += point_text(study, point);
+        text += "  " + slope_text(curve);
+    }
+    return text;
+}
+
+std::string study_csv(const Study& study, const std::vector<std::string>& comments)
+{
+    std::string csv;
+    for (const std::string& comment : comments)
+        csv += "# " + comment + "\n";
+    if (study.reference_relative_square)
+        csv += format("# reference_relative_mse: %.17g\n", *study.reference_relative_square);
+    csv += "method,sequence,lines,local_lines,global_lines,mse,relative_mse,standard_error,seconds,slope,slope_error,"
+           "in_fit,replicates,pairing,chords,line_order\n";
+    for (const Curve& curve : study.curves)
+        for (const CurvePoint& p : curve.points) {
+            const std::string slope =
+                curve.law ? format("%.17g,%.17g", curve.law->exponent, curve.law->exponent_error) : ",";
+            csv += curve.kind.method + "," + csv_field(curve.kind.sequence) +
+                   format(",%" PRIu64 ",%.0f,%.0f,%.17g,%.17g,", p.lines, p.local_lines, p.global_lines, p.mean_square,
+                          p.relative) +
+                   (study.executions > 1 ? format("%.17g", p.relative_error) : "") + format(",%.4g,", p.seconds) +
+                   slope + format(",%d,%d,", p.above_reference ? 1 : 0, study.executions) + curve.kind.pairing + "," +
+                   curve.kind.chords + "," + curve.kind.line_order + "\n";
+        }
+    return csv;
+}
+
+} // namespace multipath

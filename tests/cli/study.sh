@@ -1,0 +1,103 @@
+# The study as a user runs it: curves, slopes, plot, cache, references, and what it refuses.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/cube.obj
+few="--from 2^9 --to 2^12 --replicates 2 --patch-size 0.5"
+
+table_and_plot() {
+    ends 0 study "$scene" $few --methods global,reuse --sequences random,halton:2,7,3,5 -o a.csv -o a.svg || return
+    says out "global, halton:2,7,3,5" && says out "slope -" && says out "reference: relative MSE" || return
+    # 4 curves of 4 points, each row with 16 fields (the bases are quoted)
+    grep -v '^#' a.csv | sed 's/"[^"]*"/Q/' | awk -F, 'NR == 1 { if ($1 $2 $3 != "methodsequencelines" || NF != 16) exit 1; next }
+        { if (NF != 16 || !($7 >= 0)) exit 1; ++rows } END { exit rows != 16 }' || { cat a.csv; return 1; }
+    grep -q '^# command: multipath study .*--methods global,reuse' a.csv && grep -Eq '^# scene: [0-9a-f]{16}$' a.csv &&
+        grep -q '</svg>' a.svg && grep -q 'slope −' a.svg
+}
+check "a study prints its table and writes CSV and SVG" table_and_plot
+
+without_times() { sed 's/"[^"]*"/Q/' "$1" | awk -F, -v OFS=, '/^#/ || $1 == "method" { print; next } { $9 = ""; print }'; }
+resumes() {
+    cp a.csv before.csv && ends 0 study "$scene" $few --methods global,reuse --sequences random,halton:2,7,3,5 -o a.csv &&
+        cmp a.csv before.csv || return
+    # one run forgotten and one cut in two are done again, the others are taken from the cache, times included
+    runs=$(ls a.cache/runs-*.txt) && sed -i '3d' "$runs" && truncate -s -5 "$runs" || return
+    ends 0 study "$scene" $few --methods global,reuse --sequences random,halton:2,7,3,5 -o a.csv || return
+    without_times a.csv >now && without_times before.csv >then && cmp now then
+}
+check "a study goes on where it was: kept runs are not repeated, lost ones are" resumes
+
+interrupted() {
+    "$program" study "$scene" --from 2^16 --to 2^19 --replicates 8 -o long.csv --quiet --threads 1 2>err &
+    pid=$!
+    for wait in $(seq 200); do
+        [ "$(cat long.cache/runs-*.txt 2>/dev/null | wc -l)" -ge 4 ] && break
+        sleep 0.05
+    done
+    kill -9 $pid; wait $pid 2>/dev/null
+    kept=$(cat long.cache/runs-*.txt | wc -l)
+    [ "$kept" -ge 4 ] && [ ! -f long.csv ] || { echo "kept $kept"; return 1; }
+    head -4 long.cache/runs-*.txt >kept.txt
+    ends 0 study "$scene" --from 2^16 --to 2^19 --replicates 8 -o long.csv --quiet || return
+    grep -F -x -f kept.txt long.cache/runs-*.txt | wc -l | grep -qx 4
+}
+check "killed in the middle, a study keeps what was finished" interrupted
+
+more_curves() {
+    ends 0 study "$scene" $few --methods global,reuse,local --sequences random,halton:2,7,3,5 --cache a.cache -o more.csv || return
+    grep '^reuse' a.csv | sort >then && grep '^reuse' more.csv | sort >now && cmp now then
+}
+check "another study of the same runs takes them from the cache, times included" more_curves
+
+references() {
+    ends 0 solve "$scene" --patch-size 0.5 --lines 2^16 --replicates 4 --quiet -o ref.csv &&
+        ends 0 study "$scene" $few --methods global --sequences sobol --reference ref.csv && says out "reference: relative MSE" &&
+        ends 0 solve "$scene" --patch-size 0.5 --lines 2^16 --quiet -o plain.csv &&
+        ends 0 study "$scene" $few --methods global --sequences sobol --reference plain.csv && says out "of unknown error" || return
+    ends 1 study "$scene" --from 100 --to 400 --patch-size 0.25 --reference ref.csv && says err "24 patches, but the scene has 96" || return
+    ends 1 study "$root/scenes/furnace.obj" --from 100 --to 400 --reference "$root/tests/fixtures/reference/5cubes-grey-reference.csv" && says err "5cubes-grey-reference.csv"
+}
+check "a reference is read from a table, its error if it has one, and one of another scene is refused" references
+
+near_reference() {
+    ends 0 solve "$scene" --patch-size 0.5 --method local --sequence random --lines 2000 --replicates 4 --quiet -o coarse.csv &&
+        ends 0 study "$scene" --patch-size 0.5 --from 2^10 --to 2^13 --methods global --sequences random --reference coarse.csv --replicates 2 -o near.csv &&
+        says out "%* " && says out "too few points" || return
+    grep -v '^#' near.csv | awk -F, 'NR > 1 && $12 != 0 { exit 1 } NR > 1 && $10 != "" { exit 1 }'
+}
+check "points near the reference's own error are marked and make no slope" near_reference
+
+threads_agree() {
+    for threads in 1 2; do
+        ends 0 study "$scene" $few --methods global,reuse --sequences random,sobol --threads $threads --cache t$threads -o t$threads.csv || return
+        without_times t$threads.csv >t$threads.txt
+    done
+    cmp t1.txt t2.txt
+}
+check "the study does not depend on the number of threads, times apart" threads_agree
+
+seconds_plot() {
+    ends 0 study "$scene" $few --methods global --sequences random,sobol --against seconds -o s.svg && grep -q 'seconds' s.svg
+}
+check "--against seconds draws the error against time" seconds_plot
+
+refusals() {
+    ends 2 study "$scene" --methods gobal && says err "did you mean global" || return
+    ends 2 study "$scene" --sequences random,,sobol && says err "names with a comma between them" || return
+    ends 2 study "$scene" --sequences random,random && says err "named twice" || return
+    ends 2 study "$scene" --sequences sobl && says err "sobl" || return
+    ends 2 study "$scene" --sequences 2,3 && says err "sequences" || return
+    ends 2 study "$scene" --from 2^20 --to 2^14 && says err "at least the lines of --from" || return
+    ends 2 study "$scene" --from 0 && says err "--from" || return
+    ends 2 study "$scene" --replicates 0 && says err "--replicates" || return
+    ends 2 study "$scene" --methods local --chords box && says err "no effect with --methods local" || return
+    ends 2 study "$scene" --methods reuse --threshold 3 && says err "no effect" || return
+    ends 2 study "$scene" -o study.png && says err ".csv, .svg" || return
+    ends 2 study "$scene" --line-orders backwards && says err "shuffled" || return
+    ends 1 study missing.obj --from 10 --to 20 && says err "missing.obj" || return
+    : >file && ends 1 study "$scene" --cache file --from 10 --to 20 && says err "not a folder" || return
+    ends 1 study "$scene" --cache nowhere/cache --from 10 --to 20 && says err "cannot make the folder" || return
+    ends 2 study "$scene" --reference ref.csv -o ref.csv && says err "is the input" || return
+    ends 1 study "$scene" --methods global --sequences hammersley:1000 --from 2^12 --to 2^13 && says err "ends after 1000 items"
+}
+check "what makes no sense is refused in one line" refusals
+
+finish

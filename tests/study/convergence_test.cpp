@@ -1,0 +1,161 @@
+#include "study/convergence.h"
+
+#include "radiosity/error_measure.h"
+#include "test_scenes.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+namespace {
+
+const ProgressCallback silent = [](double) {};
+
+Scene small_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.5, 0.0);
+    const std::uint32_t lamp = builder.grey(0.2, 1.0);
+    return builder.room({0, 0, 0}, {1, 1, 1}, {wall, lamp, wall, wall, wall, wall}).scene(0.5);
+}
+
+CurvePlan curve(const char* method, Method option, const char* sequence)
+{
+    CurvePlan plan{{method, sequence, "4d", "sphere", "shuffled"}, {}};
+    plan.options.method = option;
+    plan.options.sequence = sequence;
+    return plan;
+}
+
+Reference reference_of(const Scene& scene)
+{
+    SolveOptions options;
+    options.method = Method::reuse; // exact form factors: nothing stands in the way
+    options.lines = 1u << 16;
+    return {solve(scene, options, silent).radiosity, {}};
+}
+
+double error_of(const Scene& scene, const SolveOptions& options, const Reference& reference)
+{
+    return measure_error(scene.areas(), solve(scene, options, silent).radiosity, reference.radiosity)
+        .relative_mean_square;
+}
+
+} // namespace
+
+// The slope's own standard error is the scale; 4 of them, and 0.05 for the leftover of the shortest walks.
+TEST_CASE("random lines have the slope -1")
+{
+    const Scene scene = small_room();
+    StudyPlan plan;
+    plan.curves = {curve("local", Method::local, "random"), curve("global", Method::global, "random")};
+    plan.line_counts = {1u << 12, 1u << 13, 1u << 14, 1u << 15, 1u << 16};
+    plan.executions = 16;
+    Journal journal;
+    const Study study = run_study(scene, reference_of(scene), plan, journal, 2, silent);
+    REQUIRE(study.curves.size() == 2);
+    for (const Curve& curve : study.curves) {
+        REQUIRE(curve.law);
+        CHECK(curve.law->exponent_error < 0.06);
+        CHECK(std::abs(curve.law->exponent + 1.0) < 4.0 * curve.law->exponent_error + 0.05);
+    }
+}
+
+TEST_CASE("executions of a sequence without a seed are its successive stretches, the first its beginning")
+{
+    const Scene scene = small_room();
+    const Reference reference = reference_of(scene);
+    StudyPlan plan;
+    plan.curves = {curve("global", Method::global, "sobol")};
+    plan.line_counts = {1000};
+    plan.executions = 2;
+    Journal journal;
+    (void)run_study(scene, reference, plan, journal, 1, silent);
+    SolveOptions options = plan.curves[0].options;
+    options.lines = 1000;
+    const auto executed = [&](int number) {
+        return journal.find({"global sobol 4d sphere shuffled", 1000, number})->relative;
+    };
+    CHECK(executed(0) == error_of(scene, options, reference));
+    options.skip = 2048; // the cube's sphere has pi / 2 times its surface: 1571 chords for 1000 lines
+    CHECK(executed(1) == error_of(scene, options, reference));
+}
+
+TEST_CASE("executions of a random sequence are all different, also between numbers of lines")
+{
+    const Scene scene = small_room();
+    StudyPlan plan;
+    plan.curves = {curve("global", Method::global, "random")};
+    plan.line_counts = {1000, 1001};
+    plan.executions = 3;
+    Journal journal;
+    (void)run_study(scene, reference_of(scene), plan, journal, 1, silent);
+    const auto executed = [&](std::uint64_t lines, int number) {
+        return journal.find({"global random 4d sphere shuffled", lines, number})->relative;
+    };
+    CHECK(executed(1000, 0) != executed(1000, 1));
+    CHECK(executed(1000, 1) != executed(1000, 2));
+    CHECK(std::abs(executed(1000, 0) / executed(1001, 0) - 1.0) > 0.01); // one line more alone changes less
+}
+
+TEST_CASE("a study does not depend on the number of threads, times apart")
+{
+    const Scene scene = small_room();
+    const Reference reference = reference_of(scene);
+    StudyPlan plan;
+    plan.curves = {curve("global", Method::global, "random"), curve("reuse", Method::reuse, "sobol-owen")};
+    plan.line_counts = {500, 1000, 2000};
+    plan.executions = 2;
+    Journal one;
+    Journal three;
+    const Study alone = run_study(scene, reference, plan, one, 1, silent);
+    const Study together = run_study(scene, reference, plan, three, 3, silent);
+    for (std::size_t c = 0; c < 2; ++c)
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(alone.curves[c].points[k].relative == together.curves[c].points[k].relative);
+            CHECK(alone.curves[c].points[k].relative_error == together.curves[c].points[k].relative_error);
+        }
+}
+
+TEST_CASE("runs that the journal knows are not repeated")
+{
+    const Scene scene = small_room();
+    StudyPlan plan;
+    plan.curves = {curve("global", Method::global, "sobol")};
+    plan.line_counts = {1000, 2000};
+    plan.executions = 2;
+    Journal journal;
+    for (const std::uint64_t lines : plan.line_counts)
+        for (const int number : {0, 1})
+            journal.add({"global sobol 4d sphere shuffled", lines, number}, {600, 400, 8.0, 2.0 + number, 5.0});
+    int reports = 0;
+    const Study study = run_study(scene, reference_of(scene), plan, journal, 2, [&](double) { ++reports; });
+    CHECK(reports == 0);
+    for (const CurvePoint& point : study.curves[0].points) {
+        CHECK(point.relative == 2.5);       // the mean of 2 and 3
+        CHECK(point.relative_error == 0.5); // |3 - 2| / 2 for two values
+        CHECK(point.mean_square == 8.0);
+        CHECK(point.seconds == 5.0);
+        CHECK(point.local_lines == 600.0);
+    }
+}
+
+TEST_CASE("a point less than ten times above the error of the reference is left out of the fit")
+{
+    const Scene scene = small_room();
+    Reference reference{std::vector<Rgb>(scene.patch_count()), 1e-3};
+    StudyPlan plan;
+    plan.curves = {curve("global", Method::global, "sobol")};
+    plan.line_counts = {1000, 2000, 4000, 8000};
+    Journal journal;
+    const double errors[] = {8e-2, 4e-2, 2e-2, 0.999e-2};
+    for (std::size_t k = 0; k < 4; ++k)
+        journal.add({"global sobol 4d sphere shuffled", plan.line_counts[k], 0}, {0, 1, 1.0, errors[k], 1.0});
+    const Curve found = run_study(scene, reference, plan, journal, 1, silent).curves[0];
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(found.points[k].above_reference == (k < 3));
+    REQUIRE(found.law);
+    CHECK(found.law->points == 3);
+    CHECK(found.law->exponent == doctest::Approx(-1.0));
+}
