@@ -2,6 +2,8 @@
 # make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
 # make test       builds and runs all tests
 # make bench      measures speed; close other programs first
+# make paper      computes the paper's tables and figures again: build/paper/index.html, in ten minutes on two processors
+# make results    the same, and puts them into docs/results.md and docs/results
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
 # the commands.
@@ -30,6 +32,15 @@ $(PROGRAM): $(objects)
 
 demo: $(PROGRAM)
 	./$(PROGRAM) solve scenes/5cubes.obj --lines 2^22 -o 5cubes.png -o 5cubes.ppm
+
+paper: $(PROGRAM)
+	./$(PROGRAM) paper -o $(BUILD)/paper
+
+results: paper
+	@mkdir -p docs/results
+	cp $(BUILD)/paper/*.svg $(BUILD)/paper/*.png docs/results
+	rm -f docs/results/*-local.svg
+	sed 's/^!\[\([^]]*\)\](/&results\//' $(BUILD)/paper/results.md > docs/results.md
 
 test: $(BUILD)/unit_tests $(PROGRAM)
 	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
@@ -63,5 +74,5 @@ $(BUILD)/tests/bench/bench.o: COMPILE += -Itests
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
-.PHONY: demo test bench clean
+.PHONY: demo paper results test bench clean
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(BUILD)/tests/bench/bench.d

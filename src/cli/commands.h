@@ -21,6 +21,7 @@ std::vector<Command> commands();
 Command solve_command();
 Command check_command();
 Command study_command();
+Command paper_command();
 Command compare_command();
 Command points_command();
 Command explain_command();

@@ -1,0 +1,161 @@
+#include "study/base64.h"
+#include "study/report.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; --ink: #1c1c1c; --paper: #fdfdfb; --faint: #66645e; --rule: #d8d6cf; --code: #f1f0eb; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e6e4de; --paper: #191a1c; --faint: #a09d95; --rule: #3c3d40; --code: #26282b; } }
+body { margin: 0 auto; padding: 2rem 1.2rem 4rem; max-width: 62rem; color: var(--ink); background: var(--paper);
+  font: 1rem/1.55 system-ui, sans-serif; }
+p, li { max-width: 44rem; }
+h1 { font-size: 1.8rem; line-height: 1.2; } h2 { margin-top: 2.6rem; border-top: 1px solid var(--rule); padding-top: 1.2rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
+th, td { padding: .3rem .8rem .3rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid var(--rule); }
+th { color: var(--faint); font-weight: 600; }
+code { background: var(--code); padding: .1rem .25rem; border-radius: 3px; font-size: .88em; overflow-wrap: anywhere; }
+.figures { display: flex; flex-wrap: wrap; gap: 1.2rem; margin: 1.2rem 0; }
+figure { margin: 0; flex: 1 1 22rem; max-width: 100%; }
+.three figure { flex-basis: 17rem; }
+figure svg, figure img { display: block; max-width: 100%; height: auto; border-radius: 4px; background: #fff; }
+figcaption { margin-top: .5rem; color: var(--faint); font-size: .92rem; max-width: 44rem; }
+details { margin-top: .2rem; font-size: .85rem; } summary { cursor: pointer; }
+@media print { details { display: none; } body { max-width: none; } }
+)";
+
+std::string escaped(const std::string& text)
+{
+    std::string result;
+    for (const char c : text)
+        result += c == '&'   ? std::string("&amp;")
+                  : c == '<' ? std::string("&lt;")
+                  : c == '>' ? std::string("&gt;")
+                  : c == '"' ? std::string("&quot;")
+                             : std::string(1, c);
+    return result;
+}
+
+/// Replaces pairs of a mark, or of an opening and a closing one, by tags.
+std::string tagged(const std::string& text, const std::string& open, const std::string& close, const std::string& tag,
+                   const std::string& end_tag)
+{
+    std::string result;
+    std::size_t from = 0;
+    for (;;) {
+        const std::size_t begin = text.find(open, from);
+        const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
+        if (end == std::string::npos)
+            return result + text.substr(from);
+        result += text.substr(from, begin - from) + tag + text.substr(begin + open.size(), end - begin - open.size()) +
+                  end_tag;
+        from = end + close.size();
+    }
+}
+
+std::string marked_up(const std::string& text)
+{
+    const std::string code = tagged(escaped(text), "`", "`", "<code>", "</code>");
+    return tagged(tagged(code, "*", "*", "<em>", "</em>"), "{{", "}}", "<span class=\"run\">", "</span>");
+}
+
+std::string file_bytes(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    if (!file)
+        throw std::runtime_error("cannot read " + path);
+    return bytes.str();
+}
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+class HtmlWriter
+{
+public:
+    explicit HtmlWriter(const std::string& folder) : folder_(folder) {}
+
+    std::string operator()(const ReportHeading& heading) const
+    {
+        const std::string tag = "h" + std::to_string(heading.level) + ">";
+        return "<" + tag + marked_up(heading.text) + "</" + tag + "\n";
+    }
+    std::string operator()(const ReportParagraph& paragraph) const
+    {
+        return "<p>" + marked_up(paragraph.text) + "</p>\n";
+    }
+    std::string operator()(const ReportTable& table) const
+    {
+        std::string html = "<div class=\"wide\"><table>\n" + row(table.header, "th");
+        for (const std::vector<std::string>& cells : table.rows)
+            html += row(cells, "td");
+        return html + "</table></div>\n";
+    }
+    std::string operator()(const ReportFigures& figures) const
+    {
+        const bool three_pictures = figures.figures.size() == 3 && ends_with(figures.figures[0].file, ".png");
+        std::string html = std::string("<div class=\"figures") + (three_pictures ? " three" : "") + "\">\n";
+        for (const ReportFigure& figure : figures.figures)
+            html += "<figure id=\"" + escaped(figure.file) + "\">\n" + drawing(figure) + "<figcaption>" +
+                    marked_up(figure.caption) + "<details><summary>command</summary><code>" + escaped(figure.command) +
+                    "</code></details></figcaption>\n</figure>\n";
+        return html + "</div>\n";
+    }
+
+private:
+    static std::string row(const std::vector<std::string>& cells, const std::string& tag)
+    {
+        std::string html = "<tr>";
+        for (const std::string& cell : cells)
+            html += "<" + tag + ">" + marked_up(cell) + "</" + tag + ">";
+        return html + "</tr>\n";
+    }
+    std::string drawing(const ReportFigure& figure) const
+    {
+        const std::string bytes = file_bytes(folder_ + "/" + figure.file);
+        if (ends_with(figure.file, ".svg"))
+            return bytes;
+        return "<img alt=\"" + escaped(figure.caption) + "\" src=\"data:image/png;base64," + base64(bytes) + "\">\n";
+    }
+
+    std::string folder_;
+};
+
+/// As metadata of the page: in a comment two hyphens must not follow each other.
+std::string metadata(const std::vector<std::string>& comments)
+{
+    std::string text;
+    for (const std::string& comment : comments)
+        text += "  <meta name=\"multipath\" content=\"" + escaped(comment) + "\">\n";
+    return text;
+}
+
+} // namespace
+
+std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments)
+{
+    std::string title = "multipath";
+    for (const ReportBlock& block : report)
+        if (const auto* heading = std::get_if<ReportHeading>(&block); heading != nullptr && heading->level == 1)
+            title = heading->text;
+    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n  <meta charset=\"utf-8\">\n"
+                       "  <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+                       metadata(comments) + "  <title>" + escaped(title) + "</title>\n  <style>" + style +
+                       "</style>\n</head>\n<body>\n";
+    for (const ReportBlock& block : report)
+        html += std::visit(HtmlWriter(folder), block);
+    return html + "</body>\n</html>\n";
+}
+
+} // namespace multipath
