@@ -20,9 +20,10 @@ std::vector<Command> commands();
 
 Command solve_command();
 Command check_command();
+Command compare_command();
+Command reproduce_command();
 Command study_command();
 Command paper_command();
-Command compare_command();
 Command points_command();
 Command explain_command();
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace multipath {
+
+/// A new folder of the user's own under $TMPDIR, or /tmp; the destructor removes it with all it holds.
+class TemporaryFolder
+{
+public:
+    /// Throws OutputError.
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+} // namespace multipath

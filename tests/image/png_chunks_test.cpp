@@ -1,0 +1,55 @@
+#include "image/png_chunks.h"
+
+#include "image/png.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace multipath;
+
+namespace {
+
+std::string small_png()
+{
+    return png_bytes({2, 1, {1, 2, 3, 4, 5, 6}}, "what it is");
+}
+
+} // namespace
+
+TEST_CASE("the chunks of a PNG are those that were written, to the last byte")
+{
+    const std::string png = small_png();
+    const std::vector<PngChunk> chunks = png_chunks(png);
+    REQUIRE(chunks.size() == 5);
+    CHECK(chunks[0].type == "IHDR");
+    CHECK(chunks[0].data.size() == 13);
+    CHECK(chunks[2].type == "tEXt");
+    CHECK(chunks[2].data == std::string("Comment\0what it is", 18));
+    CHECK(chunks[4].type == "IEND");
+    CHECK(chunks[4].data.data() + 4 == png.data() + png.size());
+}
+
+TEST_CASE("a PNG that is cut off anywhere has the chunks before that place")
+{
+    const std::string png = small_png();
+    std::size_t before = 0;
+    for (std::size_t size = 0; size <= png.size(); ++size) {
+        const std::size_t count = png_chunks(png.substr(0, size)).size();
+        CHECK(count >= before);
+        CHECK(count <= before + 1);
+        before = count;
+    }
+    CHECK(png_chunks(png.substr(0, png.size() - 1)).size() == 4);
+}
+
+TEST_CASE("a length beyond the end, and what is no PNG, give no chunks")
+{
+    std::string png = small_png();
+    png.replace(8, 4, "\xff\xff\xff\xff");
+    CHECK(is_png(png));
+    CHECK(png_chunks(png).empty());
+    CHECK_FALSE(is_png("P6\n1 1\n255\n"));
+    CHECK(png_chunks("P6\n1 1\n255\nabc").empty());
+    CHECK(png_chunks("").empty());
+}
