@@ -2,9 +2,9 @@
 #include "cli/json.h"
 #include "cli/number_text.h"
 #include "cli/scene_options.h"
-#include "cli/text_format.h"
 #include "radiosity/scene_lint.h"
 #include "radiosity/scene_report.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,11 +1,11 @@
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "cli/number_text.h"
-#include "cli/text_format.h"
 #include "export/csv_text.h"
 #include "export/patch_table_reader.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include "cli/paper_steps.h"
 #include "cli/provenance.h"
 #include "cli/scene_options.h"
-#include "cli/text_format.h"
 #include "cli/version.h"
 #include "scene/obj_reader.h"
+#include "scene/text_format.h"
 #include "study/paper_report.h"
 #include "study/study_reader.h"
 

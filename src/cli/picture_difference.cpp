@@ -1,8 +1,8 @@
 #include "cli/result_difference.h"
 
-#include "cli/text_format.h"
 #include "image/image.h"
 #include "image/png_chunks.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdlib>

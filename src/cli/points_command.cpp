@@ -2,10 +2,10 @@
 #include "cli/number_text.h"
 #include "cli/planned_outputs.h"
 #include "cli/provenance.h"
-#include "cli/text_format.h"
 #include "cli/usage_error.h"
 #include "export/discrepancy_table.h"
 #include "export/point_plots.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -201,13 +201,12 @@ int run_listing(const CommandLine& line)
         refuse("--count", "the order of points shows with two of them or more");
 
     std::vector<PlannedOutput> outputs = open(line, formats);
-    const std::vector<std::string> comments = provenance(points_table(), line);
     const auto draw = line.has("order") ? order_plots : scatter_plots;
     for (PlannedOutput& output : outputs)
         if (output.format == OutputFormat::svg)
-            output.file.write(draw(all_points(range), pairs, range_words(range), comments));
-        else
-            write_points(output.file, range, comments);
+            output.file.write(draw(all_points(range), pairs, range_words(range), provenance(points_table(), line)));
+        else // made again without a drawing, which those options need
+            write_points(output.file, range, provenance(without_options(points_table(), {"pairs", "order"}), line));
     finish(outputs);
     return 0;
 }

@@ -6,8 +6,8 @@
 #include "cli/result_difference.h"
 #include "cli/scene_options.h"
 #include "cli/shell_words.h"
-#include "cli/text_format.h"
 #include "cli/usage_error.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdio>

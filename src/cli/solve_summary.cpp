@@ -1,6 +1,6 @@
 #include "cli/solve_summary.h"
 
-#include "cli/text_format.h"
+#include "scene/text_format.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "cli/story_text.h"
 
 #include "cli/story_words.h"
-#include "cli/text_format.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "cli/story_words.h"
 
-#include "cli/text_format.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 

@@ -7,13 +7,13 @@
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/scene_options.h"
-#include "cli/text_format.h"
 #include "cli/version.h"
 #include "export/patch_table.h"
 #include "export/patch_table_reader.h"
 #include "image/checksum.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"
+#include "scene/text_format.h"
 
 #include <cerrno>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "cli/result_difference.h"
 
-#include "cli/text_format.h"
 #include "export/csv_text.h"
+#include "scene/text_format.h"
 #include "scene/text_words.h"
 
 #include <algorithm>

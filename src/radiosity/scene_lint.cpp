@@ -1,10 +1,9 @@
 #include "radiosity/scene_lint.h"
 
 #include "scene/coincident_faces.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <numeric>
 
 namespace multipath {
@@ -13,14 +12,6 @@ namespace {
 
 constexpr std::size_t most_named = 4;
 constexpr std::size_t most_coincident_pairs = 10000;
-
-template <class... Values>
-std::string format(const char* pattern, Values... values)
-{
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
 
 class Lint
 {

@@ -42,14 +42,6 @@ std::string scientific(double value)
     return text.substr(0, e) + "·10" + superscript(std::to_string(std::stoi(text.substr(e + 1))));
 }
 
-std::string grouped_digits(std::uint64_t count)
-{
-    std::string digits = std::to_string(count);
-    for (std::size_t place = digits.size(); place > 3; place -= 3)
-        digits.insert(place - 3, ",");
-    return digits;
-}
-
 std::string slope_words(const std::optional<PowerLaw>& law)
 {
     if (!law)

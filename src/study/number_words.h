@@ -2,7 +2,6 @@
 
 #include "study/power_law.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -13,9 +12,6 @@ std::string fixed(double value, int decimals);
 
 /// "1.2·10⁻⁴"
 std::string scientific(double value);
-
-/// "1,500,000"
-std::string grouped_digits(std::uint64_t count);
 
 /// "−1.10 ± 0.02", with the half width of the 95 % interval; "none" without a law.
 std::string slope_words(const std::optional<PowerLaw>& law);

@@ -1,5 +1,6 @@
 #include "study/paper_report.h"
 
+#include "scene/text_format.h"
 #include "study/number_words.h"
 #include "study/published.h"
 
@@ -185,7 +186,7 @@ private:
     {
         const BudgetFigures& b = scene.report.figures;
         return {scene.name,
-                grouped_digits(scene.patches),
+                grouped(scene.patches),
                 fixed(b.average_reflectance, 3),
                 fixed(b.intersections, 2),
                 fixed(b.lit_fraction, 3),
@@ -247,10 +248,9 @@ private:
 
     ReportTable shot_table() const
     {
-        ReportTable table{
-            {"relative MSE at " + grouped_digits(f_.study("figure7").curves[0].points.back().lines) + " lines",
-             "lit upwards", "against local Monte Carlo", "lit downwards", "against local Monte Carlo"},
-            {}};
+        ReportTable table{{"relative MSE at " + grouped(f_.study("figure7").curves[0].points.back().lines) + " lines",
+                           "lit upwards", "against local Monte Carlo", "lit downwards", "against local Monte Carlo"},
+                          {}};
         for (const char* method : {"first-shot", "extended", "local"}) {
             std::vector<std::string> row = {method};
             for (const char* study : {"figure7", "figure7-local", "figure9", "figure9-local"}) {
@@ -267,7 +267,7 @@ private:
     {
         const Curve& extended = curve_of(f_.study(file), "extended", "sobol-owen");
         const Curve& reuse = curve_of(f_.study(file), "reuse", "sobol-owen");
-        return {name + ", " + grouped_digits(reuse.points.back().lines), scientific(extended.points.back().relative),
+        return {name + ", " + grouped(reuse.points.back().lines), scientific(extended.points.back().relative),
                 scientific(reuse.points.back().relative),
                 fixed(extended.points.back().relative / reuse.points.back().relative, 0), slope_words(reuse.law)};
     }

@@ -1,30 +1,13 @@
 #include "study/study_table.h"
 
+#include "scene/text_format.h"
+
 #include <algorithm>
-#include <array>
 #include <cinttypes>
-#include <cstdarg>
-#include <cstdio>
 
 namespace multipath {
 
 namespace {
-
-std::string format(const char* pattern, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 1, 2)))
-#endif
-    ;
-
-std::string format(const char* pattern, ...)
-{
-    std::array<char, 256> text{};
-    va_list values;
-    va_start(values, pattern);
-    std::vsnprintf(text.data(), text.size(), pattern, values);
-    va_end(values);
-    return text.data();
-}
 
 using KindPart = std::string CurveKind::*;
 

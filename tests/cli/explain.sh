@@ -5,7 +5,7 @@ scene=$root/scenes/5cubes.obj
 narrow() { ! awk 'length($0) > 110' out | grep .; }
 
 global_lines() {
-    ends 0 explain "$scene" --lines 2 --of 2^14 && silent err && narrow && says out "line 1 of " && says out "line 2 of " &&
+    ends 0 explain "$scene" --lines 2 --of 2^14 --line-order sequence && silent err && narrow && says out "line 1 of " && says out "line 2 of " &&
         ! grep -q "line 3 of" out && says out "on the sphere" && says out "sends forecast" && says out "then holds" &&
         says out "ceiling (line 26) "
 }
@@ -25,8 +25,8 @@ particles() {
 check "particles of the local method are told until they end" particles
 
 no_length() {
-    ends 0 explain "$scene" --method global --lines 2 && says out "no length" &&
-        ends 0 explain "$root/scenes/squares.obj" --method global --lines 3 && says out "meets nothing:"
+    ends 0 explain "$scene" --method global --line-order sequence --lines 2 && says out "no length" &&
+        ends 0 explain "$root/scenes/squares.obj" --method global --line-order sequence --lines 3 && says out "meets nothing:"
 }
 check "chords of no length and lines that meet nothing are told as such" no_length
 

@@ -37,8 +37,6 @@ TEST_CASE("numbers in a report are short and have real signs")
     CHECK(fixed(-0.0001, 2) == "0.00");
     CHECK(scientific(1.234e-7) == "1.2·10⁻⁷");
     CHECK(scientific(5e12) == "5.0·10¹²");
-    CHECK(grouped_digits(1500000) == "1,500,000");
-    CHECK(grouped_digits(12) == "12");
     CHECK(slope_words({}) == "none");
     CHECK(slope_words(PowerLaw{1.0, -1.0, 0.01, 7}) == "−1.000 ± 0.026"); // Student's t for 5 degrees: 2.571
 }

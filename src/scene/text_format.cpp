@@ -1,4 +1,4 @@
-#include "cli/text_format.h"
+#include "scene/text_format.h"
 
 #include <array>
 #include <cstdarg>
