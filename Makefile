@@ -39,7 +39,6 @@ paper: $(PROGRAM)
 results: paper
 	@mkdir -p docs/results
 	cp $(BUILD)/paper/*.svg $(BUILD)/paper/*.png docs/results
-	rm -f docs/results/*-local.svg
 	sed 's/^!\[\([^]]*\)\](/&results\//' $(BUILD)/paper/results.md > docs/results.md
 
 test: $(BUILD)/unit_tests $(PROGRAM)

@@ -70,6 +70,13 @@ public:
               "--methods " + methods + " --sequences random --from 46875 --to " + std::string(effort_.shots_to), more);
     }
 
+    /// The same as a table alone.
+    void shots_table(const std::string& name, const std::string& scene, const std::vector<std::string>& more)
+    {
+        shots(name, scene, "first-shot,extended,local", more);
+        steps.back().outputs = {name + ".csv"};
+    }
+
     std::vector<PaperStep> steps;
 
 private:
@@ -115,10 +122,10 @@ void add_shots(StepList& list, const std::string& reference_lines, const std::st
     const std::string reference = "--method local --sequence random --replicates 4 --lines " + reference_lines;
     list.add("solve", "4chairs-up.obj", reference, {"reference-up.csv"});
     list.add("solve", "4chairs.obj", reference, {"reference-down.csv"});
-    list.shots("figure7-local", "4chairs-up.obj", "first-shot,extended,local",
-               {"--reference", folder + "/reference-up.csv"});
-    list.shots("figure9-local", "4chairs.obj", "first-shot,extended,local",
-               {"--reference", folder + "/reference-down.csv"});
+    list.shots_table("figure7-local", "4chairs-up.obj", {"--reference", folder + "/reference-up.csv"});
+    list.shots_table("figure9-local", "4chairs.obj", {"--reference", folder + "/reference-down.csv"});
+    list.shots_table("figure9-coarse", "4chairs.obj", {"--patch-size", "0.5"});
+    list.shots_table("figure9-fine", "4chairs.obj", {"--patch-size", "0.15"});
 }
 
 /// What goes beyond the paper, against lines and against seconds.
@@ -128,7 +135,7 @@ void add_reuse(StepList& list)
         const std::string curves = "--methods extended,reuse --sequences random,sobol-owen";
         list.slopes("reuse-" + scene, scene + ".obj", curves);
         list.slopes("reuse-" + scene + "-seconds", scene + ".obj", curves + " --against seconds");
-        list.steps.back().outputs.erase(list.steps.back().outputs.begin()); // the table is that of the step before
+        list.steps.back().outputs = {"reuse-" + scene + "-seconds.svg"}; // the table is that of the step before
     }
 }
 

@@ -6,6 +6,7 @@
 #include "transport/line_sampling.h"
 
 #include "sampling/warp.h"
+#include "sampling/warp_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,17 @@ Vec3 turned(Vec3 p)
     constexpr double sine = 0.95831484749990992;                                           // sqrt(1 - 4/49)
     constexpr Vec3 axis = {0.26726124191242440, 0.53452248382484879, 0.80178372573727319}; // (1, 2, 3) / sqrt 14
     return cosine * p + sine * cross(axis, p) + ((1.0 - cosine) * dot(axis, p)) * axis;
+}
+
+/// Two successive numbers of every item; what fills up the last group of lanes is 0.
+void gather_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
+{
+    for (std::size_t k = 0; k < count; ++k) {
+        square.a[k] = items[k][first_number];
+        square.b[k] = items[k][first_number + 1];
+    }
+    for (std::size_t k = count; k % 8 != 0; ++k)
+        square.a[k] = square.b[k] = 0.0;
 }
 
 /// How far a ray from a point of the box goes inside it.
@@ -79,6 +91,12 @@ Line GlobalLines::sphere_line(const Item& item) const
 
 Line GlobalLines::box_line(const Item& item) const
 {
+    return box_line(item, square_to_cosine_hemisphere(item[2], item[3]));
+}
+
+/// `local`: the direction, with z into the box.
+Line GlobalLines::box_line(const Item& item, Vec3 local) const
+{
     // A line must not run along an edge of the box, where it could miss both walls.
     const auto inside = [](double share) { return std::clamp(share, 0x1p-30, 1.0 - 0x1p-30); };
     const double strip = item[0] * sides_.back().strip_end;
@@ -91,12 +109,47 @@ Line GlobalLines::box_line(const Item& item) const
     // Oblique to the edges (3-4-5 triangle), so that regular numbers do not aim exactly at the edges of rooms.
     const Vec3 normal = cross(side.along, side.up);
     const Vec3 tangent = 0.6 * side.along + 0.8 * side.up;
-    const Vec3 local = square_to_cosine_hemisphere(item[2], item[3]);
     const Vec3 direction = local.x * tangent + local.y * cross(normal, tangent) + local.z * normal;
 
     // The walls of a room lie in the sides of its box: the line begins before and ends beyond them.
     const Vec3 margin = radius_ / 8.0 * direction;
     return chord(place - margin, place + way_through(box_, place, direction) * direction + margin);
+}
+
+void GlobalLines::lines(const Item* items, std::size_t count, Line* lines) const
+{
+    for (std::size_t first = 0; first < count; first += warp_block) {
+        const std::size_t size = std::min(warp_block, count - first);
+        if (chords_ == Chords::box)
+            box_lines(items + first, size, lines + first);
+        else
+            sphere_lines(items + first, size, lines + first);
+    }
+}
+
+void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines) const
+{
+    SquarePoints square;
+    WarpedPoints from;
+    WarpedPoints to;
+    gather_square(items, count, 0, square);
+    warp_kernel().uniform_sphere(square, count, from);
+    gather_square(items, count, 2, square);
+    warp_kernel().uniform_sphere(square, count, to);
+    const Vec3 centre = box_.centre();
+    for (std::size_t k = 0; k < count; ++k)
+        lines[k] = chord(centre + radius_ * turned({from.x[k], from.y[k], from.z[k]}),
+                         centre + radius_ * turned({to.x[k], to.y[k], to.z[k]}));
+}
+
+void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) const
+{
+    SquarePoints square;
+    WarpedPoints local;
+    gather_square(items, count, 2, square);
+    warp_kernel().cosine_hemisphere(square, count, local);
+    for (std::size_t k = 0; k < count; ++k)
+        lines[k] = box_line(items[k], {local.x[k], local.y[k], local.z[k]});
 }
 
 std::uint64_t GlobalLines::lines_to_cast(std::uint64_t lines_met) const

@@ -5,6 +5,7 @@
 #include "sampling/sequence.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace multipath {
@@ -21,6 +22,9 @@ public:
     explicit GlobalLines(const Bounds& scene_box, Chords chords = Chords::sphere);
 
     Line line(const Item& item) const;
+
+    /// The same lines for many items, faster.
+    void lines(const Item* items, std::size_t count, Line* lines) const;
 
     /// How many chords to cast so that `lines_met` of them meet the scene's bounding box in expectation (N1).
     std::uint64_t lines_to_cast(std::uint64_t lines_met) const;
@@ -45,6 +49,9 @@ private:
     static std::array<Side, 6> unrolled(const Bounds& box);
     Line sphere_line(const Item& item) const;
     Line box_line(const Item& item) const;
+    Line box_line(const Item& item, Vec3 local) const;
+    void sphere_lines(const Item* items, std::size_t count, Line* lines) const;
+    void box_lines(const Item* items, std::size_t count, Line* lines) const;
     double area_of_starts() const; ///< [m^2]
 
     Bounds box_;

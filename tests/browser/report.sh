@@ -52,7 +52,7 @@ looked() { browse --virtual-time-budget=30000 --dump-dom "file://$PWD/look.html"
 check "the browser opens it" looked
 
 every_figure() {
-    expected=$(ls paper/*.svg paper/*.png | grep -v 'local' | wc -l)
+    expected=$(ls paper/*.svg paper/*.png | wc -l)
     [ "$(grep -c '^figure' seen)" -eq "$expected" ] || { echo "expected $expected figures"; cat seen; return 1; }
     # name, width, height on the page, share of the pixels that are not background
     awk '/^error/ { bad = 1; print } /^figure/ && !($3 >= 200 && $4 >= 120 && $5 > 0.004) { bad = 1; print } END { exit bad }' seen

@@ -238,3 +238,28 @@ TEST_CASE("a line between equal points meets nothing")
     intersector.all_hits(lines.line({0.5, 0.5, 0.5, 0.5}), hits);
     CHECK(hits.empty());
 }
+
+TEST_CASE("many lines at a time are those of one item each, bit for bit")
+{
+    Bounds box;
+    box.include(Vec3{-1, 2, 0});
+    box.include(Vec3{3, 2.5, 7});
+    for (const Chords chords : {Chords::sphere, Chords::box}) {
+        const GlobalLines lines(box, chords);
+        for (const std::size_t count : {1u, 7u, 256u, 1000u}) {
+            std::vector<Item> items(count);
+            make_sequence("sobol", 1)->generate(0, items);
+            std::vector<Line> found(count);
+            lines.lines(items.data(), count, found.data());
+            for (std::size_t k = 0; k < count; ++k) {
+                const Line expected = lines.line(items[k]);
+                REQUIRE(found[k].t_max == expected.t_max);
+                for (const double t : {0.0, 1.0}) {
+                    REQUIRE(found[k].at(t).x == expected.at(t).x);
+                    REQUIRE(found[k].at(t).y == expected.at(t).y);
+                    REQUIRE(found[k].at(t).z == expected.at(t).z);
+                }
+            }
+        }
+    }
+}

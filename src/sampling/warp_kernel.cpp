@@ -1,0 +1,46 @@
+#include "sampling/warp_kernel.h"
+
+#include "sampling/warp_kernels.h"
+
+namespace multipath {
+
+namespace {
+
+const WarpKernel& fastest()
+{
+#if defined(__x86_64__)
+    __builtin_cpu_init(); // this runs before main
+    if (__builtin_cpu_supports("avx512f"))
+        return avx512_warp_kernel;
+    if (__builtin_cpu_supports("avx2"))
+        return avx2_warp_kernel;
+    return sse2_warp_kernel;
+#else
+    return plain_warp_kernel;
+#endif
+}
+
+const WarpKernel& chosen = fastest();
+
+} // namespace
+
+std::vector<const WarpKernel*> available_warp_kernels()
+{
+    std::vector<const WarpKernel*> kernels;
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f"))
+        kernels.push_back(&avx512_warp_kernel);
+    if (__builtin_cpu_supports("avx2"))
+        kernels.push_back(&avx2_warp_kernel);
+    kernels.push_back(&sse2_warp_kernel);
+#endif
+    kernels.push_back(&plain_warp_kernel);
+    return kernels;
+}
+
+const WarpKernel& warp_kernel()
+{
+    return chosen;
+}
+
+} // namespace multipath
