@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <cstring>
 #include <sys/stat.h>
-#include <thread>
+#include <unistd.h>
 
 namespace multipath {
 
@@ -102,11 +102,11 @@ PaperFindings read_findings(const CommandLine& line, const std::string& folder, 
     return findings;
 }
 
-std::vector<std::string> facts(const CommandLine& line, double seconds)
+std::vector<std::string> facts(const CommandLine& line, double seconds, bool resumed)
 {
     return {"program: " + version(), "processor: {{" + processor_name() + "}}",
             "threads: {{" + std::to_string(thread_count(line)) + "}}", "date: {{" + today() + "}}",
-            "time: {{" + format("%.0f s", seconds) + "}}"};
+            "time: {{" + format("%.0f s", seconds) + (resumed ? ", without the runs kept from before" : "") + "}}"};
 }
 
 void write_file(const std::string& path, const std::string& text)
@@ -123,6 +123,7 @@ int run_paper(const CommandLine& line)
     const auto start = std::chrono::steady_clock::now();
     const std::vector<PaperStep> steps = paper_steps(line.has("quick"), line.text("scenes"), folder);
     make_folder(folder);
+    const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!quiet)
             std::fprintf(stderr, "[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str());
@@ -130,7 +131,7 @@ int run_paper(const CommandLine& line)
     }
     PaperFindings findings = read_findings(line, folder, steps);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    findings.facts = facts(line, elapsed.count());
+    findings.facts = facts(line, elapsed.count(), resumed);
     const Report report = paper_report(findings);
     const std::vector<std::string> comments = provenance(paper_table(), line);
     write_file(folder + "/results.md", report_markdown(report, "", comments));
