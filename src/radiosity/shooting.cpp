@@ -90,13 +90,14 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
         block.receivers.clear();
         sequence.generate(first_item + first, block.items);
         std::size_t shot = shot_of_ray(before, first);
-        Patch patch = scene.patch(shots[shot].patch);
+        LocalRays rays(scene.patch(shots[shot].patch));
         for (std::size_t k = 0; k < block.items.size(); ++k) {
             if (first + k >= before[shot + 1]) {
                 shot = shot_of_ray(before, first + k);
-                patch = scene.patch(shots[shot].patch);
+                rays = LocalRays(scene.patch(shots[shot].patch));
             }
-            block.receivers.push_back(receiver(scene, patch.surface, local_line(patch, block.items[k])));
+            const std::uint32_t surface = scene.surface_of(shots[shot].patch);
+            block.receivers.push_back(receiver(scene, surface, rays.line(block.items[k])));
         }
     };
     ReceivedRays received(scene);

@@ -83,14 +83,6 @@ Patch Scene::patch(std::uint32_t patch) const
     return {s, is_front(patch) ? shape : turned_over(shape)};
 }
 
-std::uint32_t Scene::patch_at(std::uint32_t surface, double u, double v, bool front) const
-{
-    if (!front && !two_sided_)
-        return no_patch;
-    const std::uint32_t cell = first_cell_[surface] + tessellations_[surface].cell_at(u, v);
-    return front ? cell : cell_count_ + cell;
-}
-
 namespace {
 
 /// 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: number k of these sizes, 10 to a decade.

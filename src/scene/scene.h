@@ -84,6 +84,15 @@ private:
     Rgb average_reflectance_;
 };
 
+// Inline: asked for every crossing of a line.
+inline std::uint32_t Scene::patch_at(std::uint32_t surface, double u, double v, bool front) const
+{
+    if (!front && !two_sided_)
+        return no_patch;
+    const std::uint32_t cell = first_cell_[surface] + tessellations_[surface].cell_at(u, v);
+    return front ? cell : cell_count_ + cell;
+}
+
 /// A patch size that gives a few thousand patches: the largest round number not above sqrt(A / 2500), or up to 2.5
 /// times as much if it takes that to stay below 4000 patches.
 double default_patch_size(const std::vector<Surface>& surfaces);

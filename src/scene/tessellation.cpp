@@ -17,31 +17,7 @@ double cells_along(double edge, double patch_size)
     return std::max(1.0, std::ceil(edge / patch_size - 1e-6));
 }
 
-std::uint32_t cell_index(double x, std::uint32_t cells)
-{
-    const double place = x * cells;
-    return place <= 0.0 ? 0 : std::min(static_cast<std::uint32_t>(place), cells - 1);
-}
-
-/// Number of triangle cells in the columns before this one: column i of n holds 2 (n - i) - 1.
-std::uint64_t cells_before_column(std::uint64_t i, std::uint64_t n)
-{
-    return i * (2 * n - i);
-}
-
 } // namespace
-
-std::uint32_t Tessellation::cell_at(double u, double v) const
-{
-    const std::uint32_t i = cell_index(u, cells_u);
-    if (shape == Shape::parallelogram)
-        return i * cells_v + cell_index(v, cells_v);
-
-    const std::uint32_t last = cells_u - 1 - i; // the column's last cell has no upper half
-    const std::uint32_t j = std::min(cell_index(v, cells_u), last);
-    const bool upper = j < last && u * cells_u - i + (v * cells_u - j) > 1.0;
-    return static_cast<std::uint32_t>(cells_before_column(i, cells_u)) + 2 * j + (upper ? 1 : 0);
-}
 
 Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
 {

@@ -2,6 +2,7 @@
 
 #include "geometry/surface.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,30 @@ struct Tessellation
     std::uint32_t cell_at(double u, double v) const;
     /// The cell as a surface of its own; all cells have the same area.
     Surface cell(const Surface& surface, std::uint32_t cell) const;
+
+    /// Number of cells in the columns of a triangle before column i of n, each of which holds 2 (n - i) - 1.
+    static std::uint64_t cells_before_column(std::uint64_t i, std::uint64_t n) { return i * (2 * n - i); }
+
+private:
+    static std::uint32_t cell_index(double x, std::uint32_t cells)
+    {
+        const double place = x * cells;
+        return place <= 0.0 ? 0 : std::min(static_cast<std::uint32_t>(place), cells - 1);
+    }
 };
+
+// Inline: asked for every crossing of a line.
+inline std::uint32_t Tessellation::cell_at(double u, double v) const
+{
+    const std::uint32_t i = cell_index(u, cells_u);
+    if (shape == Shape::parallelogram)
+        return i * cells_v + cell_index(v, cells_v);
+
+    const std::uint32_t last = cells_u - 1 - i; // the column's last cell has no upper half
+    const std::uint32_t j = std::min(cell_index(v, cells_u), last);
+    const bool upper = j < last && u * cells_u - i + (v * cells_u - j) > 1.0;
+    return static_cast<std::uint32_t>(cells_before_column(i, cells_u)) + 2 * j + (upper ? 1 : 0);
+}
 
 /// Cells along an edge = ceil(edge / patch_size), at least one; a triangle is cut by its longest edge.
 /// Throws InputError when a surface would get 2^31 cells or more.

@@ -27,9 +27,11 @@ public:
     {
         const std::uint64_t first = number * most_lines;
         items_.resize(static_cast<std::size_t>(std::min(most_lines, lines - first)));
+        lines_.resize(items_.size());
         sequence.generate(first_item + first, items_);
-        for (const Item& item : items_) {
-            scene.intersector().all_hits(global_lines.line(item), hits_);
+        global_lines.lines(items_.data(), items_.size(), lines_.data());
+        for (const Line& line : lines_) {
+            scene.intersector().all_hits(line, hits_);
             met(hits_);
         }
     }
@@ -38,6 +40,7 @@ public:
 
 private:
     std::vector<Item> items_;
+    std::vector<Line> lines_;
     std::vector<Hit> hits_;
 };
 
