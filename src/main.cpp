@@ -2,10 +2,10 @@
 // code.
 
 #include "cli/choice.h"
-#include "cli/commands.h"
 #include "cli/help_text.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
+#include "commands/commands.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -12,8 +12,9 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
         below["radiosity"] = below["transport"] "transport "
         below["study"] = below["radiosity"] "image export radiosity "
-        below["cli"] = below["study"] "study "
-        below["main.cpp"] = below["cli"] "cli "
+        below["cli"] = " geometry scene "
+        below["commands"] = below["study"] "study cli "
+        below["main.cpp"] = below["commands"] "commands "
         for (i = 1; i < ARGC; ++i)
             if (!(room_of(ARGV[i]) in below))
                 print ARGV[i] ":1: unknown room \047" room_of(ARGV[i]) "\047"

@@ -18,7 +18,7 @@ forbidden() {
 }
 check "a file may include its own room" allowed geometry/line.h '#include "geometry/vec3.h"'
 check "a file may include a room below" allowed study/paper.h '#include "image/camera.h"'
-check "main.cpp may include the top room" allowed main.cpp '#include "cli/commands.h"'
+check "main.cpp may include the top room" allowed main.cpp '#include "commands/commands.h"'
 check "the standard library may be included" allowed parallel/team.h '#include <sys/stat.h>'
 check "geometry knows nothing of light" forbidden geometry/line.h '#include "scene/rgb.h"' \
     "tree/geometry/line.h:2: room 'geometry' may not include 'scene/rgb.h'"
@@ -26,8 +26,8 @@ check "sampling knows nothing of scenes" forbidden sampling/warp.cpp '  #  inclu
     "tree/sampling/warp.cpp:2: room 'sampling' may not include 'scene/rgb.h'"
 check "pictures and the solver do not know each other" forbidden image/png.cpp '#include "radiosity/solve.h"' \
     "tree/image/png.cpp:2: room 'image' may not include 'radiosity/solve.h'"
-check "no room includes the command line" forbidden study/paper.h '#include "cli/commands.h"' \
-    "tree/study/paper.h:2: room 'study' may not include 'cli/commands.h'"
+check "no room includes the command line" forbidden study/paper.h '#include "commands/commands.h"' \
+    "tree/study/paper.h:2: room 'study' may not include 'commands/commands.h'"
 check "angle brackets are no way around" forbidden geometry/line.h '#include <scene/rgb.h>' \
     "tree/geometry/line.h:2: room 'geometry' may not include 'scene/rgb.h'"
 check "an include names its room" forbidden geometry/line.h '#include "vec3.h"' \

@@ -1,0 +1,206 @@
+#include "cli/json.h"
+#include "cli/number_text.h"
+#include "commands/commands.h"
+#include "commands/scene_options.h"
+#include "radiosity/scene_lint.h"
+#include "radiosity/scene_report.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace multipath {
+
+namespace {
+
+CommandTable check_table()
+{
+    return {"check",
+            "what a scene holds, the paper's numbers for it, and what is wrong with it",
+            {{"SCENE.obj"}},
+            {{"Report",
+              {{"json", 0, "", "", "Print the report as JSON on standard output."},
+               {"lines", 'n', "N", "2^20", "Lines for each measured figure."},
+               threads_option()}},
+             scene_option_group()},
+            "Exit code 0: nothing that would make a wrong result; 1: something would, or the scene cannot be read.\n"};
+}
+
+/// All that a scene emits through one material.
+struct Emitter
+{
+    const Material* material;
+    double area = 0.0; ///< [m^2]
+    Vec3 facing;       ///< area-weighted sum of the normals [m^2]
+
+    Rgb power() const { return area * material->emittance; }
+};
+
+std::vector<Emitter> emitters(const Scene& scene)
+{
+    std::vector<Emitter> result;
+    for (const Material& material : scene.materials())
+        result.push_back({&material, 0.0, {}});
+    for (std::size_t s = 0; s < scene.surfaces().size(); ++s) {
+        Emitter& emitter = result[scene.file().material[s]];
+        emitter.area += scene.surfaces()[s].area();
+        emitter.facing = emitter.facing + scene.surfaces()[s].area() * scene.surfaces()[s].normal();
+    }
+    const auto dark = [](const Emitter& e) { return e.material->emittance == Rgb{} || e.area == 0.0; };
+    result.erase(std::remove_if(result.begin(), result.end(), dark), result.end());
+    return result;
+}
+
+std::string facing_text(const Emitter& emitter)
+{
+    if (length(emitter.facing) < 0.99 * emitter.area)
+        return "several directions";
+    const Vec3 n = normalized(emitter.facing);
+    const char* word = n.y < -0.99 ? " (down)" : n.y > 0.99 ? " (up)" : "";
+    const auto tidy = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
+    return format("(%.3g, %.3g, %.3g)%s", tidy(n.x), tidy(n.y), tidy(n.z), word);
+}
+
+std::string rgb_text(Rgb c)
+{
+    return format("(%.4g, %.4g, %.4g)", c.r, c.g, c.b);
+}
+
+std::string materials_text(const Scene& scene)
+{
+    std::vector<double> area(scene.materials().size(), 0.0);
+    for (std::size_t s = 0; s < scene.surfaces().size(); ++s)
+        area[scene.file().material[s]] += scene.surfaces()[s].area();
+    std::string text;
+    for (std::size_t m = 0; m < area.size(); ++m)
+        text += format("  %-20s reflectance %-26s %10.4g m^2\n", scene.materials()[m].name.c_str(),
+                       rgb_text(scene.materials()[m].reflectance).c_str(), area[m]);
+    return text;
+}
+
+std::string emitters_text(const Scene& scene)
+{
+    std::string text;
+    for (const Emitter& e : emitters(scene))
+        text += format("  %-20s %.5g W %s from %.4g m^2, faces %s\n", e.material->name.c_str(), mean(e.power()),
+                       rgb_text(e.power()).c_str(), e.area, facing_text(e).c_str());
+    return text;
+}
+
+std::string figures_text(const Scene& scene, const SceneReport& r)
+{
+    std::string text;
+    text += format("  R_ave  mean reflectance          %.4f\n", r.figures.average_reflectance);
+    text += format("  Phi_T  power of the sources      %.6g W %s\n", mean(scene.source_power()),
+                   rgb_text(scene.source_power()).c_str());
+    text += format("  n_int  per line through the hull %.4f (measured %.4f); through the sphere %.4f (%.4f)\n",
+                   r.intersections_per_hull_line, r.intersections_per_hull_line_measured,
+                   r.intersections_per_sphere_line, r.intersections_per_sphere_line_measured);
+    text += format("  f      share of the area lit     %.4f visible, %.4f effective\n", r.direct.lit_fraction,
+                   r.direct.effective_fraction);
+    text += format("  R_s'   reflectance of the lit    %.4f\n", r.direct.secondary_reflectance);
+    text += format("  (3)    N_l / N_g                 %.4f first shot, %.4f extended\n", r.ratio_first_shot,
+                   r.ratio_extended);
+    text += format("  (4)    threshold                 %.6g W/m^2\n", r.threshold_radiosity);
+    text += format("  power  in a trial run            %.4g %% escapes, %.4g %% is lost behind surfaces\n",
+                   100.0 * mean(r.balance.escaped) / mean(r.balance.emitted),
+                   100.0 * mean(r.balance.behind) / mean(r.balance.emitted));
+    return text;
+}
+
+std::string report_text(const Scene& scene, const SceneReport& report, const std::vector<Finding>& findings)
+{
+    const Vec3 low = scene.bounds().low;
+    const Vec3 high = scene.bounds().high;
+    std::string text = scene.path() + ": " + scene.file().counts + "\n";
+    text += format("\nsize: %.5g x %.5g x %.5g m from (%.5g, %.5g, %.5g) to (%.5g, %.5g, %.5g)\n", high.x - low.x,
+                   high.y - low.y, high.z - low.z, low.x, low.y, low.z, high.x, high.y, high.z);
+    text += format("area: %.6g m^2 in %s patches of at most %.4g; convex hull %.6g m^2\n", scene.total_area(),
+                   grouped(scene.patch_count()).c_str(), scene.patch_size(), report.hull_area);
+    text += "\nmaterials:\n" + materials_text(scene);
+    text += "\nemitters:\n" + emitters_text(scene);
+    text += "\nfigures:\n" + figures_text(scene, report);
+    text += findings.empty() ? "\nnothing suspicious found\n" : "\nfindings:\n";
+    for (const Finding& finding : findings)
+        text +=
+            (finding.makes_wrong_result ? "  WRONG  " : "  note   ") + finding.place + ": " + finding.message + "\n";
+    return text;
+}
+
+JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vector<Finding>& findings)
+{
+    const auto vector = [](Vec3 v) { return std::vector<double>{v.x, v.y, v.z}; };
+    const auto rgb = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
+    JsonObject json;
+    json.text("scene", scene.path());
+    json.count("surfaces", scene.surfaces().size());
+    json.count("patches", scene.patch_count());
+    json.number("patch_size", scene.patch_size());
+    json.numbers("bounds_low", vector(scene.bounds().low));
+    json.numbers("bounds_high", vector(scene.bounds().high));
+    json.number("area_m2", scene.total_area());
+    json.number("hull_area_m2", r.hull_area);
+    json.number("average_reflectance", r.figures.average_reflectance);
+    json.numbers("average_reflectance_rgb", rgb(scene.average_reflectance()));
+    json.number("source_power_w", mean(scene.source_power()));
+    json.numbers("source_power_rgb_w", rgb(scene.source_power()));
+    json.number("intersections_hull", r.intersections_per_hull_line);
+    json.number("intersections_hull_measured", r.intersections_per_hull_line_measured);
+    json.number("intersections_sphere", r.intersections_per_sphere_line);
+    json.number("intersections_sphere_measured", r.intersections_per_sphere_line_measured);
+    json.number("lit_fraction", r.direct.lit_fraction);
+    json.number("lit_fraction_effective", r.direct.effective_fraction);
+    json.number("secondary_reflectance", r.direct.secondary_reflectance);
+    json.number("ratio_first_shot", r.ratio_first_shot);
+    json.number("ratio_extended", r.ratio_extended);
+    json.number("threshold_radiosity", r.threshold_radiosity);
+    json.number("escaped_share", mean(r.balance.escaped) / mean(r.balance.emitted));
+    json.number("back_face_share", mean(r.balance.behind) / mean(r.balance.emitted));
+
+    std::vector<JsonObject> emitter_list;
+    for (const Emitter& e : emitters(scene)) {
+        JsonObject object;
+        object.text("material", e.material->name);
+        object.number("power_w", mean(e.power()));
+        object.numbers("power_rgb_w", rgb(e.power()));
+        object.number("area_m2", e.area);
+        object.text("faces", facing_text(e));
+        emitter_list.push_back(object);
+    }
+    json.objects("emitters", emitter_list);
+    std::vector<JsonObject> finding_list;
+    for (const Finding& finding : findings) {
+        JsonObject object;
+        object.text("kind", finding.kind);
+        object.boolean("makes_wrong_result", finding.makes_wrong_result);
+        object.text("place", finding.place);
+        object.text("message", finding.message);
+        finding_list.push_back(object);
+    }
+    json.objects("findings", finding_list);
+    return json;
+}
+
+int run_check(const CommandLine& line)
+{
+    const std::uint64_t lines = read_count("--lines", line.text("lines"), 1000, std::uint64_t{1} << 40);
+    const int threads = thread_count(line);
+    const Scene scene = read_scene(line);
+    const SceneReport report = report_on(scene, lines, threads);
+    const std::vector<Finding> findings = lint(scene, report);
+    const std::string text =
+        line.has("json") ? report_json(scene, report, findings).document() : report_text(scene, report, findings);
+    std::fputs(text.c_str(), stdout);
+    const bool wrong =
+        std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.makes_wrong_result; });
+    return wrong ? 1 : 0;
+}
+
+} // namespace
+
+Command check_command()
+{
+    return {check_table(), run_check};
+}
+
+} // namespace multipath

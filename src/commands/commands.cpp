@@ -1,0 +1,11 @@
+#include "commands/commands.h"
+
+namespace multipath {
+
+std::vector<Command> commands()
+{
+    return {solve_command(),   check_command(),     study_command(),  paper_command(),
+            compare_command(), reproduce_command(), points_command(), explain_command()};
+}
+
+} // namespace multipath

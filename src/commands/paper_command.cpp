@@ -1,0 +1,151 @@
+#include "cli/output_file.h"
+#include "cli/provenance.h"
+#include "cli/version.h"
+#include "commands/commands.h"
+#include "commands/machine.h"
+#include "commands/paper_steps.h"
+#include "commands/scene_options.h"
+#include "scene/obj_reader.h"
+#include "scene/text_format.h"
+#include "study/paper_report.h"
+#include "study/study_reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace multipath {
+
+namespace {
+
+CommandTable paper_table()
+{
+    return {
+        "paper",
+        "every table and figure of the paper from the bundled scenes, as one report",
+        {},
+        {{"Output",
+          {{"output", 'o', "FOLDER", "paper",
+            "Where to write: index.html with everything in it, results.md, and the figures and tables by themselves. "
+            "Finished runs are kept in its folder 'cache', so that the command goes on where it was interrupted."},
+           {"quiet", 'q', "", "", "Print nothing on stderr but errors."}}},
+         {"Work",
+          {{"quick", 0, "", "", "Fewer lines and executions: less than two minutes instead of ten on two processors."},
+           {"scenes", 0, "FOLDER", "scenes", "Where the bundled scenes are."},
+           threads_option()}}},
+        "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
+}
+
+const Command& command_named(const std::vector<Command>& all, const std::string& name)
+{
+    return *std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.table.name == name; });
+}
+
+/// Runs one step as if it had been typed, with its files in the folder.
+void run_step(const PaperStep& step, const std::string& folder, const CommandLine& line)
+{
+    const std::vector<Command> all = commands();
+    const Command& command = command_named(all, step.words.front());
+    std::vector<std::string> words(step.words.begin() + 1, step.words.end());
+    for (const std::string& output : step.outputs)
+        words.insert(words.end(), {"--output", folder + "/" + output});
+    const auto add = [&](const char* option, const std::string& value) {
+        if (find_option(command.table, option) == nullptr)
+            return;
+        words.push_back("--" + std::string(option));
+        if (!value.empty())
+            words.push_back(value);
+    };
+    add("quiet", "");
+    add("cache", folder + "/cache");
+    if (line.has("threads"))
+        add("threads", line.text("threads"));
+    command.run(CommandLine(command.table, words));
+}
+
+void make_folder(const std::string& folder)
+{
+    struct stat status = {};
+    if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
+        throw OutputError("cannot make the folder " + folder + ": " + std::strerror(errno));
+    if (stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+        throw OutputError("cannot write into " + folder + ": it is not a folder");
+}
+
+SceneFindings scene_findings(const std::string& name, const std::string& path, int threads)
+{
+    SceneFile file = read_obj(path);
+    const double patch_size = default_patch_size(file.surfaces);
+    const Scene scene(std::move(file), patch_size);
+    return {name, scene.patch_count(), report_on(scene, std::uint64_t{1} << 18, threads)};
+}
+
+PaperFindings read_findings(const CommandLine& line, const std::string& folder, const std::vector<PaperStep>& steps)
+{
+    const std::string scenes = line.text("scenes");
+    const int threads = thread_count(line);
+    PaperFindings findings;
+    findings.quick = line.has("quick");
+    findings.five_cubes = scene_findings("5CUBES", scenes + "/5cubes.obj", threads);
+    findings.four_chairs = scene_findings("4CHAIRS, lit downwards", scenes + "/4chairs.obj", threads);
+    findings.four_chairs_up = scene_findings("4CHAIRS, lit upwards", scenes + "/4chairs-up.obj", threads);
+    for (const PaperStep& step : steps)
+        for (const std::string& output : step.outputs) {
+            findings.commands[output] = typed(step);
+            if (step.words.front() == "study" && output.substr(output.size() - 4) == ".csv")
+                findings.studies[output.substr(0, output.size() - 4)] = read_study(folder + "/" + output);
+        }
+    return findings;
+}
+
+std::vector<std::string> facts(const CommandLine& line, double seconds, bool resumed)
+{
+    return {"program: " + version(), "processor: {{" + processor_name() + "}}",
+            "threads: {{" + std::to_string(thread_count(line)) + "}}", "date: {{" + today() + "}}",
+            "time: {{" + format("%.0f s", seconds) + (resumed ? ", without the runs kept from before" : "") + "}}"};
+}
+
+void write_file(const std::string& path, const std::string& text)
+{
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+}
+
+int run_paper(const CommandLine& line)
+{
+    const std::string folder = line.text("output");
+    const bool quiet = line.has("quiet");
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<PaperStep> steps = paper_steps(line.has("quick"), line.text("scenes"), folder);
+    make_folder(folder);
+    const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (!quiet)
+            std::fprintf(stderr, "[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str());
+        run_step(steps[k], folder, line);
+    }
+    PaperFindings findings = read_findings(line, folder, steps);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    findings.facts = facts(line, elapsed.count(), resumed);
+    const Report report = paper_report(findings);
+    const std::vector<std::string> comments = provenance(paper_table(), line);
+    write_file(folder + "/results.md", report_markdown(report, "", comments));
+    write_file(folder + "/index.html", report_html(report, folder, comments));
+    if (!quiet)
+        std::fprintf(stderr, "wrote      %s/index.html\n", folder.c_str());
+    return 0;
+}
+
+} // namespace
+
+Command paper_command()
+{
+    return {paper_table(), run_paper};
+}
+
+} // namespace multipath

@@ -1,0 +1,117 @@
+#include "commands/picture_options.h"
+
+#include "cli/number_text.h"
+#include "cli/usage_error.h"
+#include "image/automatic_camera.h"
+
+namespace multipath {
+
+namespace {
+
+ToneOperator tone_operator(const std::string& name)
+{
+    if (name == "linear")
+        return ToneOperator::linear;
+    if (name == "reinhard")
+        return ToneOperator::reinhard;
+    return name == "percentile" ? ToneOperator::percentile : ToneOperator::aces;
+}
+
+Shown read_shown(const CommandLine& line)
+{
+    const std::string name = line.text("show");
+    if (name == "radiosity")
+        return Shown::radiosity;
+    for (const std::string option : {"shading", "exposure", "tone-map"})
+        if (line.has(option) && line.text(option) != "flat")
+            throw UsageError("--" + option + " has no effect with --show " + name +
+                             "; expected --show radiosity with it");
+    if (name == "irradiance")
+        return Shown::irradiance;
+    return name == "error" ? Shown::error : Shown::patches;
+}
+
+} // namespace
+
+OptionGroup picture_option_group()
+{
+    return {"Picture",
+            {{"show",
+              0,
+              "WHAT",
+              "radiosity",
+              "What pictures show: radiosity, the room as an eye would see it; in false colours with a legend, "
+              "irradiance or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
+              "patches, each in a colour of its own. A PFM holds the values.",
+              false,
+              {"radiosity", "irradiance", "error", "patches"}},
+             {"size", 0, "WxH", "800x600", "Width and height in pixels."},
+             {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
+             {"shading",
+              0,
+              "HOW",
+              "smooth",
+              "Interpolate between patches, or show each in one colour.",
+              false,
+              {"smooth", "flat"}},
+             {"eye", 0, "X,Y,Z", "", "Where the camera stands. Without it, chosen to show most of the room."},
+             {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
+             {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
+             {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
+             {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
+             {"tone-map",
+              0,
+              "HOW",
+              "reinhard",
+              "How radiosity becomes screen brightness.",
+              false,
+              {"linear", "reinhard", "aces", "percentile"}}}};
+}
+
+PictureOptions read_picture_options(const CommandLine& line, int threads)
+{
+    PictureOptions options;
+    options.shown = read_shown(line);
+    const PixelSize size = read_pixel_size("--size", line.text("size"));
+    options.render.width = size.width;
+    options.render.height = size.height;
+    options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
+    const bool smooth = options.shown == Shown::radiosity && line.text("shading") == "smooth";
+    options.render.shading = smooth ? Shading::smooth : Shading::flat;
+    options.render.threads = threads;
+    options.tone.tone = tone_operator(line.text("tone-map"));
+    options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);
+    options.up = read_vec3("--up", line.text("up"));
+    if (options.up == Vec3{})
+        throw UsageError("--up: expected a direction, got 0,0,0");
+    if (line.has("eye"))
+        options.eye = read_vec3("--eye", line.text("eye"));
+    if (line.has("target"))
+        options.target = read_vec3("--target", line.text("target"));
+    if (options.eye && options.target && *options.eye == *options.target)
+        throw UsageError("--target: the camera stands there (--eye); expected another point to look at");
+    if (options.eye && options.target && length(cross(*options.target - *options.eye, options.up)) == 0.0)
+        throw UsageError("--up: the camera looks along it; expected another direction");
+    if (line.has("fov"))
+        options.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
+    return options;
+}
+
+Camera camera_for(const Scene& scene, const PictureOptions& options)
+{
+    Camera camera;
+    if (options.eye) {
+        camera.eye = *options.eye;
+        camera.target = scene.bounds().centre();
+        camera.up = options.up;
+    } else {
+        camera = automatic_camera(scene, static_cast<double>(options.render.width) / options.render.height, options.up);
+    }
+    if (options.target)
+        camera.target = *options.target;
+    if (options.field_of_view)
+        camera.field_of_view = *options.field_of_view;
+    return camera;
+}
+
+} // namespace multipath

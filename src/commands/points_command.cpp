@@ -1,0 +1,266 @@
+#include "cli/number_text.h"
+#include "cli/planned_outputs.h"
+#include "cli/provenance.h"
+#include "cli/usage_error.h"
+#include "commands/commands.h"
+#include "export/discrepancy_table.h"
+#include "export/point_plots.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr int most_dimensions = 64;
+constexpr int most_dimensions_of_a_matrix = 8;                         // 28 plots
+constexpr std::uint64_t most_points_drawn = 65536;                     // more are a grey square of many megabytes
+constexpr std::uint64_t most_points_measured = std::uint64_t{1} << 14; // the work grows with the square: seconds
+
+CommandTable points_table()
+{
+    return {
+        "points",
+        "points of a sequence as a table or drawing, and how evenly they fill space",
+        {},
+        {{"Output",
+          {{"output", 'o', "FILE", "",
+            "Where to write; by extension .csv (one row per point, or per number of points with --discrepancy) or .svg "
+            "(scatter plots). '-', or nothing, is standard output: a CSV, an SVG with --figure.",
+            true}}},
+         {"Sequence",
+          {{"sequence", 's', "NAME", "sobol",
+            "random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, halton:2,7,3,5 (any "
+            "coprime "
+            "bases); kronecker, kronecker-shift; hammersley:N."},
+           {"dims", 'd', "D", "2", "Number of dimensions."},
+           {"count", 'n', "N", "1000", "Number of points."},
+           {"skip", 0, "K", "0", "Leave out the first points of the sequence."},
+           {"seed", 0, "N", "1", "Chooses among random sequences."}}},
+         {"Drawing",
+          {{"pairs", 0, "I,J", "",
+            "Draw dimension J against dimension I, counted from 0. Without it, every pair is drawn.", true},
+           {"order", 0, "", "",
+            "Draw arrows from each of the first points to the next, and every point's coordinates against those of the "
+            "next."}}},
+         {"Instead",
+          {{"discrepancy", 0, "", "",
+            "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
+            "is "
+            "computed in one and two dimensions."},
+           {"figure",
+            0,
+            "WHICH",
+            "",
+            "A figure of the paper: 1, random beside quasi-random points; 2, why a line should take one 4-D item.",
+            false,
+            {"1", "2"}}}}},
+        "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"
+        "  multipath points --sequence halton:2,3 --order -o order.svg\n"
+        "  multipath points --sequence sobol --count 2^12 --discrepancy\n"
+        "  multipath points --figure 2 -o figure2.svg\n"};
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason)
+{
+    throw UsageError(option + ": " + reason);
+}
+
+/// A range of a sequence's points.
+struct PointRange
+{
+    std::unique_ptr<Sequence> sequence;
+    std::uint64_t first;
+    std::uint64_t count;
+};
+
+PointRange read_range(const CommandLine& line)
+{
+    const std::uint64_t count = read_count("--count", line.text("count"), 1);
+    const std::uint64_t first = read_count("--skip", line.text("skip"));
+    const auto dimensions = static_cast<int>(read_count("--dims", line.text("dims"), 1, most_dimensions));
+    const std::uint64_t seed = read_count("--seed", line.text("seed"));
+    try {
+        PointRange range{make_sequence(line.text("sequence"), seed, dimensions), first, count};
+        const std::uint64_t limit = range.sequence->item_limit();
+        if (first >= limit || count > limit - first)
+            refuse("--count", range.sequence->name() + " in " + std::to_string(dimensions) + " dimensions ends after " +
+                                  std::to_string(limit) + " points");
+        return range;
+    } catch (const std::invalid_argument& error) {
+        refuse("--sequence", error.what());
+    }
+}
+
+PointSet all_points(const PointRange& range)
+{
+    return points_of(*range.sequence, range.first, range.count);
+}
+
+/// "sobol, points 0 to 999"
+std::string range_words(const PointRange& range)
+{
+    return range.sequence->name() + ", points " + std::to_string(range.first) + " to " +
+           std::to_string(range.first + (range.count - 1));
+}
+
+std::string comment_lines(const std::vector<std::string>& comments)
+{
+    std::string text;
+    for (const std::string& comment : comments)
+        text += "# " + comment + "\n";
+    return text;
+}
+
+/// One row per point, in pieces: the table may be larger than the memory.
+void write_points(OutputFile& file, const PointRange& range, const std::vector<std::string>& comments)
+{
+    std::string text = comment_lines(comments) + "n";
+    for (int d = 0; d < range.sequence->dimensions(); ++d)
+        text += ",x" + std::to_string(d);
+    text += "\n";
+    for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
+        text += std::to_string(n);
+        for (int d = 0; d < range.sequence->dimensions(); ++d)
+            text += format(",%.17g", range.sequence->coordinate(n, d));
+        text += "\n";
+        if (text.size() > 65536) {
+            file.write(text);
+            text.clear();
+        }
+    }
+    file.write(text);
+}
+
+DimensionPair read_pair(const std::string& text, int dimensions)
+{
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos)
+        refuse("--pairs", "expected two dimensions such as 0,1, got " + quoted_argument(text));
+    const auto read = [&](const std::string& part) {
+        return static_cast<int>(read_count("--pairs", part, 0, static_cast<std::uint64_t>(dimensions - 1)));
+    };
+    return {read(text.substr(0, comma)), read(text.substr(comma + 1))};
+}
+
+std::vector<DimensionPair> read_pairs(const CommandLine& line, int dimensions)
+{
+    if (dimensions < 2)
+        refuse("--dims", "a drawing needs two dimensions or more");
+    std::vector<DimensionPair> pairs;
+    for (const std::string& text : line.all("pairs"))
+        pairs.push_back(read_pair(text, dimensions));
+    if (pairs.empty() && dimensions > most_dimensions_of_a_matrix)
+        refuse("--dims", "every pair of more than " + std::to_string(most_dimensions_of_a_matrix) +
+                             " dimensions is too much for a drawing; choose some with --pairs");
+    return pairs.empty() ? all_pairs(dimensions) : pairs;
+}
+
+void require_drawable(std::uint64_t count)
+{
+    if (count > most_points_drawn)
+        refuse("--count", "a drawing holds at most " + std::to_string(most_points_drawn) + " points");
+}
+
+void require_absent(const CommandLine& line, const std::vector<std::string>& options, const std::string& reason)
+{
+    for (const std::string& option : options)
+        if (line.has(option))
+            refuse("--" + option, reason);
+}
+
+void finish(std::vector<PlannedOutput>& outputs)
+{
+    for (PlannedOutput& output : outputs)
+        output.file.commit();
+}
+
+std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<OutputFormat>& formats)
+{
+    return open_outputs(line.has("output") ? line.all("output") : std::vector<std::string>{"-"}, {}, formats);
+}
+
+int run_listing(const CommandLine& line)
+{
+    const PointRange range = read_range(line);
+    const std::vector<std::string> paths = line.all("output");
+    const std::vector<OutputFormat> formats = {OutputFormat::csv, OutputFormat::svg};
+    const bool draws = std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+        return output_format(path, formats) == OutputFormat::svg;
+    });
+    if (!draws)
+        require_absent(line, {"pairs", "order"}, "needs a drawing, such as -o points.svg");
+    const std::vector<DimensionPair> pairs =
+        draws ? read_pairs(line, range.sequence->dimensions()) : std::vector<DimensionPair>{};
+    if (draws)
+        require_drawable(range.count);
+    if (line.has("order") && range.count < 2)
+        refuse("--count", "the order of points shows with two of them or more");
+
+    std::vector<PlannedOutput> outputs = open(line, formats);
+    const auto draw = line.has("order") ? order_plots : scatter_plots;
+    for (PlannedOutput& output : outputs)
+        if (output.format == OutputFormat::svg)
+            output.file.write(draw(all_points(range), pairs, range_words(range), provenance(points_table(), line)));
+        else // made again without a drawing, which those options need
+            write_points(output.file, range, provenance(without_options(points_table(), {"pairs", "order"}), line));
+    finish(outputs);
+    return 0;
+}
+
+int run_figure(const CommandLine& line)
+{
+    const std::vector<std::string> fixed = {"sequence", "dims", "skip", "pairs", "order", "discrepancy"};
+    require_absent(line, fixed, "has no effect on a figure of the paper");
+    const std::uint64_t count = read_count("--count", line.text("count"), 1);
+    const std::uint64_t seed = read_count("--seed", line.text("seed"));
+    require_drawable(count);
+    std::vector<PlannedOutput> outputs = open(line, {OutputFormat::svg});
+    const auto figure = line.text("figure") == "1" ? paper_figure_1 : paper_figure_2;
+    const std::string drawing = figure(count, seed, provenance(without_options(points_table(), fixed), line));
+    for (PlannedOutput& output : outputs)
+        output.file.write(drawing);
+    finish(outputs);
+    return 0;
+}
+
+int run_discrepancy(const CommandLine& line)
+{
+    require_absent(line, {"pairs", "order"}, "has no effect on --discrepancy");
+    const PointRange range = read_range(line);
+    if (range.count > most_points_measured)
+        refuse("--count", "the discrepancy is computed for at most " + std::to_string(most_points_measured) +
+                              " points, since the work grows with the square");
+    const std::vector<std::string> paths = line.all("output");
+    std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {OutputFormat::csv});
+
+    const std::vector<DiscrepancyRow> rows = measure_discrepancy(*range.sequence, range.first, range.count);
+    const bool table_on_stdout = std::find(paths.begin(), paths.end(), "-") != paths.end();
+    if (!table_on_stdout)
+        std::printf("%s; dimensions: %d\n\n%s", range_words(range).c_str(), range.sequence->dimensions(),
+                    discrepancy_text(rows).c_str());
+    const std::vector<std::string> comments = provenance(points_table(), line);
+    for (PlannedOutput& output : outputs)
+        output.file.write(discrepancy_table(rows, comments));
+    finish(outputs);
+    return 0;
+}
+
+int run_points(const CommandLine& line)
+{
+    if (line.has("figure"))
+        return run_figure(line);
+    return line.has("discrepancy") ? run_discrepancy(line) : run_listing(line);
+}
+
+} // namespace
+
+Command points_command()
+{
+    return {points_table(), run_points};
+}
+
+} // namespace multipath

@@ -1,0 +1,176 @@
+#include "commands/recorded_command.h"
+
+#include "cli/shell_words.h"
+#include "image/png_chunks.h"
+#include "scene/input_error.h"
+#include "scene/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+using Facts = std::vector<std::string>;
+
+bool starts_with(std::string_view text, std::string_view start)
+{
+    return text.substr(0, start.size()) == start;
+}
+
+/// What is before the line's end; takes it off the text.
+std::string_view take_line(std::string_view& text)
+{
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.back() == '\r')
+        line.remove_suffix(1);
+    return line;
+}
+
+/// The inverse of the escapes that XML and HTML texts are written with.
+std::string unescaped(std::string_view text)
+{
+    constexpr std::array<std::pair<std::string_view, char>, 4> entities = {
+        {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}}};
+    std::string result;
+    while (!text.empty()) {
+        const auto entity =
+            std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return starts_with(text, e.first); });
+        const bool found = entity != entities.end();
+        result += found ? entity->second : text[0];
+        text.remove_prefix(found ? entity->first.size() : 1);
+    }
+    return result;
+}
+
+Facts facts_of_table(std::string_view text)
+{
+    Facts facts;
+    while (starts_with(text, "#")) {
+        const std::string_view line = take_line(text);
+        facts.emplace_back(line.substr(std::min<std::size_t>(starts_with(line, "# ") ? 2 : 1, line.size())));
+    }
+    return facts;
+}
+
+/// Pictures have all parts in one comment.
+Facts facts_of_comment(std::string_view comment)
+{
+    return split_outside_quotes(comment, "; ");
+}
+
+Facts facts_of_ppm(std::string_view bytes)
+{
+    take_line(bytes);
+    return starts_with(bytes, "# ") ? facts_of_comment(take_line(bytes).substr(2)) : Facts{};
+}
+
+Facts facts_of_png(std::string_view bytes)
+{
+    const std::string_view keyword("Comment\0", 8);
+    for (const PngChunk& chunk : png_chunks(bytes))
+        if (chunk.type == "tEXt" && starts_with(chunk.data, keyword))
+            return facts_of_comment(chunk.data.substr(keyword.size()));
+    return {};
+}
+
+Facts facts_of_drawing(std::string_view bytes)
+{
+    Facts facts;
+    for (std::string_view record = drawing_record(bytes); !record.empty();)
+        facts.push_back(unescaped(take_line(record)));
+    return facts;
+}
+
+Facts facts_of_report(std::string_view bytes)
+{
+    Facts facts;
+    std::string_view head = bytes.substr(0, bytes.find("</head>"));
+    for (;;) {
+        const std::size_t begin = head.find(report_record_begin);
+        if (begin == std::string_view::npos)
+            return facts;
+        head.remove_prefix(begin + report_record_begin.size());
+        facts.push_back(unescaped(head.substr(0, head.find(report_record_end))));
+    }
+}
+
+/// What the fact "name: value" says; the first one if there are several.
+std::optional<std::string> value_of(const Facts& facts, const std::string& name)
+{
+    for (const std::string& fact : facts)
+        if (starts_with(fact, name + ": "))
+            return fact.substr(name.size() + 2);
+    return std::nullopt;
+}
+
+RecordedFile kind_of(std::string_view bytes, const std::string& path)
+{
+    if (is_png(bytes))
+        return RecordedFile::png;
+    if (starts_with(bytes, "P6\n"))
+        return RecordedFile::ppm;
+    if (starts_with(bytes, "<svg "))
+        return RecordedFile::drawing;
+    if (starts_with(bytes, "<!DOCTYPE html>"))
+        return RecordedFile::report;
+    if (starts_with(bytes, "PF\n") || starts_with(bytes, "Pf\n"))
+        throw InputError(path + ": a PFM keeps no record of its command; expected a PNG, PPM or CSV of the same run");
+    return RecordedFile::table;
+}
+
+Facts facts_of(RecordedFile kind, std::string_view bytes)
+{
+    switch (kind) {
+    case RecordedFile::ppm:
+        return facts_of_ppm(bytes);
+    case RecordedFile::png:
+        return facts_of_png(bytes);
+    case RecordedFile::drawing:
+        return facts_of_drawing(bytes);
+    case RecordedFile::report:
+        return facts_of_report(bytes);
+    case RecordedFile::table:
+        break;
+    }
+    return facts_of_table(bytes);
+}
+
+} // namespace
+
+std::string_view drawing_record(std::string_view bytes)
+{
+    constexpr std::string_view tag = "<desc>";
+    const std::size_t begin = bytes.find(tag);
+    const std::size_t end = begin == std::string_view::npos ? begin : bytes.find("</desc>", begin);
+    return end == std::string_view::npos ? "" : bytes.substr(begin + tag.size(), end - begin - tag.size());
+}
+
+RecordedCommand read_recorded_command(const std::string& bytes, const std::string& path)
+{
+    const RecordedFile kind = kind_of(bytes, path);
+    const Facts facts = facts_of(kind, bytes);
+    const std::optional<std::string> command = value_of(facts, "command");
+    if (!command)
+        throw InputError(path + ": no record of a multipath command in it; expected a CSV, SVG, PNG, PPM or report "
+                                "(index.html) that multipath wrote");
+    const std::optional<std::vector<std::string>> words = split_shell_words(*command);
+    if (!words)
+        throw InputError(path + ": expected a command of plain and quoted words in its record, got " +
+                         in_quotes(*command));
+    if (words->size() < 2 || words->front() != "multipath")
+        throw InputError(path + ": expected a multipath command in its record, got " + in_quotes(*command));
+    const auto is_version = [](const std::string& fact) { return starts_with(fact, "multipath "); };
+    const auto version = std::find_if(facts.begin(), facts.end(), is_version);
+    return {kind,
+            version == facts.end() ? "" : *version,
+            {words->begin() + 1, words->end()},
+            value_of(facts, "seed"),
+            value_of(facts, "scene")};
+}
+
+} // namespace multipath

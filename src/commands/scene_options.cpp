@@ -1,0 +1,55 @@
+#include "commands/scene_options.h"
+
+#include "cli/number_text.h"
+#include "cli/usage_error.h"
+#include "scene/obj_reader.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace multipath {
+
+OptionGroup scene_option_group()
+{
+    return {
+        "Scene",
+        {{"patch-size", 'p', "SIZE", "",
+          "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
+         {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
+         {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
+         {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
+}
+
+Scene read_scene(const CommandLine& line)
+{
+    if (line.has("patch-size") && line.has("patches"))
+        throw UsageError("--patches and --patch-size exclude each other; expected one of them");
+    // Checked before the file is read, which may take a while.
+    const double given_size = line.has("patch-size") ? read_positive("--patch-size", line.text("patch-size")) : 0.0;
+    const std::uint64_t wanted =
+        line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
+
+    const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
+    SceneFile file = read_obj(line.operands()[0], emission);
+    double patch_size = given_size;
+    if (wanted > 0)
+        patch_size = patch_size_for_count(file.surfaces, wanted);
+    else if (!line.has("patch-size"))
+        patch_size = default_patch_size(file.surfaces);
+    return Scene(std::move(file), patch_size, line.has("two-sided"));
+}
+
+Option threads_option()
+{
+    return {"threads", 't', "N", "", "Threads to use; the result does not depend on it. Without it, all processors."};
+}
+
+int thread_count(const CommandLine& line)
+{
+    if (line.has("threads"))
+        return static_cast<int>(read_count("--threads", line.text("threads"), 1, 1024));
+    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+} // namespace multipath

@@ -1,0 +1,230 @@
+#include "cli/planned_outputs.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/usage_error.h"
+#include "commands/accuracy.h"
+#include "commands/commands.h"
+#include "commands/method_options.h"
+#include "commands/picture_options.h"
+#include "commands/scene_options.h"
+#include "commands/solve_summary.h"
+#include "export/patch_table.h"
+#include "image/false_colour.h"
+#include "image/pfm.h"
+#include "image/picture.h"
+#include "image/png.h"
+#include "image/ppm.h"
+#include "image/quantity.h"
+#include "radiosity/solve.h"
+#include "sampling/sequence.h"
+#include "scene/input_error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+CommandTable solve_table()
+{
+    return {"solve",
+            "radiosity of every patch of a scene, as pictures and tables",
+            {{"SCENE.obj"}},
+            {{"Output",
+              {{"output", 'o', "FILE", "",
+                "Where to write; by extension .ppm, .png, .pfm (pictures) or .csv (one row per patch). '-' writes a "
+                "PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
+                true},
+               {"json", 0, "", "", "Print a machine-readable summary on standard output."},
+               {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
+               {"verbose", 'v', "", "", "Also show where the power is after every stage."},
+               {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
+             method_option_group(
+                 {"lines", 'n', "N", "2^20",
+                  "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
+                 true),
+             accuracy_option_group(),
+             scene_option_group(),
+             picture_option_group()},
+            "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
+            "\n"
+            "  multipath solve room.obj\n"
+            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
+}
+
+/// SCENE.ppm and SCENE.png in the working directory.
+std::vector<std::string> default_outputs(const std::string& scene_path)
+{
+    std::string name = scene_path.substr(scene_path.find_last_of('/') + 1);
+    const std::size_t dot = name.find_last_of('.');
+    if (dot != std::string::npos && dot > 0)
+        name.resize(dot);
+    return {name + ".ppm", name + ".png"};
+}
+
+void print_what_was_read(const SceneFile& file)
+{
+    for (const std::string& warning : file.warnings)
+        std::fprintf(stderr, "%s\n", warning.c_str());
+    std::fprintf(stderr, "%s: %s\n", file.path.c_str(), file.counts.c_str());
+}
+
+void warn_of_line_count(const SolveOptions& options)
+{
+    const bool power_of_two = (options.lines & (options.lines - 1)) == 0;
+    if (prefers_powers_of_two(options.sequence) && !power_of_two)
+        std::fprintf(
+            stderr, "note: Sobol's points are spread best when their number is a power of two, such as --lines 2^20\n");
+}
+
+bool is_picture(const PlannedOutput& output)
+{
+    return output.format != OutputFormat::csv;
+}
+
+Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown)
+{
+    switch (shown) {
+    case Shown::irradiance:
+        return {"irradiance [W/m\xB2]", irradiance(scene, solution.radiosity)};
+    case Shown::error:
+        return {"standard error of the radiosity [W/m\xB2]", solution.standard_error};
+    case Shown::patches:
+        return {"patches", patch_colours(scene.patch_count())};
+    case Shown::radiosity:
+        break;
+    }
+    return {"radiosity [W/m\xB2]", solution.radiosity};
+}
+
+ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const Camera& camera,
+                           const PictureOptions& options)
+{
+    if (options.shown == Shown::radiosity)
+        return picture(scene, quantity.values, camera, options.render, options.tone);
+    if (options.shown == Shown::patches)
+        return flat_picture(scene, quantity.values, camera, options.render);
+    return false_colour(scene, quantity, camera, options.render);
+}
+
+void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
+                   const PictureOptions& picture_options, const std::vector<std::string>& comments)
+{
+    std::string comment;
+    for (const std::string& part : comments)
+        comment += (comment.empty() ? "" : "; ") + part;
+
+    const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
+    const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
+    const Quantity quantity = pictures ? shown_quantity(scene, solution, picture_options.shown) : Quantity{};
+    ScreenImage screen;
+    for (PlannedOutput& output : outputs) {
+        const bool shows_screen = output.format == OutputFormat::ppm || output.format == OutputFormat::png;
+        if (shows_screen && screen.bytes.empty())
+            screen = screen_picture(scene, quantity, camera, picture_options);
+        if (output.format == OutputFormat::ppm)
+            output.file.write(ppm_bytes(screen, comment));
+        else if (output.format == OutputFormat::png)
+            output.file.write(png_bytes(screen, comment));
+        else if (output.format == OutputFormat::pfm)
+            output.file.write(pfm_bytes(render(scene, quantity.values, camera, picture_options.render)));
+        else
+            output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
+    }
+    for (PlannedOutput& output : outputs)
+        output.file.commit();
+}
+
+/// A material file is an input too, known only after reading.
+void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file)
+{
+    for (const PlannedOutput& output : outputs)
+        for (const Material& material : file.materials)
+            if (same_file(output.file.name(), material.source.substr(0, material.source.rfind(':'))))
+                throw UsageError("--output: '" + output.file.name() + "' is an input; expected another file");
+}
+
+/// A black picture is no result.
+void require_light(const Scene& scene, const Solution& solution)
+{
+    if (!(mean(solution.balance.absorbed) > 0.0))
+        throw InputError(
+            scene.path() +
+            ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
+}
+
+void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
+{
+    if (pictures.shown == Shown::error && accuracy.replicates < 2)
+        throw UsageError("--show: a single run does not tell its error; expected --replicates, such as 4, or "
+                         "--tolerance with --show error");
+}
+
+void require_one_on_standard_output(const CommandLine& line)
+{
+    const std::vector<std::string> outputs = line.all("output");
+    if (line.has("json") && std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
+        throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
+}
+
+int run_solve(const CommandLine& line)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto seconds_since = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const Clock::time_point start = Clock::now();
+    const bool quiet = line.has("quiet");
+    require_options_with_effect(line);
+    require_one_on_standard_output(line);
+    const SolveOptions options = read_solve_options(line, "lines");
+    const Accuracy accuracy = read_accuracy(line);
+    const PictureOptions picture_options = read_picture_options(line, options.threads);
+    require_error_to_show(picture_options, accuracy);
+    const std::string sequence =
+        accuracy.replicates > 1 ? randomised_name(checked_sequence_name(options)) : checked_sequence_name(options);
+    const std::string scene_path = line.operands()[0];
+    std::vector<PlannedOutput> outputs =
+        open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
+
+    const Scene scene = read_scene(line);
+    require_outputs_beside(outputs, scene.file());
+    if (!quiet) {
+        print_what_was_read(scene.file());
+        warn_of_line_count(options);
+    }
+    const Clock::time_point solve_start = Clock::now();
+    Solution solution;
+    {
+        Progress progress("solving", progress_style(line));
+        solution = solve_accurately(scene, options, accuracy, [&](double done) { progress.show(done); });
+    }
+    const double seconds_trace = seconds_since(solve_start);
+    require_light(scene, solution);
+    write_outputs(outputs, scene, solution, picture_options, provenance(solve_table(), line, scene));
+
+    const SolveSummary summary{scene,        options, solution, line.text("method"), sequence, seconds_since(start),
+                               seconds_trace};
+    if (line.has("json"))
+        std::fputs(summary_json(summary).document().c_str(), stdout);
+    if (!quiet) {
+        std::fputs(summary_text(summary).c_str(), stderr);
+        if (line.has("verbose"))
+            std::fputs(stages_text(solution).c_str(), stderr);
+        for (const PlannedOutput& output : outputs)
+            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
+    }
+    return 0;
+}
+
+} // namespace
+
+Command solve_command()
+{
+    return {solve_table(), run_solve};
+}
+
+} // namespace multipath

@@ -1,0 +1,67 @@
+#include "commands/commands.h"
+
+#include "cli/help_text.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+using namespace multipath;
+
+namespace {
+
+/// Every option of every command, with the command's name.
+template <class Check>
+void for_each_option(Check check)
+{
+    for (const Command& command : commands())
+        for (const OptionGroup& group : command.table.groups)
+            for (const Option& option : group.options) {
+                INFO(std::string(command.table.name), " --", std::string(option.name));
+                check(command.table, option);
+            }
+}
+
+} // namespace
+
+TEST_CASE("no command has two options of one name, and the help's own names are free")
+{
+    for (const Command& command : commands()) {
+        std::set<std::string> names = {"--help", "-h"};
+        for (const OptionGroup& group : command.table.groups)
+            for (const Option& option : group.options) {
+                CHECK_MESSAGE(names.insert("--" + std::string(option.name)).second, std::string(option.name));
+                if (option.short_name != 0)
+                    CHECK_MESSAGE(names.insert(std::string("-") + option.short_name).second, std::string(option.name));
+            }
+    }
+}
+
+TEST_CASE("every default is one of its option's choices, and only options with a value have either")
+{
+    for_each_option([](const CommandTable&, const Option& option) {
+        CHECK((!option.argument.empty() || (option.default_text.empty() && option.choices.empty())));
+        const bool chosen = std::count(option.choices.begin(), option.choices.end(), option.default_text) == 1;
+        CHECK((option.choices.empty() || option.default_text.empty() || chosen));
+    });
+}
+
+TEST_CASE("every option is explained in its command's help")
+{
+    for_each_option([](const CommandTable& table, const Option& option) {
+        CHECK_FALSE(option.help.empty());
+        const std::string left = " --" + std::string(option.name) + (option.argument.empty() ? "" : " ");
+        CHECK(help_text(table).find(left + std::string(option.argument)) != std::string::npos);
+    });
+}
+
+TEST_CASE("only the last operand of a command may be repeated")
+{
+    for (const Command& command : commands()) {
+        const std::vector<Operand>& operands = command.table.operands;
+        for (std::size_t i = 0; i + 1 < operands.size(); ++i)
+            CHECK_FALSE(operands[i].repeatable);
+    }
+}
