@@ -8,7 +8,8 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
     -exec awk -v src="$src" '
     BEGIN {
         below["geometry"] = below["parallel"] = ""
-        below["sampling"] = below["scene"] = " geometry "
+        below["sampling"] = " geometry parallel "
+        below["scene"] = " geometry "
         below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
         below["radiosity"] = below["transport"] "transport "
         below["study"] = below["radiosity"] "image export radiosity "

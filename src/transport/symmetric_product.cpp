@@ -6,8 +6,6 @@
 
 #include "parallel/ordered_blocks.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -16,26 +14,6 @@ namespace multipath {
 namespace {
 
 constexpr std::uint32_t bands = 32;
-constexpr std::uint32_t lanes = 4; // independent sums, so that several can be made at once
-
-/// Adds row[j] * factor to y[j] and returns the sum of row[j] * x[j], for j < count.
-double add_row(const float* row, std::uint32_t count, const double* x, double factor, double* y)
-{
-    std::array<double, lanes> sums = {};
-    std::uint32_t j = 0;
-    for (; j + lanes <= count; j += lanes)
-        for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-            const auto value = static_cast<double>(row[j + lane]);
-            sums[lane] += value * x[j + lane];
-            y[j + lane] += value * factor;
-        }
-    for (; j < count; ++j) {
-        const auto value = static_cast<double>(row[j]);
-        sums[0] += value * x[j];
-        y[j] += value * factor;
-    }
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
 
 /// The first row of a band: the triangle above it holds the share band / bands of all elements.
 std::uint32_t first_row(std::uint32_t n, std::uint32_t band)
@@ -43,10 +21,27 @@ std::uint32_t first_row(std::uint32_t n, std::uint32_t band)
     return static_cast<std::uint32_t>(std::lround(n * std::sqrt(static_cast<double>(band) / bands)));
 }
 
+/// Three vectors at a time where there are so many: a row is then read once for all of them.
+void multiply(const RowKernel& kernel, const float* row, std::uint32_t count, std::vector<RowProduct>& products)
+{
+    std::size_t k = 0;
+    for (; k + 3 <= products.size(); k += 3)
+        kernel.multiply_three(row, count, &products[k]);
+    for (; k < products.size(); ++k)
+        kernel.multiply_one(row, count, &products[k]);
+}
+
 } // namespace
 
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads)
+{
+    return symmetric_product(matrix, vectors, threads, *available_row_kernels().front());
+}
+
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads,
+                                                   const RowKernel& kernel)
 {
     const std::uint32_t n = matrix.size();
     const std::size_t count = vectors.size();
@@ -56,14 +51,15 @@ std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matr
         const std::uint32_t end = first_row(n, band + 1);
         for (std::size_t k = 0; k < count; ++k)
             parts[band * count + k].resize(end);
-        for (std::uint32_t i = first_row(n, band); i < end; ++i)
-            for (std::size_t k = 0; k < count; ++k) {
-                const double* x = vectors[k].data();
-                double* y = parts[band * count + k].data();
-                const float* row = matrix.row(i);
-                const double below_diagonal = add_row(row, i, x, x[i], y);
-                y[i] += below_diagonal + static_cast<double>(row[i]) * x[i];
-            }
+        std::vector<RowProduct> row_products(count);
+        for (std::uint32_t i = first_row(n, band); i < end; ++i) {
+            const float* row = matrix.row(i);
+            for (std::size_t k = 0; k < count; ++k)
+                row_products[k] = {vectors[k].data(), vectors[k][i], parts[band * count + k].data(), 0.0};
+            multiply(kernel, row, i, row_products); // below the diagonal
+            for (const RowProduct& product : row_products)
+                product.y[i] += product.sum + static_cast<double>(row[i]) * product.factor;
+        }
     });
     std::vector<std::vector<double>> products(count, std::vector<double>(n));
     for (std::uint32_t band = 0; band < bands; ++band)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "transport/pair_matrix.h"
+#include "transport/row_kernel.h"
 
 #include <vector>
 
@@ -10,5 +11,10 @@ namespace multipath {
 /// order: the same bits for any number of threads.
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads);
+
+/// The same by a kernel of one's choice: also the same bits.
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads,
+                                                   const RowKernel& kernel);
 
 } // namespace multipath

@@ -76,6 +76,21 @@ TEST_CASE("every number of threads gives the same bits of a product, and several
     CHECK(symmetric_product(matrix, {vectors[1]}, 2)[0] == products[1]);
 }
 
+TEST_CASE("every instruction set gives the same bits of a product")
+{
+    for (const std::uint32_t n : {1u, 7u, 8u, 9u, 300u}) {
+        const PairMatrix<float> matrix = some_matrix(n);
+        for (const std::size_t count : {1u, 3u, 4u}) {
+            const Vectors vectors = some_vectors(count, n);
+            const Vectors products = symmetric_product(matrix, vectors, 1);
+            for (const RowKernel* kernel : available_row_kernels()) {
+                CAPTURE(kernel->name);
+                CHECK(symmetric_product(matrix, vectors, 1, *kernel) == products);
+            }
+        }
+    }
+}
+
 TEST_CASE("no vectors have no products, and no rows an empty one")
 {
     CHECK(symmetric_product(some_matrix(5), {}, 2).empty());

@@ -1,0 +1,42 @@
+// A row of a symmetric matrix times some vectors. Included once by the file of each instruction set, after its
+// DoubleLanes; double_lanes_plain.h tells what the functions of lanes do.
+
+namespace multipath {
+namespace {
+
+constexpr std::uint32_t sum_count = 8; // whatever the lanes, so that all instruction sets add in the same order
+
+template <int vectors>
+KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct* products)
+{
+    constexpr std::uint32_t width = DoubleLanes::width;
+    DoubleLanes sums[vectors][sum_count / width];
+    for (int k = 0; k < vectors; ++k)
+        for (std::uint32_t s = 0; s < sum_count / width; ++s)
+            sums[k][s] = DoubleLanes::all(0.0);
+    std::uint32_t j = 0;
+    for (; j + sum_count <= count; j += sum_count)
+        for (std::uint32_t s = 0; s < sum_count / width; ++s) {
+            const std::uint32_t at = j + s * width;
+            const DoubleLanes value = DoubleLanes::load_floats(row + at);
+            for (int k = 0; k < vectors; ++k) {
+                sums[k][s] = sums[k][s] + value * DoubleLanes::load(products[k].x + at);
+                (DoubleLanes::load(products[k].y + at) + value * DoubleLanes::all(products[k].factor))
+                    .store(products[k].y + at);
+            }
+        }
+    for (int k = 0; k < vectors; ++k) {
+        double parts[sum_count];
+        for (std::uint32_t s = 0; s < sum_count / width; ++s)
+            sums[k][s].store(parts + s * width);
+        for (std::uint32_t rest = j; rest < count; ++rest) {
+            const double value = row[rest];
+            parts[0] += value * products[k].x[rest];
+            products[k].y[rest] += value * products[k].factor;
+        }
+        products[k].sum = ((parts[0] + parts[1]) + (parts[2] + parts[3])) + ((parts[4] + parts[5]) + (parts[6] + parts[7]));
+    }
+}
+
+} // namespace
+} // namespace multipath
