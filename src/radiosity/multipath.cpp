@@ -4,7 +4,16 @@
 #include "radiosity/power_walk.h"
 #include "transport/line_block.h"
 
+#include <algorithm>
+
 namespace multipath {
+
+namespace {
+
+constexpr std::size_t segments_ahead =
+    24; // to be fetched from the memory, where the patches are too many for the cache
+
+} // namespace
 
 void cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, const GlobalPass& pass,
                        int threads, PowerState& state, const LineCounter& count_lines)
@@ -20,8 +29,11 @@ void cast_global_lines(const Scene& scene, const GlobalLines& lines, const Seque
     const auto exchange_in_order = [&](std::uint64_t, int slot) {
         const SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
         WalkTally tally; // sums of one block stay small, which keeps the rounding errors of the balance small
-        for (const Segment& segment : block.segments)
-            walk.follow(segment, tally);
+        const std::size_t count = block.segments.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            walk.fetch(block.segments[std::min(k + segments_ahead, count - 1)]);
+            walk.follow(block.segments[k], tally);
+        }
         total += tally;
         count_lines(block.lines.lines());
     };

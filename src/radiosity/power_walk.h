@@ -8,6 +8,7 @@
 // sent last, which it then no longer holds (M1), and an equal share of what was unshot when the pass began, the
 // forecast (G3). No cosine and no 1/r^2 appear anywhere: the density of the lines contains both (G1).
 
+#include "parallel/prefetch.h"
 #include "radiosity/power_state.h"
 #include "transport/intersection_list.h"
 
@@ -58,12 +59,27 @@ public:
 
     void follow(const Segment& segment, WalkTally& tally);
 
+    /// Has the memory bring what follow() will need of this segment, while others are followed.
+    void fetch(const Segment& segment) const
+    {
+        fetch(segment.from);
+        fetch(segment.to);
+    }
+
     const WalkingPower& at(std::uint32_t patch) const { return patches_[patch]; }
 
     /// Adds what the pass distributed; what the patches hold is what is left unshot.
     void finish(const WalkTally& total, PowerState& state) const;
 
 private:
+    void fetch(std::uint32_t end) const
+    {
+        if (!Segment::is_patch(end))
+            return;
+        const char* first = reinterpret_cast<const char*>(&patches_[end]);
+        prefetch(first);
+        prefetch(first + sizeof(WalkingPower) - 1); // an entry lies in two cache lines, or in three of small ones
+    }
     void exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const;
     void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
 
