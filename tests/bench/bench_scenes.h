@@ -1,0 +1,25 @@
+#pragma once
+
+#include "geometry/surface.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// A room of 6 walls with a lamp below the ceiling and so many boxes of 6 sides in it, standing or hanging, turned by
+/// different angles: 7 + 6 * boxes rectangles, the lamp first.
+std::vector<Surface> room_with_boxes(int boxes);
+
+/// Triangles of about this size scattered through the unit cube.
+std::vector<Surface> triangle_soup(std::size_t count, double size);
+
+/// The same surfaces, each cut into n x n cells of two triangles.
+std::vector<Surface> as_triangles(const std::vector<Surface>& surfaces, int n);
+
+/// A scene of these surfaces, grey, whose first one emits, cut into about so many patches.
+Scene scene_of(const std::vector<Surface>& surfaces, std::uint64_t patches);
+
+} // namespace multipath
