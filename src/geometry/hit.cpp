@@ -8,44 +8,50 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace multipath {
 
 namespace {
 
-std::size_t end_of_group(const std::vector<Hit>& hits, std::size_t first)
+std::size_t end_of_group(const Hit* hits, std::size_t count, std::size_t first)
 {
     std::size_t last = first + 1;
-    while (last < hits.size() && hits[last].t == hits[first].t)
+    while (last < count && hits[last].t == hits[first].t)
         ++last;
     return last;
 }
 
-bool first_is_arrival(const std::vector<Hit>& hits, bool starts_in_solid)
+bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
 {
-    for (std::size_t first = 0; first < hits.size(); first = end_of_group(hits, first)) {
+    for (std::size_t first = 0; first < count;) {
+        const std::size_t last = end_of_group(hits, count, first);
         std::ptrdiff_t arrivals_too_many = 0;
-        for (std::size_t i = first; i < end_of_group(hits, first); ++i)
-            arrivals_too_many += hits[i].front ? 1 : -1;
+        for (; first < last; ++first)
+            arrivals_too_many += hits[first].front ? 1 : -1;
         if (arrivals_too_many != 0)
             return arrivals_too_many > 0;
     }
     return !starts_in_solid;
 }
 
-/// Orders hits[first .. last), all of one t.
-void order_group(std::vector<Hit>& hits, std::size_t first, std::size_t last, bool arrival_expected)
+/// Orders the hits first ... last, all of one t.
+void order_group(Hit* first, Hit* last, bool arrival_expected)
 {
-    const auto at = [&](std::size_t i) { return hits.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (last - first == 2) { // nearly always; nothing but a swap
+        if (first->front == last[-1].front ? !first->front : first->front != arrival_expected)
+            std::swap(*first, last[-1]);
+        return;
+    }
     std::vector<Hit> arrivals;
     std::vector<Hit> departures;
-    for (std::size_t i = first; i < last; ++i)
-        (hits[i].front ? arrivals : departures).push_back(hits[i]);
+    for (const Hit* hit = first; hit != last; ++hit)
+        (hit->front ? arrivals : departures).push_back(*hit);
     std::reverse(departures.begin(), departures.end());
 
     auto arrival = arrivals.begin();
     auto departure = departures.begin();
-    for (auto place = at(first); place != at(last); ++place) {
+    for (Hit* place = first; place != last; ++place) {
         const bool take_arrival = departure == departures.end() || (arrival_expected && arrival != arrivals.end());
         *place = take_arrival ? *arrival++ : *departure++;
         arrival_expected = !take_arrival;
@@ -54,13 +60,13 @@ void order_group(std::vector<Hit>& hits, std::size_t first, std::size_t last, bo
 
 } // namespace
 
-void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)
+void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
 {
-    for (std::size_t first = 0; first + 1 < hits.size();) {
-        const std::size_t last = end_of_group(hits, first);
+    for (std::size_t first = 0; first + 1 < count;) {
+        const std::size_t last = end_of_group(hits, count, first);
         if (last - first > 1)
-            order_group(hits, first, last,
-                        first > 0 ? !hits[first - 1].front : first_is_arrival(hits, starts_in_solid));
+            order_group(hits + first, hits + last,
+                        first > 0 ? !hits[first - 1].front : first_is_arrival(hits, count, starts_in_solid));
         first = last;
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct Hit
 /// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene. Of several
 /// arrivals the first in the list is met first, of several departures the last one, so that a line and its reverse see
 /// the same. `starts_in_solid`: what the beginning of the line is taken for when nothing along it tells.
-void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid);
+void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
+
+inline void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)
+{
+    order_coincident_hits(hits.data(), hits.size(), starts_in_solid);
+}
 
 } // namespace multipath

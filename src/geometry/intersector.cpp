@@ -1,126 +1,215 @@
-// Few surfaces are all tested, in a loop that the compiler vectorises; many are found through a hierarchy. Both end in
-// SurfaceTable::hit, so they agree to the last bit.
+// Lines are filtered in single precision, 16 surfaces at a time, and the few surfaces left are decided in double
+// precision by SurfaceTable, so that the results are those of deciding all surfaces, to the last bit. Few surfaces are
+// all filtered; many are found through a hierarchy, whose leaves are filtered.
 
 #include "geometry/intersector.h"
 
+#include "geometry/block_filling.h"
+#include "geometry/surface_order.h"
+
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 namespace multipath {
 
 namespace {
 
-constexpr std::size_t few_surfaces = 96; // where testing all of them stops being faster than the hierarchy
+constexpr std::size_t few_surfaces = 96; // where filtering all of them stops being faster than the hierarchy
+constexpr std::size_t flat_words = (few_surfaces + 63) / 64;
 constexpr std::uint32_t no_plane = 0xffffffffu;
-
-/// Hits are computed on shared planes: a surface may be met a little beside where its corners say.
-Bounds with_play(const Bounds& box, double play)
-{
-    const Vec3 margin = {play, play, play};
-    return {box.low - margin, box.high + margin};
-}
-
-Bounds box_of(const std::vector<Surface>& surfaces)
-{
-    Bounds box;
-    for (const Surface& surface : surfaces)
-        box.include(surface.bounds());
-    return widened(with_play(box, 2.0 * coplanar_distance * box.diagonal()));
-}
-
-std::vector<Bounds> boxes_of(const std::vector<Surface>& surfaces, double play)
-{
-    std::vector<Bounds> boxes;
-    boxes.reserve(surfaces.size());
-    for (const Surface& surface : surfaces)
-        boxes.push_back(with_play(surface.bounds(), play));
-    return boxes;
-}
-
-/// Smallest first; of equal ones the later.
-std::vector<std::uint32_t> size_ranks(const std::vector<Surface>& surfaces)
-{
-    std::vector<double> areas;
-    areas.reserve(surfaces.size());
-    for (const Surface& surface : surfaces)
-        areas.push_back(surface.area());
-    std::vector<std::uint32_t> order(surfaces.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return areas[a] < areas[b] || (areas[a] == areas[b] && a > b); });
-    std::vector<std::uint32_t> rank(surfaces.size());
-    for (std::uint32_t place = 0; place < order.size(); ++place)
-        rank[order[place]] = place;
-    return rank;
-}
-
-/// The volume that the fronts of the surfaces bound from outside, negative for a room seen from inside (divergence
-/// theorem). A room without one wall still counts as a room.
-bool encloses(const std::vector<Surface>& surfaces, const Bounds& box)
-{
-    double volume = 0.0;
-    for (const Surface& surface : surfaces)
-        volume += surface.area() * dot(surface.normal(), surface.centre() - box.centre()) / 3.0;
-    const double size = box.diagonal();
-    return volume < -1e-9 * size * size * size;
-}
-
-bool may_meet(const Bounds& box, const Line& line)
-{
-    const Vec3 inverse = {1.0 / line.direction.x, 1.0 / line.direction.y, 1.0 / line.direction.z};
-    const Slab slab = clip_to_box(box, line.origin, inverse, line.t_max);
-    return slab.entry <= slab.exit;
-}
 
 } // namespace
 
-Intersector::Intersector(const std::vector<Surface>& surfaces) : Intersector(surfaces, share_planes(surfaces)) {}
-
-Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes)
-    : table_(surfaces, planes),
-      box_(box_of(surfaces)),
-      bvh_(surfaces.size() > few_surfaces ? Bvh(boxes_of(surfaces, 2.0 * coplanar_distance * box_.diagonal())) : Bvh()),
-      outside_is_solid_(encloses(surfaces, box_)),
-      plane_(planes.plane_number),
-      size_rank_(size_ranks(surfaces)),
-      plane_is_shared_(planes.is_shared)
+Intersector::Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel)
+    : Intersector(surfaces, share_planes(surfaces), kernel)
 {
+}
+
+Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes, const FilterKernel& kernel)
+    : kernel_(&kernel),
+      table_(surfaces, planes),
+      frame_(box_around(surfaces)),
+      outside_is_solid_(form_a_room(surfaces)),
+      plane_(planes.plane_number),
+      size_rank_(size_ranks(surfaces))
+{
+    const std::vector<Bounds> boxes = boxes_around_each(surfaces);
+    neighbours_ = PlaneNeighbours(boxes, plane_);
+    std::vector<std::uint32_t> filtered;
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+        (can_be_filtered(table_.row(s), surfaces[s], frame_) ? filtered : unfiltered_).push_back(s);
+    if (filtered.size() > few_surfaces) {
+        tree_ = WideTree(boxes, filtered, frame_);
+        lane_number_ = tree_.things();
+    } else {
+        lane_number_ = filtered;
+    }
+    fill_blocks();
+}
+
+void Intersector::fill_blocks()
+{
+    const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
+    const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::size_t together = tree_.empty() ? lane_number_.size() : SurfaceBlock::lanes;
+    for (std::size_t first = 0; first < lane_number_.size(); first += together)
+        std::stable_partition(place(first), place(first + together), is_triangle);
+    blocks_.assign((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes, empty_block());
+    for (std::size_t i = 0; i < lane_number_.size(); ++i)
+        if (lane_number_[i] != WideTree::nothing)
+            fill_lane(blocks_[i / SurfaceBlock::lanes], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
+}
+
+/// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.
+template <class Visit>
+void Intersector::for_each_candidate(const Line& line, const Visit& visit) const
+{
+    FilterLine placed;
+    const LineCourse course = frame_.place(line, placed);
+    if (course == LineCourse::unfit) {
+        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
+            visit(surface);
+        return;
+    }
+    for (const std::uint32_t surface : unfiltered_)
+        visit(surface);
+    if (course == LineCourse::misses) // as a third of the chords of the scene's sphere do
+        return;
+    if (!tree_.empty()) {
+        struct Context
+        {
+            const std::uint32_t* number;
+            const Visit& visit;
+        } context{lane_number_.data(), visit};
+        const auto visit_blocks = [](void* pointer, const BlockLanes* found, unsigned count) {
+            const Context& in = *static_cast<const Context*>(pointer);
+            for (unsigned i = 0; i < count; ++i)
+                for (unsigned lanes = found[i].lanes; lanes != 0; lanes &= lanes - 1)
+                    in.visit(
+                        in.number[SurfaceBlock::lanes * found[i].block + static_cast<unsigned>(__builtin_ctz(lanes))]);
+        };
+        kernel_->visit_all(tree_.nodes(), blocks_.data(), placed, visit_blocks, &context);
+        return;
+    }
+    std::array<std::uint64_t, flat_words> masks{};
+    kernel_->filter_line(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), placed, masks.data());
+    for (std::size_t word = 0; word < flat_words; ++word)
+        for (std::uint64_t mask = masks[word]; mask != 0; mask &= mask - 1)
+            visit(lane_number_[64 * word + static_cast<unsigned>(__builtin_ctzll(mask))]);
 }
 
 void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
 {
     hits.clear();
-    const auto collect = [&](std::uint32_t surface) {
-        if (const std::optional<Hit> hit = table_.hit(line, surface))
-            hits.push_back(*hit);
-    };
-    if (!bvh_.empty())
-        bvh_.for_each_met(
-            line, [&] { return line.t_max; }, collect);
-    else if (may_meet(box_, line)) // a third of the chords of the scene's sphere pass its box
-        table_.for_each_candidate(line, collect);
-    sort_along_line(hits);
-    order_coincident_hits(hits, outside_is_solid_);
-}
-
-bool Intersector::comes_before(const Hit& a, const Hit& b) const
-{
-    return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
+    for_each_candidate(line, [&](std::uint32_t surface) {
+        Hit hit;
+        if (table_.decide(line, surface, hit))
+            hits.push_back(hit);
+    });
+    put_in_order(hits.data(), hits.size());
 }
 
 /// Insertion sort: a line meets a handful of surfaces.
-void Intersector::sort_along_line(std::vector<Hit>& hits) const
+void Intersector::put_in_order(Hit* hits, std::size_t count) const
 {
-    if (hits.size() > 64) {
-        std::sort(hits.begin(), hits.end(), [this](const Hit& a, const Hit& b) { return comes_before(a, b); });
-        return;
+    bool coincide = false;
+    if (count > 64) {
+        std::sort(hits, hits + count, [this](const Hit& a, const Hit& b) { return comes_before(a, b); });
+        coincide = true;
     }
-    for (std::size_t i = 1; i < hits.size(); ++i) {
+    for (std::size_t i = 1; count <= 64 && i < count; ++i) {
         const Hit moving = hits[i];
         std::size_t place = i;
         for (; place > 0 && comes_before(moving, hits[place - 1]); --place)
             hits[place] = hits[place - 1];
         hits[place] = moving;
+        coincide |= place > 0 && hits[place - 1].t == moving.t;
+        coincide |= place < i && hits[place + 1].t == moving.t;
+    }
+    if (coincide)
+        order_coincident_hits(hits, count, outside_is_solid_);
+}
+
+void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
+{
+    lists.end_.clear();
+    for (std::size_t first = 0; first < count; first += LineBatch::most) {
+        const std::size_t last = std::min(count, first + LineBatch::most);
+        if (!unfiltered_.empty() || !tree_.empty() || !place_lines(lines + first, last - first, lists)) {
+            append_one_by_one(lines, first, last, lists);
+            continue;
+        }
+        find_candidates(lists);
+        decide_candidates(lines + first, first, last, lists);
+    }
+}
+
+/// False if a line can only be decided in double precision.
+bool Intersector::place_lines(const Line* lines, std::size_t count, HitLists& lists) const
+{
+    kernel_->place_lines(frame_, lines, count, lists.batch_);
+    lists.passing_.resize(count);
+    std::size_t passing = 0;
+    std::uint32_t courses = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        lists.passing_[passing] = i;
+        passing += lists.batch_.course[i] == LineCourse::passes;
+        courses |= lists.batch_.course[i];
+    }
+    lists.passing_.resize(passing);
+    return (courses & LineCourse::unfit) == 0;
+}
+
+void Intersector::find_candidates(HitLists& lists) const
+{
+    const std::size_t words = (blocks_.size() + 3) / 4;
+    const std::size_t lines = lists.passing_.size();
+    lists.masks_.resize(words * lines);
+    kernel_->filter_flat(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), lists.batch_,
+                         lists.passing_.data(), lines, lists.masks_.data());
+    const std::size_t most = words * lines * 64;
+    if (lists.candidates_.size() < most)
+        lists.candidates_.resize(most);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < words * lines; ++i)
+        for (std::uint64_t mask = lists.masks_[i]; mask != 0; mask &= mask - 1)
+            lists.candidates_[found++] = {
+                lists.passing_[i / words],
+                static_cast<std::uint32_t>(i % words * 64 + static_cast<std::uint32_t>(__builtin_ctzll(mask)))};
+    lists.candidate_count_ = found;
+}
+
+void Intersector::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
+{
+    const std::size_t begin = first == 0 ? 0 : lists.end_[first - 1];
+    std::size_t end = begin;
+    if (lists.hits_.size() < begin + lists.candidate_count_ + 1)
+        lists.hits_.resize(2 * (begin + lists.candidate_count_ + 1));
+    lists.end_.resize(last, 0);
+    for (std::size_t i = 0; i < lists.candidate_count_; ++i) {
+        const HitLists::Candidate candidate = lists.candidates_[i];
+        end += table_.decide(lines[candidate.line], lane_number_[candidate.lane], lists.hits_[end]);
+        lists.end_[first + candidate.line] = end;
+    }
+    std::size_t from = begin;
+    for (std::size_t i = first; i < last; ++i) {
+        const std::size_t to = std::max(from, lists.end_[i]);
+        if (to > from + 1)
+            put_in_order(lists.hits_.data() + from, to - from);
+        lists.end_[i] = from = to;
+    }
+}
+
+void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
+{
+    std::vector<Hit> hits;
+    for (std::size_t i = first; i < last; ++i) {
+        all_hits(lines[i], hits);
+        const std::size_t begin = i == 0 ? 0 : lists.end_[i - 1];
+        if (lists.hits_.size() < begin + hits.size())
+            lists.hits_.resize(2 * (begin + hits.size()));
+        std::copy(hits.begin(), hits.end(), lists.hits_.begin() + static_cast<std::ptrdiff_t>(begin));
+        lists.end_.push_back(begin + hits.size());
     }
 }
 
@@ -133,52 +222,90 @@ std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line&
 {
     // Where another face lies on the start, its place in the order of coincident faces decides whether the ray meets
     // it.
-    if (plane_is_shared_[plane_[from]] && !coincident_surfaces(from, ray.origin).empty())
-        return next_along_whole_line(from, ray);
-    return nearest(ray, plane_[from]);
+    bool covered = false;
+    for_each_coincident(from, ray.origin, [&](std::uint32_t) { covered = true; });
+    return covered ? next_along_whole_line(from, ray) : nearest(ray, plane_[from]);
 }
+
+/// Keeps the first of the hits it is shown.
+struct Intersector::Nearest
+{
+    const Intersector& all;
+    const Line& line;
+    std::uint32_t excluded_plane;
+    double middle_t = 0.0;
+    float limit = 0.0f;
+    Hit best = {};
+    bool found = false;
+
+    void consider(std::uint32_t surface)
+    {
+        Hit hit;
+        if (all.plane_[surface] == excluded_plane || !all.table_.decide(line, surface, hit))
+            return;
+        const bool on_top = hit.t == best.t && (hit.front != best.front ? hit.front : all.comes_before(hit, best));
+        if (!found || hit.t < best.t || on_top)
+            best = hit;
+        found = true;
+    }
+
+    static float visit_block(void* self, std::uint32_t block, unsigned lanes)
+    {
+        Nearest& nearest = *static_cast<Nearest*>(self);
+        for (; lanes != 0; lanes &= lanes - 1)
+            nearest.consider(
+                nearest.all.lane_number_[SurfaceBlock::lanes * block + static_cast<unsigned>(__builtin_ctz(lanes))]);
+        if (nearest.found)
+            nearest.limit = std::min(nearest.limit, static_cast<float>(nearest.best.t - nearest.middle_t));
+        return nearest.limit;
+    }
+};
 
 std::optional<Hit> Intersector::nearest(const Line& line, std::uint32_t excluded_plane) const
 {
-    std::optional<Hit> best;
-    const auto limit = [&] { return best ? best->t : line.t_max; };
+    Nearest nearest{*this, line, excluded_plane};
+    FilterLine placed;
+    if (!tree_.empty() && unfiltered_.empty() && frame_.place(line, placed) == LineCourse::passes) {
+        nearest.middle_t = placed.middle_t;
+        nearest.limit = placed.half_length;
+        kernel_->visit_nearest(tree_.nodes(), blocks_.data(), placed, Nearest::visit_block, &nearest);
+    } else {
+        for_each_candidate(line, [&](std::uint32_t surface) { nearest.consider(surface); });
+    }
+    return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
+}
+
+/// Calls visit(surface) for what coincident_surfaces lists.
+template <class Visit>
+void Intersector::for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const
+{
     const auto consider = [&](std::uint32_t surface) {
-        if (plane_[surface] == excluded_plane)
-            return;
-        const std::optional<Hit> hit = table_.hit(line, surface);
-        if (!hit)
-            return;
-        const bool on_top =
-            best && hit->t == best->t && (hit->front != best->front ? hit->front : comes_before(*hit, *best));
-        if (!best || hit->t < best->t || on_top)
-            best = hit;
+        if (surface != of && plane_[surface] == plane_[of] && table_.hit_at_point(point, {}, surface))
+            visit(surface);
     };
-    if (bvh_.empty())
-        table_.for_each_candidate(line, consider);
+    if (neighbours_.is_listed(of)) {
+        neighbours_.for_each(of, consider);
+        return;
+    }
+    if (tree_.empty())
+        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
+            consider(surface);
     else
-        bvh_.for_each_met(line, limit, consider);
-    return best;
+        for (const std::uint32_t surface : unfiltered_)
+            consider(surface);
+    tree_.for_each_around(frame_.to_frame(point), consider);
 }
 
 std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Vec3 point) const
 {
     std::vector<std::uint32_t> found;
-    const auto consider = [&](std::uint32_t surface) {
-        if (surface != of && plane_[surface] == plane_[of] && table_.hit_at_point(point, {}, surface))
-            found.push_back(surface);
-    };
-    if (bvh_.empty())
-        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
-            consider(surface);
-    else
-        bvh_.for_each_met(
-            {point, {1.0, 1.0, 1.0}, 0.0}, [] { return 0.0; }, consider);
+    for_each_coincident(of, point, [&](std::uint32_t surface) { found.push_back(surface); });
     return found;
 }
 
 std::optional<Hit> Intersector::next_along_whole_line(std::uint32_t from, const Line& ray) const
 {
-    const double reach = (box_.diagonal() + length(ray.origin - box_.centre())) / length(ray.direction);
+    const double reach = (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
     std::vector<Hit> hits;
     all_hits({ray.at(-reach), ray.direction}, hits);
     const auto own = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.surface == from; });

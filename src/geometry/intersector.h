@@ -1,10 +1,16 @@
 #pragma once
 
-#include "geometry/bvh.h"
+#include "geometry/filter_kernel.h"
+#include "geometry/filter_line.h"
+#include "geometry/hit_lists.h"
 #include "geometry/line.h"
+#include "geometry/plane_neighbours.h"
 #include "geometry/surface.h"
+#include "geometry/surface_block.h"
 #include "geometry/surface_table.h"
+#include "geometry/wide_tree.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -13,15 +19,19 @@ namespace multipath {
 
 /// Where lines meet surfaces. Knows nothing of light; immutable and safe to share between threads.
 /// Surfaces in one plane are met at exactly the same t, so coincident faces tie and are never lost.
+/// Results do not depend on the kernel.
 class Intersector
 {
 public:
-    /// Surfaces are numbered by their place in the list; each must have area.
-    explicit Intersector(const std::vector<Surface>& surfaces);
+    /// Surfaces are numbered by their place in the list; each must have area. `kernel`: one of available_kernels().
+    explicit Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel = *available_kernels()[0]);
 
     /// Every surface that the line meets, in the order in which it passes them (see order_coincident_hits for equal t).
     /// Replaces what `hits` held.
     void all_hits(const Line& line, std::vector<Hit>& hits) const;
+
+    /// The same for many lines, faster. Replaces what `lists` held.
+    void all_hits(const Line* lines, std::size_t count, HitLists& lists) const;
 
     /// The first surface that the line meets; at equal t one that it meets from the front.
     std::optional<Hit> closest_hit(const Line& line) const;
@@ -34,20 +44,41 @@ public:
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
 private:
-    Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes);
+    struct Nearest;
+
+    Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes, const FilterKernel& kernel);
+    void fill_blocks();
+
+    template <class Visit>
+    void for_each_candidate(const Line& line, const Visit& visit) const;
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
     std::optional<Hit> next_along_whole_line(std::uint32_t from, const Line& ray) const;
+    template <class Visit>
+    void for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const;
 
-    bool comes_before(const Hit& a, const Hit& b) const;
-    void sort_along_line(std::vector<Hit>& hits) const;
+    // The phases of all_hits for many lines.
+    bool place_lines(const Line* lines, std::size_t count, HitLists& lists) const;
+    void find_candidates(HitLists& lists) const;
+    void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
+    void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
 
+    bool comes_before(const Hit& a, const Hit& b) const
+    {
+        return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
+    }
+    void put_in_order(Hit* hits, std::size_t count) const;
+
+    const FilterKernel* kernel_;
     SurfaceTable table_;
-    Bounds box_;                           ///< around all surfaces, widened
-    Bvh bvh_;                              ///< empty for few surfaces
-    bool outside_is_solid_;                ///< the surfaces are the inside of a room rather than the outside of things
-    std::vector<std::uint32_t> plane_;     ///< plane number of each surface
-    std::vector<std::uint32_t> size_rank_; ///< of each surface: 0 for the smallest; what is smaller lies on top
-    std::vector<bool> plane_is_shared_;    ///< by more than one surface
+    FilterFrame frame_;
+    WideTree tree_;                          ///< empty for few surfaces
+    std::vector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
+    std::vector<SurfaceBlock> blocks_;
+    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
+    bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
+    std::vector<std::uint32_t> plane_;      ///< plane number of each surface
+    std::vector<std::uint32_t> size_rank_;  ///< of each surface: 0 for the smallest; what is smaller lies on top
+    PlaneNeighbours neighbours_;
 };
 
 } // namespace multipath

@@ -3,12 +3,13 @@
 
 #include "geometry/shared_planes.h"
 
+#include "geometry/bounds.h"
+#include "geometry/surface_order.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <unordered_map>
 
 namespace multipath {
 
@@ -26,29 +27,66 @@ Plane unoriented(const Plane& plane)
     return side < 0.0 ? Plane{-plane.normal, -plane.offset} : plane;
 }
 
+/// Which list of planes belongs to a cell: a hash table with open addressing.
+class CellTable
+{
+public:
+    explicit CellTable(std::size_t most_cells)
+    {
+        std::size_t size = 16;
+        while (size < 2 * most_cells)
+            size *= 2;
+        slots_.resize(size);
+    }
+
+    void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[place_of(key)]); }
+    /// The first plane of the cell, or `none`.
+    std::uint32_t head(std::uint64_t key) const { return slots_[find(key)].head; }
+    void set_head(std::uint64_t key, std::uint32_t head) { slots_[find(key)] = {key, head}; }
+
+private:
+    struct Slot
+    {
+        std::uint64_t key = 0;
+        std::uint32_t head = none;
+    };
+
+    std::size_t place_of(std::uint64_t key) const { return key & (slots_.size() - 1); }
+    std::size_t find(std::uint64_t key) const
+    {
+        std::size_t place = place_of(key);
+        while (slots_[place].head != none && slots_[place].key != key)
+            place = (place + 1) & (slots_.size() - 1);
+        return place;
+    }
+
+    std::vector<Slot> slots_;
+};
+
 class PlaneIndex
 {
 public:
-    PlaneIndex(Vec3 centre, double diagonal) : centre_(centre), diagonal_(diagonal) {}
+    PlaneIndex(Vec3 centre, double diagonal, std::size_t most_planes)
+        : centre_(centre), diagonal_(diagonal), cells_(most_planes)
+    {
+        planes_.reserve(most_planes);
+        next_.reserve(most_planes);
+    }
 
     /// The number of a known plane that holds the whole surface, or of a new plane.
     std::uint32_t find_or_add(const Surface& surface, const Plane& plane)
     {
-        const auto keys = coordinates(plane);
-        for (int corner = 0; corner < 16; ++corner) {
-            const std::uint64_t key = cell_key(keys, corner);
-            if (corner > 0 && key == cell_key(keys, 0))
-                continue;
-            const auto head = head_.find(key);
-            for (std::uint32_t p = head == head_.end() ? none : head->second; p != none; p = next_[p])
+        const Keys keys = keys_of(coordinates(plane));
+        for (std::size_t i = 0; i < keys.count; ++i)
+            cells_.prefetch(keys.key[i]);
+        for (std::size_t i = 0; i < keys.count; ++i)
+            for (std::uint32_t p = cells_.head(keys.key[i]); p != none; p = next_[p])
                 if (holds(planes_[p], surface))
                     return p;
-        }
         const auto number = static_cast<std::uint32_t>(planes_.size());
         planes_.push_back(plane);
-        const auto [head, is_new] = head_.emplace(cell_key(keys, 0), number);
-        next_.push_back(is_new ? none : head->second);
-        head->second = number;
+        next_.push_back(cells_.head(keys.key[0]));
+        cells_.set_head(keys.key[0], number);
         return number;
     }
 
@@ -56,6 +94,13 @@ public:
     std::size_t size() const { return planes_.size(); }
 
 private:
+    /// Of the cell that holds a plane (first) and of the neighbours that it almost touches.
+    struct Keys
+    {
+        std::array<std::uint64_t, 16> key;
+        std::size_t count;
+    };
+
     /// In units of the hash cells; the offset is taken from the scene's centre so that it stays small.
     std::array<double, 4> coordinates(const Plane& plane) const
     {
@@ -64,20 +109,29 @@ private:
                 offset / (offset_cell * diagonal_)};
     }
 
-    /// Key of the cell that holds the coordinates (corner 0) or of a neighbour they almost touch.
-    static std::uint64_t cell_key(const std::array<double, 4>& coordinates, int corner)
+    static Keys keys_of(const std::array<double, 4>& coordinates)
     {
         constexpr double almost = 0.3; // of a cell: small faces tilt by more than large ones
-        std::uint64_t key = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const double own = std::floor(coordinates[i]);
-            const double inside = coordinates[i] - own;
-            const double neighbour = inside < almost ? own - 1.0 : inside > 1.0 - almost ? own + 1.0 : own;
-            const double cell = (corner >> i & 1) != 0 ? neighbour : own;
-            key = (key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(cell))) * 0x9e3779b97f4a7c15u;
-            key ^= key >> 29;
+        Keys keys{{}, 1};
+        for (const double coordinate : coordinates) {
+            const double own = std::floor(coordinate);
+            const double inside = coordinate - own;
+            const double step = inside < almost ? -1.0 : inside > 1.0 - almost ? 1.0 : 0.0;
+            if (step != 0.0) {
+                for (std::size_t i = 0; i < keys.count; ++i)
+                    keys.key[keys.count + i] = mixed(keys.key[i], own + step);
+            }
+            for (std::size_t i = 0; i < keys.count; ++i)
+                keys.key[i] = mixed(keys.key[i], own);
+            keys.count *= step != 0.0 ? 2 : 1;
         }
-        return key;
+        return keys;
+    }
+
+    static std::uint64_t mixed(std::uint64_t key, double cell)
+    {
+        key = (key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(cell))) * 0x9e3779b97f4a7c15u;
+        return key ^ key >> 29;
     }
 
     bool holds(const Plane& plane, const Surface& surface) const
@@ -95,7 +149,7 @@ private:
     double diagonal_;
     std::vector<Plane> planes_;
     std::vector<std::uint32_t> next_; ///< next plane of the same cell
-    std::unordered_map<std::uint64_t, std::uint32_t> head_;
+    CellTable cells_;
 };
 
 } // namespace
@@ -106,33 +160,29 @@ SharedPlanes share_planes(const std::vector<Surface>& surfaces)
     if (surfaces.empty())
         return result;
     Bounds bounds;
-    std::vector<double> areas;
-    for (const Surface& surface : surfaces) {
+    for (const Surface& surface : surfaces)
         bounds.include(surface.bounds());
-        areas.push_back(surface.area());
-    }
-    // From large to small: a small face in the plane of a large one does not say exactly where that plane is.
-    std::vector<std::uint32_t> by_size(surfaces.size());
-    std::iota(by_size.begin(), by_size.end(), 0u);
-    std::stable_sort(by_size.begin(), by_size.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
 
     struct Use
     {
         std::uint32_t along = 0;
         std::uint32_t against = 0;
     };
-    PlaneIndex index(bounds.centre(), bounds.diagonal());
+    PlaneIndex index(bounds.centre(), bounds.diagonal(), surfaces.size());
     std::vector<Use> uses; // per plane: surfaces that face with and against its own direction
-    result.plane_of_surface.resize(surfaces.size());
+    result.plane_of_surface.reserve(surfaces.size());
+    for (const Surface& surface : surfaces) {
+        const Vec3 normal = surface.normal();
+        result.plane_of_surface.push_back({normal, dot(normal, surface.centre())});
+    }
     result.plane_number.resize(surfaces.size());
-    for (const std::uint32_t s : by_size) {
-        const Vec3 normal = surfaces[s].normal();
-        const Plane own = {normal, dot(normal, surfaces[s].centre())};
+    // A small face in the plane of a large one does not say exactly where that plane is.
+    for (const std::uint32_t s : from_large_to_small(surfaces)) {
+        const Plane& own = result.plane_of_surface[s];
         const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own));
-        uses.resize(index.size());
-        ++(dot(index.plane(number).normal, normal) > 0.0 ? uses[number].along : uses[number].against);
-        result.plane_of_surface[s] = own;
+        if (number == uses.size())
+            uses.emplace_back();
+        ++(dot(index.plane(number).normal, own.normal) > 0.0 ? uses[number].along : uses[number].against);
         result.plane_number[s] = number;
     }
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {

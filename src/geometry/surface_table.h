@@ -5,7 +5,6 @@
 #include "geometry/shared_planes.h"
 #include "geometry/surface.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -13,54 +12,66 @@
 
 namespace multipath {
 
-/// The surfaces in the form in which lines are tested against them: a plane for t and two affine functions for
-/// (u, v), eight surfaces side by side, so that a compiler can test several at once.
+/// A surface in the form in which lines are decided against it: a plane for t and two affine functions for (u, v), in
+/// columns, so that the three are evaluated side by side; two cache lines in all.
+struct alignas(64) SurfaceRow
+{
+    using Column = std::array<double, 4>; ///< of the normal, of u, of v; the fourth only fills
+
+    Column x, y, z; ///< normal, to_u, to_v
+    Column offset;  ///< dot(normal, p) = offset[0] in the plane; u = dot(to_u, p) + offset[1]; v likewise
+                    ///< offset[3]: 1 for a triangle (u + v <= 1), 0 for a parallelogram (u <= 1, v <= 1)
+
+    Vec3 vector(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// Decides in double precision which surfaces a line meets.
 class SurfaceTable
 {
 public:
     SurfaceTable(const std::vector<Surface>& surfaces, const SharedPlanes& planes);
 
-    std::uint32_t size() const { return size_; }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
+    const SurfaceRow& row(std::uint32_t surface) const { return rows_[surface]; }
+    bool is_triangle(std::uint32_t surface) const { return rows_[surface].offset[3] > 0.0; }
 
     /// The hit of the line with one surface, borders included. The definition that all faster code must reproduce.
-    std::optional<Hit> hit(const Line& line, std::uint32_t surface) const;
+    std::optional<Hit> hit(const Line& line, std::uint32_t surface) const
+    {
+        Hit result;
+        return decide(line, surface, result) ? std::optional<Hit>(result) : std::nullopt;
+    }
 
-    /// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.
-    /// Tests all surfaces, several at a time.
-    template <class Visit>
-    void for_each_candidate(const Line& line, const Visit& visit) const;
+    /// The same without a branch, for loops: writes `hit` whatever comes out, and says whether it is one.
+    bool decide(const Line& line, std::uint32_t surface, Hit& hit) const;
 
     /// Where `point`, known to lie in the plane of the surface, is on it; empty when it lies outside.
     std::optional<Hit> hit_at_point(Vec3 point, Vec3 direction, std::uint32_t surface) const;
 
 private:
-    static constexpr std::uint32_t width = 8;
-    using Lanes = std::array<double, width>;
-
-    struct Block
-    {
-        Lanes normal_x, normal_y, normal_z, offset; ///< points p of the plane: dot(normal, p) = offset
-        Lanes u_x, u_y, u_z, u_0;                   ///< u = dot(u_xyz, p) + u_0
-        Lanes v_x, v_y, v_z, v_0;
-        Lanes triangle; ///< 1 for a triangle (u + v <= 1), 0 for a parallelogram (u <= 1, v <= 1)
-    };
-
-    static Lanes margins(const Line& line, const Block& block);
-
-    std::uint32_t size_ = 0;
-    std::vector<Block> blocks_;
+    std::vector<SurfaceRow> rows_;
 };
 
-template <class Visit>
-void SurfaceTable::for_each_candidate(const Line& line, const Visit& visit) const
+inline bool SurfaceTable::decide(const Line& line, std::uint32_t surface, Hit& hit) const
 {
-    for (std::uint32_t first = 0; first < size_; first += width) {
-        const Lanes margin = margins(line, blocks_[first / width]);
-        const std::uint32_t count = std::min(width, size_ - first);
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (!(margin[i] < 0.0))
-                visit(first + i);
-    }
+    const SurfaceRow& row = rows_[surface];
+    const Vec3 o = line.origin;
+    const Vec3 d = line.direction;
+    SurfaceRow::Column at_origin;
+    SurfaceRow::Column along;
+    for (std::size_t i = 0; i < 4; ++i)
+        at_origin[i] = row.x[i] * o.x + row.y[i] * o.y + row.z[i] * o.z;
+    for (std::size_t i = 0; i < 4; ++i)
+        along[i] = row.x[i] * d.x + row.y[i] * d.y + row.z[i] * d.z;
+    const double approach = along[0];
+    const double t = (row.offset[0] - at_origin[0]) / approach;
+    const double u = (at_origin[1] + row.offset[1]) + t * along[1];
+    const double v = (at_origin[2] + row.offset[2]) + t * along[2];
+    const double k = row.offset[3];
+    hit = {t, surface, u, v, approach < 0.0};
+    // Written with &, which has no branches: their outcome would be hard to predict.
+    return (approach != 0.0) & (t >= 0.0) & (t <= line.t_max) & (u >= 0.0) & (v >= 0.0) & ((1.0 - u) - k * v >= 0.0) &
+           ((1.0 - v) - k * u >= 0.0);
 }
 
 } // namespace multipath

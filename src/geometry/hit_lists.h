@@ -1,0 +1,55 @@
+#pragma once
+
+#include "geometry/filter_line.h"
+#include "geometry/hit.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// The hits of several lines, line after line in one array; what Intersector::all_hits fills. Its memory serves again.
+class HitLists
+{
+public:
+    /// The hits of one line, in order.
+    struct List
+    {
+        const Hit* first;
+        const Hit* last;
+
+        const Hit* begin() const { return first; }
+        const Hit* end() const { return last; }
+        std::size_t size() const { return static_cast<std::size_t>(last - first); }
+        bool empty() const { return first == last; }
+        const Hit& operator[](std::size_t i) const { return first[i]; }
+    };
+
+    std::size_t size() const { return end_.size(); } ///< number of lines
+    List operator[](std::size_t line) const
+    {
+        return {hits_.data() + (line == 0 ? 0 : end_[line - 1]), hits_.data() + end_[line]};
+    }
+
+private:
+    friend class Intersector;
+
+    struct Candidate
+    {
+        std::uint32_t line;
+        std::uint32_t lane;
+    };
+
+    std::vector<Hit> hits_; ///< may hold more than the lines need
+    std::vector<std::size_t> end_;
+
+    // What passes from one phase to the next, for a part of the lines.
+    LineBatch batch_;
+    std::vector<std::uint32_t> passing_; ///< numbers in the batch
+    std::vector<std::uint64_t> masks_;
+    std::vector<Candidate> candidates_; ///< may hold more than candidate_count_
+    std::size_t candidate_count_ = 0;
+};
+
+} // namespace multipath

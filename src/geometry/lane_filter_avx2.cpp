@@ -1,0 +1,69 @@
+// The filters for x86-64 processors with AVX2 and fused multiply-add: 8 surfaces at a time.
+
+#include "geometry/filter_kernels.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define KERNEL_CODE __attribute__((always_inline, target("avx2,fma"))) inline
+#define KERNEL_ENTRY __attribute__((target("avx2,fma")))
+
+namespace multipath {
+namespace {
+
+struct Lanes
+{
+    static constexpr unsigned width = 8;
+    __m256 x;
+
+    KERNEL_CODE static Lanes load(const float* from) { return {_mm256_load_ps(from)}; }
+    KERNEL_CODE static Lanes all(float value) { return {_mm256_set1_ps(value)}; }
+    KERNEL_CODE void store(float* to) const { _mm256_store_ps(to, x); }
+};
+
+KERNEL_CODE Lanes operator+(Lanes a, Lanes b)
+{
+    return {_mm256_add_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes operator*(Lanes a, Lanes b)
+{
+    return {_mm256_mul_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
+{
+    return {_mm256_fmadd_ps(a.x, b.x, c.x)};
+}
+KERNEL_CODE Lanes absolute(Lanes a)
+{
+    return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.x)};
+}
+KERNEL_CODE Lanes larger(Lanes a, Lanes b)
+{
+    return {_mm256_max_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
+{
+    return {_mm256_min_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
+{
+    return {_mm256_xor_ps(a.x, _mm256_and_ps(sign.x, _mm256_set1_ps(-0.0f)))};
+}
+KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
+{
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ)));
+}
+
+} // namespace
+} // namespace multipath
+
+#include "geometry/lane_filter.inl"
+
+namespace multipath {
+
+const FilterKernel avx2_kernel = {"avx2", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+
+} // namespace multipath
+
+#endif

@@ -1,0 +1,70 @@
+// The filters for x86-64 processors with AVX-512: 16 surfaces at a time.
+
+#include "geometry/filter_kernels.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define KERNEL_CODE __attribute__((always_inline, target("avx512f"))) inline
+#define KERNEL_ENTRY __attribute__((target("avx512f")))
+
+namespace multipath {
+namespace {
+
+struct Lanes
+{
+    static constexpr unsigned width = 16;
+    __m512 x;
+
+    KERNEL_CODE static Lanes load(const float* from) { return {_mm512_load_ps(from)}; }
+    KERNEL_CODE static Lanes all(float value) { return {_mm512_set1_ps(value)}; }
+    KERNEL_CODE void store(float* to) const { _mm512_store_ps(to, x); }
+};
+
+KERNEL_CODE Lanes operator+(Lanes a, Lanes b)
+{
+    return {_mm512_add_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes operator*(Lanes a, Lanes b)
+{
+    return {_mm512_mul_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
+{
+    return {_mm512_fmadd_ps(a.x, b.x, c.x)};
+}
+KERNEL_CODE Lanes absolute(Lanes a)
+{
+    return {_mm512_abs_ps(a.x)};
+}
+KERNEL_CODE Lanes larger(Lanes a, Lanes b)
+{
+    return {_mm512_maskz_max_ps(0xffff, a.x, b.x)};
+}
+KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
+{
+    return {_mm512_maskz_min_ps(0xffff, a.x, b.x)};
+}
+KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
+{
+    const __m512i minus = _mm512_and_epi32(_mm512_castps_si512(sign.x), _mm512_set1_epi32(-0x7fffffff - 1));
+    return {_mm512_castsi512_ps(_mm512_xor_epi32(_mm512_castps_si512(a.x), minus))};
+}
+KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
+{
+    return _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ);
+}
+
+} // namespace
+} // namespace multipath
+
+#include "geometry/lane_filter.inl"
+
+namespace multipath {
+
+const FilterKernel avx512_kernel = {"avx512", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+
+} // namespace multipath
+
+#endif

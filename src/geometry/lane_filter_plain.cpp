@@ -1,0 +1,65 @@
+// The filters in plain C++, for any processor: one surface after the other.
+
+#include "geometry/filter_kernels.h"
+
+#define KERNEL_CODE inline
+#define KERNEL_ENTRY
+
+namespace multipath {
+namespace {
+
+struct Lanes
+{
+    static constexpr unsigned width = 1;
+    float x;
+
+    static Lanes load(const float* from) { return {*from}; }
+    static Lanes all(float value) { return {value}; }
+    void store(float* to) const { *to = x; }
+};
+
+KERNEL_CODE Lanes operator+(Lanes a, Lanes b)
+{
+    return {a.x + b.x};
+}
+KERNEL_CODE Lanes operator*(Lanes a, Lanes b)
+{
+    return {a.x * b.x};
+}
+KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
+{
+    return {a.x * b.x + c.x};
+}
+KERNEL_CODE Lanes absolute(Lanes a)
+{
+    return {a.x < 0.0f ? -a.x : a.x};
+}
+KERNEL_CODE Lanes larger(Lanes a, Lanes b)
+{
+    return {a.x > b.x ? a.x : b.x};
+}
+KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
+{
+    return {a.x < b.x ? a.x : b.x};
+}
+/// Minus x where the sign is negative.
+KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
+{
+    return {sign.x < 0.0f ? -a.x : a.x};
+}
+/// Bit i: a <= b in lane i.
+KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
+{
+    return a.x <= b.x ? 1u : 0u;
+}
+
+} // namespace
+} // namespace multipath
+
+#include "geometry/lane_filter.inl"
+
+namespace multipath {
+
+const FilterKernel plain_kernel = {"plain", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+
+} // namespace multipath

@@ -1,0 +1,69 @@
+// The filters for x86-64 processors with SSE2, which all of them have: 4 surfaces at a time.
+
+#include "geometry/filter_kernels.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define KERNEL_CODE __attribute__((always_inline, target("sse2"))) inline
+#define KERNEL_ENTRY __attribute__((target("sse2")))
+
+namespace multipath {
+namespace {
+
+struct Lanes
+{
+    static constexpr unsigned width = 4;
+    __m128 x;
+
+    KERNEL_CODE static Lanes load(const float* from) { return {_mm_load_ps(from)}; }
+    KERNEL_CODE static Lanes all(float value) { return {_mm_set1_ps(value)}; }
+    KERNEL_CODE void store(float* to) const { _mm_store_ps(to, x); }
+};
+
+KERNEL_CODE Lanes operator+(Lanes a, Lanes b)
+{
+    return {_mm_add_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes operator*(Lanes a, Lanes b)
+{
+    return {_mm_mul_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
+{
+    return {_mm_add_ps(_mm_mul_ps(a.x, b.x), c.x)};
+}
+KERNEL_CODE Lanes absolute(Lanes a)
+{
+    return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.x)};
+}
+KERNEL_CODE Lanes larger(Lanes a, Lanes b)
+{
+    return {_mm_max_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
+{
+    return {_mm_min_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
+{
+    return {_mm_xor_ps(a.x, _mm_and_ps(sign.x, _mm_set1_ps(-0.0f)))};
+}
+KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
+{
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.x, b.x)));
+}
+
+} // namespace
+} // namespace multipath
+
+#include "geometry/lane_filter.inl"
+
+namespace multipath {
+
+const FilterKernel sse2_kernel = {"sse2", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+
+} // namespace multipath
+
+#endif

@@ -1,0 +1,32 @@
+#pragma once
+
+namespace multipath {
+
+/// Up to 16 surfaces side by side, in single precision and in the coordinates of FilterFrame, in the form in which a
+/// filter tests all of them at once. Plain data: the kernels for the instruction sets include this.
+///
+/// With u, v measured from -1 to 1 and every test multiplied by the approach a = dot(normal, direction), a line passes
+/// through a surface where |u a| <= |a|, |v a| <= |a| and, for a triangle, (u a + v a) sign(a) <= 0. None of it needs a
+/// division, and u a and v a are linear in the line's Plücker coordinates:
+///     u a = dot(u_moment, moment) + dot(u_direction, direction).
+/// The crossing lies within the ends of the line where |h| <= |a| half_length, h the distance of the line's middle from
+/// the plane. surface_block.cpp derives how much slack these tests need to lose nothing.
+struct alignas(64) SurfaceBlock
+{
+    static constexpr unsigned lanes = 16;
+
+    float normal[3][lanes];
+    float offset[lanes];
+    float u_moment[3][lanes];
+    float u_direction[3][lanes];
+    float v_moment[3][lanes];
+    float v_direction[3][lanes];
+    float slack[lanes];    ///< of |u a| and |v a|, per unit of FilterLine::scale; very negative for an empty lane
+    float diagonal[lanes]; ///< the limit of (u a + v a) sign(a), likewise; no_diagonal for a parallelogram
+                           ///< (triangles have the first lanes)
+
+    static constexpr float no_diagonal = 0x1p+100f;
+    static constexpr float distance_slack = 0x1p-19f; ///< of |h|
+};
+
+} // namespace multipath

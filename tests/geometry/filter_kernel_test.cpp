@@ -1,0 +1,269 @@
+// Every kernel, one line at a time and in blocks, against deciding all surfaces in double precision: the same hits to
+// the last bit, without tolerance.
+
+#include "brute_force.h"
+#include "sampling/random.h"
+#include "sampling/sequence.h"
+#include "scene/obj_reader.h"
+#include "surface_pieces.h"
+#include "transport/line_sampling.h"
+
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <string>
+
+using namespace multipath;
+
+namespace {
+
+class Numbers
+{
+public:
+    explicit Numbers(std::uint64_t key) : key_(key) {}
+    double unit() { return bits_to_unit(random_bits(key_, counter_++)); }
+    double within(double low, double high) { return low + (high - low) * unit(); }
+    Vec3 point(double low, double high) { return {within(low, high), within(low, high), within(low, high)}; }
+    std::size_t below(std::size_t end) { return static_cast<std::size_t>(unit() * static_cast<double>(end)); }
+
+private:
+    std::uint64_t key_;
+    std::uint64_t counter_ = 0;
+};
+
+/// In the unit cube, of both shapes, edges up to `size` long.
+std::vector<Surface> scattered(std::size_t count, double size, std::uint64_t key)
+{
+    Numbers numbers(key);
+    std::vector<Surface> surfaces;
+    while (surfaces.size() < count) {
+        const Shape shape = numbers.unit() < 0.5 ? Shape::triangle : Shape::parallelogram;
+        const Surface surface = {shape, numbers.point(0, 1), numbers.point(-size, size), numbers.point(-size, size)};
+        if (surface.area() > 0.01 * size * size)
+            surfaces.push_back(surface);
+    }
+    return surfaces;
+}
+
+void add_box(std::vector<Surface>& surfaces, Vec3 low, Vec3 size)
+{
+    const Vec3 x = {size.x, 0, 0};
+    const Vec3 y = {0, size.y, 0};
+    const Vec3 z = {0, 0, size.z};
+    for (const Surface& face : {rectangle(low, x, z), rectangle(low + y, z, x), rectangle(low, z, y),
+                                rectangle(low + x, y, z), rectangle(low, y, x), rectangle(low + z, x, y)})
+        surfaces.push_back(face);
+}
+
+std::vector<Surface> transformed(std::vector<Surface> surfaces, double scale, Vec3 shift)
+{
+    for (Surface& s : surfaces)
+        s = {s.shape, shift + scale * s.origin, scale * s.edge_u, scale * s.edge_v};
+    return surfaces;
+}
+
+Vec3 along_axis(std::size_t axis, double size)
+{
+    return {axis == 0 ? size : 0.0, axis == 1 ? size : 0.0, axis == 2 ? size : 0.0};
+}
+
+/// Lines of all kinds around surfaces, difficult ones among them; with `shots` from within as well as chords.
+std::vector<Line> difficult_lines(const std::vector<Surface>& surfaces, std::size_t count, std::uint64_t key)
+{
+    Bounds box;
+    for (const Surface& surface : surfaces)
+        box.include(surface.bounds());
+    const double size = box.diagonal();
+    Numbers numbers(key);
+    const auto anywhere = [&] { return box.centre() + size * numbers.point(-0.7, 0.7); };
+    const auto surface = [&]() -> const Surface& { return surfaces[numbers.below(surfaces.size())]; };
+    const auto corner = [&] { return surface().at(numbers.unit() < 0.5 ? 0 : 1, numbers.unit() < 0.5 ? 0 : 1); };
+    const auto on_edge = [&] { return surface().at(numbers.unit(), numbers.unit() < 0.5 ? 0 : 1); };
+    const auto inside = [&] { return surface().at(numbers.unit(), numbers.unit()); };
+    std::vector<Line> lines;
+    while (lines.size() < count) {
+        const Surface& s = surface();
+        const Vec3 far_point = box.centre() + 1e3 * size * numbers.point(-1, 1);
+        const Vec3 very_far_point = box.centre() + 1e8 * size * numbers.point(-1, 1);
+        const std::array<Line, 13> kinds = {
+            chord(anywhere(), anywhere()),
+            Line{anywhere(), numbers.point(-1, 1)},
+            Line{inside(), numbers.point(-1, 1)},
+            chord(inside(), inside()),
+            chord(corner(), corner()),
+            chord(on_edge(), on_edge()),
+            Line{corner(), along_axis(numbers.below(3), numbers.within(-1, 1))},
+            Line{inside(), along_axis(numbers.below(3), numbers.within(-1, 1)), numbers.within(0, size)},
+            chord(s.at(-1, numbers.unit()), s.at(2, numbers.unit())), // in the plane of the surface
+            Line{far_point, inside() - far_point},
+            Line{far_point, corner() - far_point},
+            Line{very_far_point, inside() - very_far_point},
+            Line{inside(), {0, 0, 0}},
+        };
+        lines.insert(lines.end(), kinds.begin(), kinds.end());
+    }
+    return lines;
+}
+
+/// How many lines some kernel, in some way of asking, gets wrong.
+std::size_t wrong_lines(const std::vector<Surface>& surfaces, const std::vector<Line>& lines)
+{
+    const BruteForce brute_force(surfaces);
+    std::vector<Intersector> intersectors;
+    std::vector<HitLists> blocks(available_kernels().size());
+    for (const FilterKernel* kernel : available_kernels()) {
+        intersectors.emplace_back(surfaces, *kernel);
+        intersectors.back().all_hits(lines.data(), lines.size(), blocks[intersectors.size() - 1]);
+    }
+    const auto equal = [](const auto& found, const std::vector<Hit>& expected) {
+        return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
+                          [](const Hit& a, const Hit& b) { return same(a, b); });
+    };
+    std::size_t wrong = 0;
+    std::vector<Hit> hits;
+    std::vector<Hit> expected;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+        brute_force.all_hits(lines[n], expected);
+        bool right = true;
+        for (std::size_t k = 0; k < intersectors.size(); ++k) {
+            intersectors[k].all_hits(lines[n], hits);
+            const std::optional<Hit> closest = intersectors[k].closest_hit(lines[n]);
+            right = right && equal(hits, expected) && equal(blocks[k][n], expected) &&
+                    same(closest, brute_force.closest(expected)) && (!closest || closest->t == expected[0].t);
+        }
+        wrong += !right;
+    }
+    return wrong;
+}
+
+std::vector<Line> random_chords(const std::vector<Surface>& surfaces, std::size_t count)
+{
+    Bounds box;
+    for (const Surface& surface : surfaces)
+        box.include(surface.bounds());
+    const GlobalLines global_lines(box);
+    const auto sequence = make_sequence("sobol", 1);
+    std::vector<Line> lines;
+    for (std::size_t n = 0; n < count; ++n)
+        lines.push_back(global_lines.line(sequence->item(n)));
+    return lines;
+}
+
+} // namespace
+
+TEST_CASE("the plain kernel is there, and the fastest has another name where the processor has vectors")
+{
+    const std::vector<const FilterKernel*> kernels = available_kernels();
+    REQUIRE(!kernels.empty());
+    CHECK(std::string(kernels.back()->name) == "plain");
+#if defined(__x86_64__)
+    CHECK(std::string(kernels.front()->name) != "plain");
+#endif
+}
+
+// 96 surfaces are still all filtered, 97 found through the hierarchy.
+TEST_CASE("kernels lose no hit of scattered surfaces, wherever they stand and however large they are")
+{
+    for (const std::size_t count : {1u, 15u, 17u, 96u, 97u, 300u})
+        CHECK(wrong_lines(scattered(count, count > 50 ? 0.2 : 0.5, count),
+                          difficult_lines(scattered(count, count > 50 ? 0.2 : 0.5, count), 3000, count)) == 0);
+    for (const std::size_t count : {30u, 200u})
+        for (const double scale : {1.0, 1e-6, 1e6})
+            for (const double shift : {0.0, 1.0, 1e6}) {
+                const std::vector<Surface> surfaces =
+                    transformed(scattered(count, 0.3, count), scale, {shift, -2.0 * shift, 0.5 * shift});
+                CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 1000, 5)) == 0);
+            }
+}
+
+TEST_CASE("kernels lose no hit of coincident faces")
+{
+    std::vector<Surface> surfaces;
+    Numbers numbers(3);
+    add_box(surfaces, {1, 1, 1},
+            {-1, -1, -1}); // a room, and boxes that stand on its floor, on each other, and stick out
+    for (int i = 0; i < 7; ++i)
+        add_box(surfaces, {0.125 * i, 0, 0.25}, {0.125, 0.5, 0.25 + 0.125 * (i % 3)});
+    for (int i = 0; i < 4; ++i)
+        add_box(surfaces, {0.125 * i, 0.5, 0.3}, {0.25, 0.125, 0.25});
+    for (const bool many : {false, true}) {
+        while (many && surfaces.size() < 300)
+            add_box(
+                surfaces,
+                {0.0625 * static_cast<double>(numbers.below(16)), 0, 0.0625 * static_cast<double>(numbers.below(16))},
+                {0.0625, 0.25, 0.0625});
+        CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 10000, 6)) == 0);
+        for (Surface& s : surfaces)
+            s = moved(s);
+        CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 10000, 7)) == 0);
+    }
+}
+
+// Heights from 1e-3 to 1e-16 of the scene: from those that single precision shows well to those whose rows are
+// rounding.
+TEST_CASE("kernels lose no hit of slivers and tiny triangles")
+{
+    for (const std::size_t count : {40u, 200u}) {
+        Numbers numbers(count);
+        std::vector<Surface> surfaces;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double height = std::pow(10.0, -3.0 - numbers.within(0, 13));
+            const Vec3 edge = numbers.point(-0.5, 0.5);
+            const Surface sliver = {i % 3 == 0 ? Shape::parallelogram : Shape::triangle, numbers.point(0, 1), edge,
+                                    numbers.unit() * edge + height * numbers.point(-1, 1)};
+            const Surface tiny = {i % 3 == 1 ? Shape::parallelogram : Shape::triangle, numbers.point(0, 1),
+                                  1e-6 * numbers.point(-1, 1), 1e-6 * numbers.point(-1, 1)};
+            for (const Surface& s : {sliver, tiny})
+                if (s.area() > 0.0)
+                    surfaces.push_back(s);
+        }
+        CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 10000, 8)) == 0);
+    }
+}
+
+TEST_CASE("what lies in the plane of a surface and holds a point is found, in small groups and large ones")
+{
+    std::vector<Surface> surfaces = pieces(rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), 12); // 144 in one plane
+    add_box(surfaces, {0.3, 0, 0.3}, {0.3, 0.3, 0.3});
+    add_box(surfaces, {0.45, 0.3, 0.3}, {0.4, 0.3, 0.4});
+    for (const std::size_t first : {std::size_t{0}, std::size_t{100}}) {
+        const std::vector<Surface> part(surfaces.begin() + static_cast<std::ptrdiff_t>(first), surfaces.end());
+        const BruteForce brute_force(part);
+        const Intersector intersector(part);
+        Numbers numbers(4);
+        std::size_t coincident = 0;
+        for (int n = 0; n < 5000; ++n) {
+            const auto s = static_cast<std::uint32_t>(numbers.below(part.size()));
+            const Vec3 point = part[s].at(numbers.unit(), n % 5 == 0 ? 0.0 : numbers.unit());
+            std::vector<std::uint32_t> found = intersector.coincident_surfaces(s, point);
+            std::sort(found.begin(), found.end());
+            REQUIRE(found == brute_force.coincident_surfaces(s, point));
+            coincident += found.size();
+        }
+        CHECK(coincident > 100);
+    }
+}
+
+TEST_SUITE_BEGIN("statistics");
+
+TEST_CASE("kernels lose no hit of a million lines through the bundled scenes")
+{
+    for (const std::string name :
+         {"5cubes", "4chairs", "4chairs-up", "cornell", "cube", "furnace", "sphere", "squares"}) {
+        const std::vector<Surface> surfaces = read_obj("scenes/" + name + ".obj").surfaces;
+        CHECK_MESSAGE(wrong_lines(surfaces, random_chords(surfaces, surfaces.size() > 100 ? 60000 : 150000)) == 0,
+                      name);
+        CHECK_MESSAGE(wrong_lines(surfaces, difficult_lines(surfaces, 20000, 9)) == 0, name);
+    }
+}
+
+TEST_CASE("kernels lose no hit of a hundred thousand triangles")
+{
+    std::vector<Surface> surfaces = scattered(100000, 0.01, 10);
+    for (Surface& surface : surfaces)
+        surface.shape = Shape::triangle;
+    CHECK(wrong_lines(surfaces, random_chords(surfaces, 300)) == 0);
+    CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 400, 11)) == 0);
+}
+
+TEST_SUITE_END();
