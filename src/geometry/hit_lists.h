@@ -19,6 +19,9 @@ public:
         const Hit* first;
         const Hit* last;
 
+        List(const Hit* begin, const Hit* end) : first(begin), last(end) {}
+        List(const std::vector<Hit>& hits) : first(hits.data()), last(hits.data() + hits.size()) {}
+
         const Hit* begin() const { return first; }
         const Hit* end() const { return last; }
         std::size_t size() const { return static_cast<std::size_t>(last - first); }

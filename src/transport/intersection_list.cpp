@@ -12,13 +12,13 @@ std::uint32_t patch_or_behind(const Scene& scene, const Hit& hit, bool front)
 
 } // namespace
 
-void append_passages(const Scene& scene, const std::vector<Hit>& hits, std::vector<Passage>& passages)
+void append_passages(const Scene& scene, HitLists::List hits, std::vector<Passage>& passages)
 {
     for (const Hit& hit : hits)
         passages.push_back({patch_or_behind(scene, hit, hit.front), patch_or_behind(scene, hit, !hit.front)});
 }
 
-void append_segments(const Scene& scene, const std::vector<Hit>& hits, std::vector<Segment>& segments)
+void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments)
 {
     std::uint32_t from = Segment::outside;
     const auto append = [&](std::uint32_t to) {

@@ -33,9 +33,9 @@ struct Passage
 };
 
 /// Appends one passage for every hit of a line, in order.
-void append_passages(const Scene& scene, const std::vector<Hit>& hits, std::vector<Passage>& passages);
+void append_passages(const Scene& scene, HitLists::List hits, std::vector<Passage>& passages);
 
 /// Appends the segments of one line, given its hits in order. Those that touch no patch are left out.
-void append_segments(const Scene& scene, const std::vector<Hit>& hits, std::vector<Segment>& segments);
+void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments);
 
 } // namespace multipath

@@ -30,10 +30,9 @@ public:
         lines_.resize(items_.size());
         sequence.generate(first_item + first, items_);
         global_lines.lines(items_.data(), items_.size(), lines_.data());
-        for (const Line& line : lines_) {
-            scene.intersector().all_hits(line, hits_);
-            met(hits_);
-        }
+        scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
+        for (std::size_t k = 0; k < lines_.size(); ++k)
+            met(hits_[k]);
     }
 
     std::uint64_t lines() const { return items_.size(); } ///< of the block traced last
@@ -41,7 +40,7 @@ public:
 private:
     std::vector<Item> items_;
     std::vector<Line> lines_;
-    std::vector<Hit> hits_;
+    HitLists hits_;
 };
 
 /// The segments of a block of lines, in order.
@@ -55,7 +54,7 @@ struct SegmentBlock
     {
         segments.clear();
         lines.trace(scene, global_lines, sequence, first_item, line_count, number,
-                    [&](const std::vector<Hit>& hits) { append_segments(scene, hits, segments); });
+                    [&](HitLists::List hits) { append_segments(scene, hits, segments); });
     }
 };
 

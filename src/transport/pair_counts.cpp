@@ -82,7 +82,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         PairBlock& block = blocks[static_cast<std::size_t>(slot)];
         block.pairs.clear();
         block.losses.clear();
-        block.lines.trace(scene, lines, sequence, first_item, lines_cast, number, [&](const std::vector<Hit>& hits) {
+        block.lines.trace(scene, lines, sequence, first_item, lines_cast, number, [&](HitLists::List hits) {
             block.passages.clear();
             append_passages(scene, hits, block.passages);
             note(block.passages, block);
