@@ -64,14 +64,18 @@ $(BUILD)/%.o: %.cpp
 bench: $(BUILD)/bench
 	./$(BUILD)/bench
 
-$(BUILD)/bench: $(BUILD)/tests/bench/bench.o $(filter-out $(BUILD)/src/main.o,$(objects))
-	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
+# Compared with Embree if its headers are there.
+bench_objects = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/bench/*.cpp))
+embree        = $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$(v)/rtcore.h),$(v))))
 
-$(BUILD)/tests/bench/bench.o: COMPILE += -Itests
+$(BUILD)/bench: $(bench_objects) $(filter-out $(BUILD)/src/main.o,$(objects))
+	@echo "  link    $@"
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ $(addprefix -lembree,$(embree)) -o $@
+
+$(bench_objects): COMPILE += -Itests/bench $(addprefix -DEMBREE_VERSION=,$(embree))
 
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
 .PHONY: demo paper results test bench clean
--include $(objects:.o=.d) $(test_objects:.o=.d) $(BUILD)/tests/bench/bench.d
+-include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d)
