@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/bounds.h"
+#include "geometry/conditions.h"
 #include "geometry/line.h"
 
 #include <cmath>
@@ -23,6 +24,12 @@ struct FilterLine
     double middle_t; ///< parameter of `middle` on the line itself
 };
 
+enum class LineCourse : std::uint32_t {
+    misses = 0, ///< the scene's box: it meets nothing
+    passes = 1, ///< through the box; the filters can tell what it meets
+    unfit = 2   ///< too far away or of a length that single precision cannot hold: only double precision can tell
+};
+
 /// Many placed lines, member by member, so that a compiler can place several at once.
 struct LineBatch
 {
@@ -35,12 +42,18 @@ struct LineBatch
     float scale[most];
     std::uint32_t whole[most];
     std::uint32_t course[most]; ///< a LineCourse
-};
+    double middle_t[most];
 
-enum LineCourse : std::uint32_t {
-    misses = 0, ///< the scene's box: it meets nothing
-    passes = 1, ///< through the box; the filters can tell what it meets
-    unfit = 2   ///< too far away or of a length that single precision cannot hold: only double precision can tell
+    FilterLine line(std::size_t i) const
+    {
+        return {{direction[0][i], direction[1][i], direction[2][i]},
+                {moment[0][i], moment[1][i], moment[2][i]},
+                {middle[0][i], middle[1][i], middle[2][i]},
+                half_length[i],
+                scale[i],
+                whole[i] != 0,
+                middle_t[i]};
+    }
 };
 
 /// The coordinates of FilterLine for a scene.
@@ -65,8 +78,8 @@ private:
     bool is_inside(Vec3 q) const
     {
         constexpr double border = 0.9999;
-        return (std::abs(q.x) < border * half_size_.x) & (std::abs(q.y) < border * half_size_.y) &
-               (std::abs(q.z) < border * half_size_.z);
+        return every(std::abs(q.x) < border * half_size_.x, std::abs(q.y) < border * half_size_.y,
+                     std::abs(q.z) < border * half_size_.z);
     }
 
     Vec3 centre_;
@@ -77,7 +90,7 @@ private:
     Vec3 half_size_;             ///< of the box, in the frame
 };
 
-// Conditions are joined by & and |, which have no branches: whether a random chord meets the box is hard to predict.
+// No branches: whether a random chord meets the box is hard to predict.
 inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
 {
     const Vec3 o = to_frame(line.origin);
@@ -87,9 +100,9 @@ inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
     // The separating axes of a line and a box are the cross products of the direction and the axes.
     const Vec3 m = cross(o, d);
     const Vec3 size = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
-    const bool apart = (std::abs(m.x) > half_size_.y * size.z + half_size_.z * size.y) |
-                       (std::abs(m.y) > half_size_.z * size.x + half_size_.x * size.z) |
-                       (std::abs(m.z) > half_size_.x * size.y + half_size_.y * size.x);
+    const bool apart = any(std::abs(m.x) > half_size_.y * size.z + half_size_.z * size.y,
+                           std::abs(m.y) > half_size_.z * size.x + half_size_.x * size.z,
+                           std::abs(m.z) > half_size_.x * size.y + half_size_.y * size.x);
 
     // The part inside a sphere around the box.
     const double inverse_square = 1.0 / square;
@@ -106,14 +119,14 @@ inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
               {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)},
               static_cast<float>(0.5 * (last - first)),
               static_cast<float>(size.x + size.y + size.z),
-              !(is_inside(o) | is_inside(o + last * d)),
+              !any(is_inside(o), is_inside(o + last * d)),
               middle_t};
 
-    const bool fits = (square > 1e-40) & (square < 1e40) & (dot(o, o) + centre_square_ < reach_ * reach_);
-    const bool meets = !apart & (first <= last);
-    const bool is_point = (size.x == 0.0) & (size.y == 0.0) & (size.z == 0.0);
-    return static_cast<LineCourse>(static_cast<std::uint32_t>(fits & meets) |
-                                   static_cast<std::uint32_t>(!fits & !is_point) << 1);
+    const bool fits = every(square > 1e-40, square < 1e40, dot(o, o) + centre_square_ < reach_ * reach_);
+    const bool meets = every(!apart, first <= last);
+    const bool is_point = every(size.x == 0.0, size.y == 0.0, size.z == 0.0);
+    return static_cast<LineCourse>(static_cast<std::uint32_t>(every(fits, meets)) |
+                                   static_cast<std::uint32_t>(!any(fits, is_point)) << 1);
 }
 
 } // namespace multipath

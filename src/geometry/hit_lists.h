@@ -40,9 +40,15 @@ private:
 
     struct Candidate
     {
-        std::uint32_t line;
-        std::uint32_t lane;
+        std::uint32_t line; ///< number in the batch
+        std::uint32_t surface;
     };
+
+    void reserve_candidates(std::size_t count)
+    {
+        if (candidates_.size() < count)
+            candidates_.resize(2 * count);
+    }
 
     std::vector<Hit> hits_; ///< may hold more than the lines need
     std::vector<std::size_t> end_;

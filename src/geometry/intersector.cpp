@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t few_surfaces = 96; // where filtering all of them stops being faster than the hierarchy
+constexpr std::size_t few_surfaces = 128; // where filtering all of them stops being faster than the hierarchy
 constexpr std::size_t flat_words = (few_surfaces + 63) / 64;
 constexpr std::uint32_t no_plane = 0xffffffffu;
 
@@ -128,89 +128,6 @@ void Intersector::put_in_order(Hit* hits, std::size_t count) const
     }
     if (coincide)
         order_coincident_hits(hits, count, outside_is_solid_);
-}
-
-void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
-{
-    lists.end_.clear();
-    for (std::size_t first = 0; first < count; first += LineBatch::most) {
-        const std::size_t last = std::min(count, first + LineBatch::most);
-        if (!unfiltered_.empty() || !tree_.empty() || !place_lines(lines + first, last - first, lists)) {
-            append_one_by_one(lines, first, last, lists);
-            continue;
-        }
-        find_candidates(lists);
-        decide_candidates(lines + first, first, last, lists);
-    }
-}
-
-/// False if a line can only be decided in double precision.
-bool Intersector::place_lines(const Line* lines, std::size_t count, HitLists& lists) const
-{
-    kernel_->place_lines(frame_, lines, count, lists.batch_);
-    lists.passing_.resize(count);
-    std::size_t passing = 0;
-    std::uint32_t courses = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        lists.passing_[passing] = i;
-        passing += lists.batch_.course[i] == LineCourse::passes;
-        courses |= lists.batch_.course[i];
-    }
-    lists.passing_.resize(passing);
-    return (courses & LineCourse::unfit) == 0;
-}
-
-void Intersector::find_candidates(HitLists& lists) const
-{
-    const std::size_t words = (blocks_.size() + 3) / 4;
-    const std::size_t lines = lists.passing_.size();
-    lists.masks_.resize(words * lines);
-    kernel_->filter_flat(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), lists.batch_,
-                         lists.passing_.data(), lines, lists.masks_.data());
-    const std::size_t most = words * lines * 64;
-    if (lists.candidates_.size() < most)
-        lists.candidates_.resize(most);
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < words * lines; ++i)
-        for (std::uint64_t mask = lists.masks_[i]; mask != 0; mask &= mask - 1)
-            lists.candidates_[found++] = {
-                lists.passing_[i / words],
-                static_cast<std::uint32_t>(i % words * 64 + static_cast<std::uint32_t>(__builtin_ctzll(mask)))};
-    lists.candidate_count_ = found;
-}
-
-void Intersector::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
-{
-    const std::size_t begin = first == 0 ? 0 : lists.end_[first - 1];
-    std::size_t end = begin;
-    if (lists.hits_.size() < begin + lists.candidate_count_ + 1)
-        lists.hits_.resize(2 * (begin + lists.candidate_count_ + 1));
-    lists.end_.resize(last, 0);
-    for (std::size_t i = 0; i < lists.candidate_count_; ++i) {
-        const HitLists::Candidate candidate = lists.candidates_[i];
-        end += table_.decide(lines[candidate.line], lane_number_[candidate.lane], lists.hits_[end]);
-        lists.end_[first + candidate.line] = end;
-    }
-    std::size_t from = begin;
-    for (std::size_t i = first; i < last; ++i) {
-        const std::size_t to = std::max(from, lists.end_[i]);
-        if (to > from + 1)
-            put_in_order(lists.hits_.data() + from, to - from);
-        lists.end_[i] = from = to;
-    }
-}
-
-void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
-{
-    std::vector<Hit> hits;
-    for (std::size_t i = first; i < last; ++i) {
-        all_hits(lines[i], hits);
-        const std::size_t begin = i == 0 ? 0 : lists.end_[i - 1];
-        if (lists.hits_.size() < begin + hits.size())
-            lists.hits_.resize(2 * (begin + hits.size()));
-        std::copy(hits.begin(), hits.end(), lists.hits_.begin() + static_cast<std::ptrdiff_t>(begin));
-        lists.end_.push_back(begin + hits.size());
-    }
 }
 
 std::optional<Hit> Intersector::closest_hit(const Line& line) const

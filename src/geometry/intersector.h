@@ -59,6 +59,8 @@ private:
     // The phases of all_hits for many lines.
     bool place_lines(const Line* lines, std::size_t count, HitLists& lists) const;
     void find_candidates(HitLists& lists) const;
+    void find_among_few(HitLists& lists) const;
+    void find_in_tree(HitLists& lists) const;
     void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
     void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
 

@@ -61,6 +61,8 @@ KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
 
 #include "geometry/lane_filter.inl"
 
+#include "geometry/lane_tree.inl"
+
 namespace multipath {
 
 const FilterKernel avx512_kernel = {"avx512", place_lines, filter_flat, filter_line, visit_all, visit_nearest};

@@ -60,6 +60,8 @@ KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
 
 #include "geometry/lane_filter.inl"
 
+#include "geometry/lane_tree.inl"
+
 namespace multipath {
 
 const FilterKernel sse2_kernel = {"sse2", place_lines, filter_flat, filter_line, visit_all, visit_nearest};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/conditions.h"
 #include "geometry/hit.h"
 #include "geometry/line.h"
 #include "geometry/shared_planes.h"
@@ -69,9 +70,8 @@ inline bool SurfaceTable::decide(const Line& line, std::uint32_t surface, Hit& h
     const double v = (at_origin[2] + row.offset[2]) + t * along[2];
     const double k = row.offset[3];
     hit = {t, surface, u, v, approach < 0.0};
-    // Written with &, which has no branches: their outcome would be hard to predict.
-    return (approach != 0.0) & (t >= 0.0) & (t <= line.t_max) & (u >= 0.0) & (v >= 0.0) & ((1.0 - u) - k * v >= 0.0) &
-           ((1.0 - v) - k * u >= 0.0);
+    return every(approach != 0.0, t >= 0.0, t <= line.t_max, u >= 0.0, v >= 0.0, (1.0 - u) - k * v >= 0.0,
+                 (1.0 - v) - k * u >= 0.0);
 }
 
 } // namespace multipath

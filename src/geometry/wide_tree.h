@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/bounds.h"
+#include "geometry/conditions.h"
 #include "geometry/filter_line.h"
 #include "geometry/wide_node.h"
 
@@ -58,7 +59,7 @@ void WideTree::visit_child(std::uint32_t child, const float (&point)[3], const V
     for (unsigned lane = 0; lane < WideNode::lanes; ++lane) {
         bool inside = true;
         for (int axis = 0; axis < 3; ++axis)
-            inside &= (node.low[axis][lane] <= point[axis]) & (point[axis] <= node.high[axis][lane]);
+            inside = every(inside, node.low[axis][lane] <= point[axis], point[axis] <= node.high[axis][lane]);
         if (inside)
             visit_child(node.child[lane], point, visit);
     }

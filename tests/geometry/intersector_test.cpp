@@ -71,7 +71,7 @@ std::vector<Hit> hits_by_cramer(const std::vector<Surface>& surfaces, const Line
 
 } // namespace
 
-// 20 surfaces are all tested, 400 found through the hierarchy.
+// 20 surfaces are all filtered, 400 found through the hierarchy.
 TEST_CASE("all hits and the closest hit are those of brute force")
 {
     for (const std::size_t count : {1u, 20u, 400u}) {
