@@ -67,7 +67,8 @@ Vec3 along_axis(std::size_t axis, double size)
     return {axis == 0 ? size : 0.0, axis == 1 ? size : 0.0, axis == 2 ? size : 0.0};
 }
 
-/// Lines of all kinds around surfaces, difficult ones among them; with `shots` from within as well as chords.
+/// Lines of all kinds around surfaces, difficult ones among them: through corners and edges, along axes, in planes,
+/// from far away.
 std::vector<Line> difficult_lines(const std::vector<Surface>& surfaces, std::size_t count, std::uint64_t key)
 {
     Bounds box;
