@@ -26,9 +26,10 @@ resumes() {
 check "a study goes on where it was: kept runs are not repeated, lost ones are" resumes
 
 interrupted() {
-    "$program" study "$scene" --from 2^16 --to 2^19 --replicates 8 -o long.csv --quiet --threads 1 2>err &
+    long="--methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^18 --replicates 32 -o long.csv --quiet"
+    "$program" study "$scene" $long --threads 1 2>err &
     pid=$!
-    for wait in $(seq 200); do
+    for wait in $(seq 2000); do
         [ "$(cat long.cache/runs-*.txt 2>/dev/null | wc -l)" -ge 4 ] && break
         sleep 0.05
     done
@@ -36,7 +37,7 @@ interrupted() {
     kept=$(cat long.cache/runs-*.txt | wc -l)
     [ "$kept" -ge 4 ] && [ ! -f long.csv ] || { echo "kept $kept"; return 1; }
     head -4 long.cache/runs-*.txt >kept.txt
-    ends 0 study "$scene" --from 2^16 --to 2^19 --replicates 8 -o long.csv --quiet || return
+    ends 0 study "$scene" $long || return
     grep -F -x -f kept.txt long.cache/runs-*.txt | wc -l | grep -qx 4
 }
 check "killed in the middle, a study keeps what was finished" interrupted
