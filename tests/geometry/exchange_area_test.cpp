@@ -2,7 +2,7 @@
 
 #include "geometry/rectangle_exchange.h"
 #include "geometry/surface_pieces.h"
-#include "sampling/random.h"
+#include "random_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,10 @@ namespace {
 constexpr double pi = 0.5 * two_pi;
 constexpr double touching = 1e-9;
 
-class Numbers
+class SurfaceNumbers : public Numbers
 {
 public:
-    explicit Numbers(std::uint64_t key) : key_(key) {}
-    double unit() { return bits_to_unit(random_bits(key_, counter_++)); }
-    double within(double low, double high) { return low + (high - low) * unit(); }
-    Vec3 point(double low, double high) { return {within(low, high), within(low, high), within(low, high)}; }
+    using Numbers::Numbers;
     Surface surface(double spread, double size)
     {
         while (true) {
@@ -85,7 +82,7 @@ TEST_CASE("the walls of a cube exchange the published 0.199825 with the opposite
 
 TEST_CASE("parallel rectangles in any position agree with the closed form")
 {
-    Numbers numbers(1);
+    SurfaceNumbers numbers(1);
     for (int k = 0; k < 200; ++k) {
         const double x = numbers.within(-6, 6);
         const double y = numbers.within(-6, 6);
@@ -101,7 +98,7 @@ TEST_CASE("parallel rectangles in any position agree with the closed form")
 
 TEST_CASE("perpendicular rectangles with and without a common edge agree with the closed form")
 {
-    Numbers numbers(2);
+    SurfaceNumbers numbers(2);
     for (int k = 0; k < 200; ++k) {
         const double x = k % 4 == 0 ? 0.0 : numbers.within(-6, 6);
         const double y = k % 2 == 0 ? 0.0 : numbers.within(0, 5);
@@ -190,7 +187,7 @@ TEST_CASE("a wall that goes through a floor exchanges what its upper part does")
 // Random pairs, two thirds of them cut by each other's planes; some cross each other, which changes nothing here.
 TEST_CASE("the exchange is the same bits both ways round, the same after a motion, and adds up over pieces")
 {
-    Numbers numbers(3);
+    SurfaceNumbers numbers(3);
     int positive = 0;
     for (int k = 0; k < 400; ++k) {
         const double spread = k % 2 == 0 ? 1.0 : 6.0;
@@ -209,7 +206,7 @@ TEST_CASE("the exchange is the same bits both ways round, the same after a motio
 // The mean of the kernel over random points, an estimate that knows nothing of planes or contours.
 TEST_CASE("skew pieces in front of, behind and across each other's planes agree with brute force")
 {
-    Numbers numbers(4);
+    SurfaceNumbers numbers(4);
     for (int k = 0; k < 40; ++k) {
         const Surface a = numbers.surface(0.5, 1.0);
         Surface b = numbers.surface(0.5, 1.0);

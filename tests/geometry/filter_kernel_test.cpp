@@ -2,7 +2,7 @@
 // the last bit, without tolerance.
 
 #include "brute_force.h"
-#include "sampling/random.h"
+#include "random_surfaces.h"
 #include "sampling/sequence.h"
 #include "scene/obj_reader.h"
 #include "surface_pieces.h"
@@ -16,34 +16,6 @@
 using namespace multipath;
 
 namespace {
-
-class Numbers
-{
-public:
-    explicit Numbers(std::uint64_t key) : key_(key) {}
-    double unit() { return bits_to_unit(random_bits(key_, counter_++)); }
-    double within(double low, double high) { return low + (high - low) * unit(); }
-    Vec3 point(double low, double high) { return {within(low, high), within(low, high), within(low, high)}; }
-    std::size_t below(std::size_t end) { return static_cast<std::size_t>(unit() * static_cast<double>(end)); }
-
-private:
-    std::uint64_t key_;
-    std::uint64_t counter_ = 0;
-};
-
-/// In the unit cube, of both shapes, edges up to `size` long.
-std::vector<Surface> scattered(std::size_t count, double size, std::uint64_t key)
-{
-    Numbers numbers(key);
-    std::vector<Surface> surfaces;
-    while (surfaces.size() < count) {
-        const Shape shape = numbers.unit() < 0.5 ? Shape::triangle : Shape::parallelogram;
-        const Surface surface = {shape, numbers.point(0, 1), numbers.point(-size, size), numbers.point(-size, size)};
-        if (surface.area() > 0.01 * size * size)
-            surfaces.push_back(surface);
-    }
-    return surfaces;
-}
 
 void add_box(std::vector<Surface>& surfaces, Vec3 low, Vec3 size)
 {
@@ -166,13 +138,13 @@ TEST_CASE("the plain kernel is there, and the fastest has another name where the
 TEST_CASE("kernels lose no hit of scattered surfaces, wherever they stand and however large they are")
 {
     for (const std::size_t count : {1u, 15u, 17u, 128u, 129u, 300u})
-        CHECK(wrong_lines(scattered(count, count > 50 ? 0.2 : 0.5, count),
-                          difficult_lines(scattered(count, count > 50 ? 0.2 : 0.5, count), 3000, count)) == 0);
+        CHECK(wrong_lines(scattered_surfaces(count, count > 50 ? 0.2 : 0.5, count),
+                          difficult_lines(scattered_surfaces(count, count > 50 ? 0.2 : 0.5, count), 3000, count)) == 0);
     for (const std::size_t count : {30u, 200u})
         for (const double scale : {1.0, 1e-6, 1e6})
             for (const double shift : {0.0, 1.0, 1e6}) {
                 const std::vector<Surface> surfaces =
-                    transformed(scattered(count, 0.3, count), scale, {shift, -2.0 * shift, 0.5 * shift});
+                    transformed(scattered_surfaces(count, 0.3, count), scale, {shift, -2.0 * shift, 0.5 * shift});
                 CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 1000, 5)) == 0);
             }
 }
@@ -260,7 +232,7 @@ TEST_CASE("kernels lose no hit of a million lines through the bundled scenes")
 
 TEST_CASE("kernels lose no hit of a hundred thousand triangles")
 {
-    std::vector<Surface> surfaces = scattered(100000, 0.01, 10);
+    std::vector<Surface> surfaces = scattered_surfaces(100000, 0.01, 10);
     for (Surface& surface : surfaces)
         surface.shape = Shape::triangle;
     CHECK(wrong_lines(surfaces, random_chords(surfaces, 300)) == 0);
