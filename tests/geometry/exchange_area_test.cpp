@@ -30,10 +30,6 @@ public:
                 return s;
         }
     }
-
-private:
-    std::uint64_t key_;
-    std::uint64_t counter_ = 0;
 };
 
 Surface turned_over(const Surface& s)
