@@ -129,22 +129,29 @@ std::vector<Line> rays_from(const std::vector<Surface>& surfaces, std::vector<st
     return rays;
 }
 
+/// Embree on each mesh of the rivals; none where it is not at hand.
+std::vector<Contestant> embrees_of(const Rivals& rivals, const std::string& unit, const std::vector<Line>& lines,
+                                   double (EmbreeScene::*count)(const std::vector<Line>&) const)
+{
+    std::vector<Contestant> contestants;
+    if (!EmbreeScene::available())
+        return contestants;
+    for (const int cut : rivals.cuts) {
+        const std::vector<Surface> triangles = cut == 0 ? rivals.surfaces : as_triangles(rivals.surfaces, cut);
+        const auto mesh = std::make_shared<const EmbreeScene>(triangles);
+        contestants.push_back({EmbreeScene::version() + ", " + std::to_string(triangles.size()) + " triangles", unit,
+                               [mesh, &lines, count] {
+                                   use((*mesh.*count)(lines));
+                                   return static_cast<double>(lines.size());
+                               }});
+    }
+    return contestants;
+}
+
 void compare_all_hits(const Rivals& rivals)
 {
     const std::vector<Line> lines = chords_through(rivals.surfaces);
-    std::vector<std::unique_ptr<EmbreeScene>> meshes;
-    std::vector<Contestant> contestants;
-    if (EmbreeScene::available())
-        for (const int cut : rivals.cuts) {
-            const std::vector<Surface> triangles = cut == 0 ? rivals.surfaces : as_triangles(rivals.surfaces, cut);
-            meshes.push_back(std::make_unique<EmbreeScene>(triangles));
-            const EmbreeScene& mesh = *meshes.back();
-            contestants.push_back(
-                {EmbreeScene::version() + ", " + std::to_string(triangles.size()) + " triangles", "lines", [&] {
-                     use(mesh.count_all_hits(lines));
-                     return static_cast<double>(lines.size());
-                 }});
-        }
+    std::vector<Contestant> contestants = embrees_of(rivals, "lines", lines, &EmbreeScene::count_all_hits);
     const std::size_t embrees = contestants.size();
     std::vector<std::unique_ptr<Intersector>> intersectors;
     const auto add = [&](const FilterKernel* kernel, bool in_blocks, const std::string& rival) {
@@ -187,20 +194,8 @@ void compare_closest_hits(const Rivals& rivals)
 {
     std::vector<std::uint32_t> from;
     const std::vector<Line> rays = rays_from(rivals.surfaces, from);
-    std::vector<std::unique_ptr<EmbreeScene>> meshes;
-    std::vector<Contestant> contestants;
     const Intersector intersector(rivals.surfaces);
-    if (EmbreeScene::available())
-        for (const int cut : rivals.cuts) {
-            const std::vector<Surface> triangles = cut == 0 ? rivals.surfaces : as_triangles(rivals.surfaces, cut);
-            meshes.push_back(std::make_unique<EmbreeScene>(triangles));
-            const EmbreeScene& mesh = *meshes.back();
-            contestants.push_back(
-                {EmbreeScene::version() + ", " + std::to_string(triangles.size()) + " triangles", "rays", [&] {
-                     use(mesh.count_closest_hits(rays));
-                     return static_cast<double>(rays.size());
-                 }});
-        }
+    std::vector<Contestant> contestants = embrees_of(rivals, "rays", rays, &EmbreeScene::count_closest_hits);
     const std::size_t embrees = contestants.size();
     for (std::size_t e = 0; e < std::max<std::size_t>(1, embrees); ++e)
         contestants.push_back({"ours" + (embrees > 0 ? " /" + contestants[e].name.substr(8) : ""), "rays",
