@@ -1,0 +1,86 @@
+#include "commands/solution_outputs.h"
+
+#include "cli/usage_error.h"
+#include "export/patch_table.h"
+#include "image/false_colour.h"
+#include "image/pfm.h"
+#include "image/picture.h"
+#include "image/png.h"
+#include "image/ppm.h"
+#include "image/quantity.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+bool is_picture(const PlannedOutput& output)
+{
+    return output.format != OutputFormat::csv;
+}
+
+Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown)
+{
+    switch (shown) {
+    case Shown::irradiance:
+        return {"irradiance [W/m\xB2]", irradiance(scene, solution.radiosity)};
+    case Shown::error:
+        return {"standard error of the radiosity [W/m\xB2]", solution.standard_error};
+    case Shown::patches:
+        return {"patches", patch_colours(scene.patch_count())};
+    case Shown::radiosity:
+        break;
+    }
+    return {"radiosity [W/m\xB2]", solution.radiosity};
+}
+
+ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const Camera& camera,
+                           const PictureOptions& options)
+{
+    if (options.shown == Shown::radiosity)
+        return picture(scene, quantity.values, camera, options.render, options.tone);
+    if (options.shown == Shown::patches)
+        return flat_picture(scene, quantity.values, camera, options.render);
+    return false_colour(scene, quantity, camera, options.render);
+}
+
+} // namespace
+
+void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file)
+{
+    for (const PlannedOutput& output : outputs)
+        for (const Material& material : file.materials)
+            if (same_file(output.file.name(), material.source.substr(0, material.source.rfind(':'))))
+                throw UsageError("--output: '" + output.file.name() + "' is an input; expected another file");
+}
+
+void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
+                   const PictureOptions& picture_options, const std::vector<std::string>& comments)
+{
+    std::string comment;
+    for (const std::string& part : comments)
+        comment += (comment.empty() ? "" : "; ") + part;
+
+    const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
+    const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
+    const Quantity quantity = pictures ? shown_quantity(scene, solution, picture_options.shown) : Quantity{};
+    ScreenImage screen;
+    for (PlannedOutput& output : outputs) {
+        const bool shows_screen = output.format == OutputFormat::ppm || output.format == OutputFormat::png;
+        if (shows_screen && screen.bytes.empty())
+            screen = screen_picture(scene, quantity, camera, picture_options);
+        if (output.format == OutputFormat::ppm)
+            output.file.write(ppm_bytes(screen, comment));
+        else if (output.format == OutputFormat::png)
+            output.file.write(png_bytes(screen, comment));
+        else if (output.format == OutputFormat::pfm)
+            output.file.write(pfm_bytes(render(scene, quantity.values, camera, picture_options.render)));
+        else
+            output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
+    }
+    for (PlannedOutput& output : outputs)
+        output.file.commit();
+}
+
+} // namespace multipath

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "cli/planned_outputs.h"
+#include "commands/picture_options.h"
+#include "radiosity/solve.h"
+#include "scene/scene_file.h"
+
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// Throws UsageError for an output that is a material file: an input too, but known only after reading.
+void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file);
+
+/// Fills every output in its format and puts all into place. The comments go into the formats that have a place for
+/// them. Throws OutputError.
+void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
+                   const PictureOptions& picture_options, const std::vector<std::string>& comments);
+
+} // namespace multipath
