@@ -1,7 +1,9 @@
 #pragma once
 
 #include "geometry/filter_line.h"
+#include "geometry/hit.h"
 #include "geometry/surface_block.h"
+#include "geometry/surface_table.h"
 #include "geometry/wide_node.h"
 
 #include <cstddef>
@@ -15,6 +17,13 @@ struct BlockLanes
 {
     std::uint32_t block;
     unsigned lanes;
+};
+
+/// A surface that a line may meet.
+struct LineCandidate
+{
+    std::uint32_t line; ///< number in the batch
+    std::uint32_t surface;
 };
 
 /// Takes surfaces that a line may meet.
@@ -33,12 +42,16 @@ struct FilterKernel
     /// Places up to LineBatch::most lines.
     void (*place_lines)(const FilterFrame& frame, const Line* lines, std::size_t count, LineBatch& batch);
 
-    /// Tests lines of a batch, by their numbers, against blocks 0 ... block_count - 1: bit b % 4 * 16 + i of masks[n *
-    /// words + b / 4] tells whether line numbers[n] may meet lane i of block b, words = (block_count + 3) / 4.
-    void (*filter_flat)(const SurfaceBlock* blocks, std::uint32_t block_count, const LineBatch& batch,
-                        const std::uint32_t* numbers, std::size_t count, std::uint64_t* masks);
+    /// Tests the lines 0 ... count - 1 of a batch. `whole`: all of them are (see FilterLine).
+    void (*filter_flat)(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count, bool whole,
+                        FlatMarks& marks);
 
-    /// The same for one line.
+    /// For every line of a batch the surface that it may meet first, not counting those whose plane number is
+    /// excluded_planes[i] (aligned like a batch).
+    void (*nearest_flat)(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count,
+                         const float* excluded_planes, NearestCandidates& found);
+
+    /// Tests one line: bit b % 4 * 16 + i of masks[b / 4] tells whether it may meet lane i of block b.
     void (*filter_line)(const SurfaceBlock* blocks, std::uint32_t block_count, const FilterLine& line,
                         std::uint64_t* masks);
 
@@ -49,6 +62,16 @@ struct FilterKernel
     /// The same, nearer blocks first as far as boxes tell, and only as far as `visit` says.
     void (*visit_nearest)(const WideNode* nodes, const SurfaceBlock* blocks, const FilterLine& line, VisitBlock visit,
                           void* context);
+
+    /// Decides candidates, those of one line next to each other. Appends what is met to `hits`, which must have room
+    /// for all and one more; end_of_line[i]: how many hits there are after line i, if it has candidates. Returns how
+    /// many there are in all.
+    std::size_t (*decide_candidates)(const SurfaceTable& table, const Line* lines, const LineCandidate* candidates,
+                                     std::size_t count, Hit* hits, std::size_t* end_of_line);
+
+    /// Decides one surface for each line; hits[i] is one if is_hit[i].
+    void (*decide_nearest)(const SurfaceTable& table, const Line* lines, const std::uint32_t* surfaces,
+                           std::size_t count, Hit* hits, std::uint32_t* is_hit);
 };
 
 /// Those that this processor can run, the fastest first; the plain one is always there.

@@ -3,6 +3,7 @@
 #include "geometry/bounds.h"
 #include "geometry/conditions.h"
 #include "geometry/line.h"
+#include "geometry/surface_block.h"
 
 #include <cmath>
 #include <cstddef>
@@ -54,6 +55,20 @@ struct LineBatch
                 whole[i] != 0,
                 middle_t[i]};
     }
+};
+
+/// What each line of a batch may meet.
+struct FlatMarks
+{
+    alignas(64) std::uint32_t word[FlatSurfaces::most / 32][LineBatch::most]; ///< bit s % 32 of word[s / 32]: surface s
+};
+
+/// What each line of a batch may meet first.
+struct NearestCandidates
+{
+    alignas(64) float first[LineBatch::most]; ///< at the earliest, from the line's middle on; FlatSurfaces::never
+    float second[LineBatch::most];            ///< the same of any other surface
+    float number[LineBatch::most];            ///< of the first surface, a whole number
 };
 
 /// The coordinates of FilterLine for a scene.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "geometry/filter_kernel.h"
 #include "geometry/filter_line.h"
 #include "geometry/hit.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -38,11 +40,14 @@ public:
 private:
     friend class Intersector;
 
-    struct Candidate
+    /// The hit of one more line, for which there must be room, if it has one.
+    void append(const Hit& hit, bool is_hit)
     {
-        std::uint32_t line; ///< number in the batch
-        std::uint32_t surface;
-    };
+        const std::size_t place = end_.empty() ? 0 : end_.back();
+        hits_[place] = hit;
+        end_.push_back(place + (is_hit ? 1 : 0));
+    }
+    void append(const std::optional<Hit>& hit) { append(hit ? *hit : Hit{}, hit.has_value()); }
 
     void reserve_candidates(std::size_t count)
     {
@@ -54,10 +59,11 @@ private:
     std::vector<std::size_t> end_;
 
     // What passes from one phase to the next, for a part of the lines.
-    LineBatch batch_;
+    LineBatch batch_{};
+    bool all_whole_ = true;              ///< see FilterLine
     std::vector<std::uint32_t> passing_; ///< numbers in the batch
-    std::vector<std::uint64_t> masks_;
-    std::vector<Candidate> candidates_; ///< may hold more than candidate_count_
+    FlatMarks marks_{};
+    std::vector<LineCandidate> candidates_; ///< may hold more than candidate_count_
     std::size_t candidate_count_ = 0;
 };
 

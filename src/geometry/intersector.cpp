@@ -14,8 +14,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t few_surfaces = 128; // where filtering all of them stops being faster than the hierarchy
-constexpr std::size_t flat_words = (few_surfaces + 63) / 64;
+constexpr std::size_t flat_words = (FlatSurfaces::most + 63) / 64;
 constexpr std::uint32_t no_plane = 0xffffffffu;
 
 } // namespace
@@ -38,7 +37,7 @@ Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlane
     std::vector<std::uint32_t> filtered;
     for (std::uint32_t s = 0; s < surfaces.size(); ++s)
         (can_be_filtered(table_.row(s), surfaces[s], frame_) ? filtered : unfiltered_).push_back(s);
-    if (filtered.size() > few_surfaces) {
+    if (filtered.size() > FlatSurfaces::most) {
         tree_ = WideTree(boxes, filtered, frame_);
         lane_number_ = tree_.things();
     } else {
@@ -52,8 +51,13 @@ void Intersector::fill_blocks()
     const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
     const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
     const std::size_t together = tree_.empty() ? lane_number_.size() : SurfaceBlock::lanes;
-    for (std::size_t first = 0; first < lane_number_.size(); first += together)
-        std::stable_partition(place(first), place(first + together), is_triangle);
+    for (std::size_t first = 0; first < lane_number_.size(); first += together) {
+        const auto end_of_triangles = std::stable_partition(place(first), place(first + together), is_triangle);
+        flat_triangles_ =
+            static_cast<unsigned>(end_of_triangles - lane_number_.begin()); // of use where all are together
+    }
+    for (const std::uint32_t s : lane_number_)
+        lane_plane_.push_back(s != WideTree::nothing ? static_cast<float>(plane_[s]) : 0.0f);
     blocks_.assign((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes, empty_block());
     for (std::size_t i = 0; i < lane_number_.size(); ++i)
         if (lane_number_[i] != WideTree::nothing)
@@ -139,9 +143,14 @@ std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line&
 {
     // Where another face lies on the start, its place in the order of coincident faces decides whether the ray meets
     // it.
+    return is_covered(from, ray.origin) ? next_along_whole_line(from, ray) : nearest(ray, plane_[from]);
+}
+
+bool Intersector::is_covered(std::uint32_t from, Vec3 point) const
+{
     bool covered = false;
-    for_each_coincident(from, ray.origin, [&](std::uint32_t) { covered = true; });
-    return covered ? next_along_whole_line(from, ray) : nearest(ray, plane_[from]);
+    for_each_coincident(from, point, [&](std::uint32_t) { covered = true; });
+    return covered;
 }
 
 /// Keeps the first of the hits it is shown.
@@ -180,15 +189,19 @@ struct Intersector::Nearest
 
 std::optional<Hit> Intersector::nearest(const Line& line, std::uint32_t excluded_plane) const
 {
-    Nearest nearest{*this, line, excluded_plane};
     FilterLine placed;
-    if (!tree_.empty() && unfiltered_.empty() && frame_.place(line, placed) == LineCourse::passes) {
-        nearest.middle_t = placed.middle_t;
-        nearest.limit = placed.half_length;
-        kernel_->visit_nearest(tree_.nodes(), blocks_.data(), placed, Nearest::visit_block, &nearest);
-    } else {
-        for_each_candidate(line, [&](std::uint32_t surface) { nearest.consider(surface); });
-    }
+    if (!tree_.empty() && unfiltered_.empty() && frame_.place(line, placed) == LineCourse::passes)
+        return nearest_in_tree(line, placed, excluded_plane);
+    Nearest nearest{*this, line, excluded_plane};
+    for_each_candidate(line, [&](std::uint32_t surface) { nearest.consider(surface); });
+    return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
+}
+
+std::optional<Hit> Intersector::nearest_in_tree(const Line& line, const FilterLine& placed,
+                                                std::uint32_t excluded_plane) const
+{
+    Nearest nearest{*this, line, excluded_plane, placed.middle_t, placed.half_length};
+    kernel_->visit_nearest(tree_.nodes(), blocks_.data(), placed, Nearest::visit_block, &nearest);
     return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
 }
 

@@ -40,6 +40,9 @@ public:
     /// except a coincident face that closes off the point where the ray starts (a box resting on a floor).
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
+    /// The same for many rays, faster: replaces what `lists` held by one hit or none for each.
+    void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
+
     /// The surfaces that share the plane of `of` and hold `point`, a point of `of`; without `of` itself.
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
@@ -52,17 +55,28 @@ private:
     template <class Visit>
     void for_each_candidate(const Line& line, const Visit& visit) const;
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
+    std::optional<Hit> nearest_in_tree(const Line& line, const FilterLine& placed, std::uint32_t excluded_plane) const;
     std::optional<Hit> next_along_whole_line(std::uint32_t from, const Line& ray) const;
     template <class Visit>
     void for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const;
 
-    // The phases of all_hits for many lines.
+    FlatSurfaces flat_surfaces() const
+    {
+        return {blocks_.data(), lane_plane_.data(), flat_triangles_, static_cast<unsigned>(lane_number_.size())};
+    }
+    bool is_covered(std::uint32_t from, Vec3 point) const;
+    bool any_may_be_covered(const std::uint32_t* surfaces, std::size_t count) const;
+
+    // The phases of all_hits and closest_hits_from for many lines.
     bool place_lines(const Line* lines, std::size_t count, HitLists& lists) const;
     void find_candidates(HitLists& lists) const;
     void find_among_few(HitLists& lists) const;
     void find_in_tree(HitLists& lists) const;
     void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
     void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
+    void find_closest_among_few(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
+    void find_closest_in_tree(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
+    void find_closest_one_by_one(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
 
     bool comes_before(const Hit& a, const Hit& b) const
     {
@@ -75,6 +89,8 @@ private:
     FilterFrame frame_;
     WideTree tree_;                          ///< empty for few surfaces
     std::vector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
+    std::vector<float> lane_plane_;          ///< plane number of the same
+    unsigned flat_triangles_ = 0;            ///< the first lanes, if there is no tree
     std::vector<SurfaceBlock> blocks_;
     std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
     bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things

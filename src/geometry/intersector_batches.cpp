@@ -1,9 +1,11 @@
-// All hits of many lines, in phases: all lines are placed, then all filtered, then all candidates decided, then all
+// The hits of many lines, in phases: all lines are placed, then all filtered, then all candidates decided, then all
 // hits put in order. A processor guesses ahead well within a phase, and badly where each line takes another course.
 
 #include "geometry/intersector.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace multipath {
 
@@ -28,12 +30,16 @@ bool Intersector::place_lines(const Line* lines, std::size_t count, HitLists& li
     lists.passing_.resize(count);
     std::size_t passing = 0;
     std::uint32_t courses = 0;
+    std::uint32_t whole = 1;
     for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t passes = lists.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
         lists.passing_[passing] = i;
-        passing += lists.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+        passing += passes;
         courses |= lists.batch_.course[i];
+        whole &= lists.batch_.whole[i] | (1 - passes);
     }
     lists.passing_.resize(passing);
+    lists.all_whole_ = whole != 0;
     return (courses & static_cast<std::uint32_t>(LineCourse::unfit)) == 0;
 }
 
@@ -47,18 +53,17 @@ void Intersector::find_candidates(HitLists& lists) const
 
 void Intersector::find_among_few(HitLists& lists) const
 {
-    const std::size_t words = (blocks_.size() + 3) / 4;
-    const std::size_t lines = lists.passing_.size();
-    lists.masks_.resize(words * lines);
-    kernel_->filter_flat(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), lists.batch_,
-                         lists.passing_.data(), lines, lists.masks_.data());
-    lists.reserve_candidates(words * lines * 64);
+    const FlatSurfaces surfaces = flat_surfaces();
+    const unsigned words = (surfaces.count + 31) / 32;
+    const std::size_t lines = lists.passing_.empty() ? 0 : lists.passing_.back() + 1;
+    kernel_->filter_flat(surfaces, lists.batch_, lines, lists.all_whole_, lists.marks_);
+    lists.reserve_candidates(lists.passing_.size() * surfaces.count);
     std::size_t found = 0;
-    for (std::size_t i = 0; i < words * lines; ++i)
-        for (std::uint64_t mask = lists.masks_[i]; mask != 0; mask &= mask - 1) {
-            const std::size_t lane = i % words * 64 + static_cast<std::size_t>(__builtin_ctzll(mask));
-            lists.candidates_[found++] = {lists.passing_[i / words], lane_number_[lane]};
-        }
+    for (const std::uint32_t line : lists.passing_)
+        for (unsigned word = 0; word < words; ++word)
+            for (std::uint32_t marks = lists.marks_.word[word][line]; marks != 0; marks &= marks - 1)
+                lists.candidates_[found++] = {line,
+                                              lane_number_[32 * word + static_cast<unsigned>(__builtin_ctz(marks))]};
     lists.candidate_count_ = found;
 }
 
@@ -91,18 +96,14 @@ void Intersector::find_in_tree(HitLists& lists) const
 void Intersector::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
 {
     const std::size_t begin = first == 0 ? 0 : lists.end_[first - 1];
-    std::size_t end = begin;
     if (lists.hits_.size() < begin + lists.candidate_count_ + 1)
         lists.hits_.resize(2 * (begin + lists.candidate_count_ + 1));
     lists.end_.resize(last, 0);
-    for (std::size_t i = 0; i < lists.candidate_count_; ++i) {
-        const HitLists::Candidate candidate = lists.candidates_[i];
-        end += table_.decide(lines[candidate.line], candidate.surface, lists.hits_[end]);
-        lists.end_[first + candidate.line] = end;
-    }
+    kernel_->decide_candidates(table_, lines, lists.candidates_.data(), lists.candidate_count_,
+                               lists.hits_.data() + begin, lists.end_.data() + first);
     std::size_t from = begin;
     for (std::size_t i = first; i < last; ++i) {
-        const std::size_t to = std::max(from, lists.end_[i]);
+        const std::size_t to = std::max(from, begin + lists.end_[i]);
         if (to > from + 1)
             put_in_order(lists.hits_.data() + from, to - from);
         lists.end_[i] = from = to;
@@ -120,6 +121,79 @@ void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::s
         std::copy(hits.begin(), hits.end(), lists.hits_.begin() + static_cast<std::ptrdiff_t>(begin));
         lists.end_.push_back(begin + hits.size());
     }
+}
+
+void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                    HitLists& lists) const
+{
+    lists.end_.clear();
+    lists.end_.reserve(count);
+    if (lists.hits_.size() < count + 1)
+        lists.hits_.resize(count + 1);
+    for (std::size_t first = 0; first < count; first += LineBatch::most) {
+        const std::size_t together = std::min(count - first, LineBatch::most);
+        if (!unfiltered_.empty() || !place_lines(rays + first, together, lists))
+            find_closest_one_by_one(from + first, rays + first, together, lists);
+        else if (tree_.empty())
+            find_closest_among_few(from + first, rays + first, together, lists);
+        else
+            find_closest_in_tree(from + first, rays + first, together, lists);
+    }
+}
+
+// Of every ray the surface that may come first is decided. It does come first if no other can be met before it.
+void Intersector::find_closest_among_few(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                         HitLists& lists) const
+{
+    alignas(64) std::array<float, LineBatch::most> own_plane{};
+    for (std::size_t i = 0; i < count; ++i)
+        own_plane[i] = static_cast<float>(plane_[from[i]]);
+    NearestCandidates candidates;
+    kernel_->nearest_flat(flat_surfaces(), lists.batch_, count, own_plane.data(), candidates);
+    std::array<std::uint32_t, LineBatch::most> surface;
+    std::array<std::uint32_t, LineBatch::most> is_hit;
+    std::array<Hit, LineBatch::most> hits;
+    for (std::size_t i = 0; i < count; ++i)
+        surface[i] = lane_number_[static_cast<std::size_t>(candidates.number[i])];
+    kernel_->decide_nearest(table_, rays, surface.data(), count, hits.data(), is_hit.data());
+    const bool none_covered = !any_may_be_covered(from, count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool found = every(candidates.first[i] < FlatSurfaces::never, is_hit[i] != 0);
+        const bool passes = lists.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+        const double second = lists.batch_.middle_t[i] + static_cast<double>(candidates.second[i]);
+        const bool alone = candidates.second[i] == FlatSurfaces::never;
+        if (any(!passes, alone, every(found, hits[i].t < second)) &&
+            (none_covered || !is_covered(from[i], rays[i].origin)))
+            lists.append(hits[i], every(passes, found));
+        else
+            lists.append(closest_hit_from(from[i], rays[i]));
+    }
+}
+
+/// False if no surface has another in its plane that may touch it.
+bool Intersector::any_may_be_covered(const std::uint32_t* surfaces, std::size_t count) const
+{
+    return std::any_of(surfaces, surfaces + count,
+                       [this](std::uint32_t surface) { return neighbours_.may_have_some(surface); });
+}
+
+void Intersector::find_closest_in_tree(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                       HitLists& lists) const
+{
+    for (std::size_t i = 0; i < count; ++i)
+        if (is_covered(from[i], rays[i].origin))
+            lists.append(next_along_whole_line(from[i], rays[i]));
+        else if (lists.batch_.course[i] != static_cast<std::uint32_t>(LineCourse::passes))
+            lists.append(std::nullopt);
+        else
+            lists.append(nearest_in_tree(rays[i], lists.batch_.line(i), plane_[from[i]]));
+}
+
+void Intersector::find_closest_one_by_one(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                          HitLists& lists) const
+{
+    for (std::size_t i = 0; i < count; ++i)
+        lists.append(closest_hit_from(from[i], rays[i]));
 }
 
 } // namespace multipath

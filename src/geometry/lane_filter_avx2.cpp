@@ -54,17 +54,47 @@ KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
 {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ)));
 }
+KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
+{
+    return {_mm256_blendv_ps(no.x, yes.x, _mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ))};
+}
+KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
+{
+    return {_mm256_sub_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+{
+    return {_mm256_div_ps(a.x, b.x)};
+}
+
+struct LaneMarks
+{
+    __m256i x;
+
+    KERNEL_CODE LaneMarks() : x(_mm256_setzero_si256()) {}
+    KERNEL_CODE void mark(Lanes a, Lanes b, std::uint32_t bit)
+    {
+        const __m256i mask = _mm256_castps_si256(_mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ));
+        x = _mm256_or_si256(x, _mm256_and_si256(mask, _mm256_set1_epi32(static_cast<int>(bit))));
+    }
+    KERNEL_CODE void store(std::uint32_t* to) const { _mm256_store_si256(reinterpret_cast<__m256i*>(to), x); }
+};
 
 } // namespace
 } // namespace multipath
 
 #include "geometry/lane_filter.inl"
 
+#include "geometry/lane_packet.inl"
+
+#include "geometry/lane_phases.inl"
+
 #include "geometry/lane_tree.inl"
 
 namespace multipath {
 
-const FilterKernel avx2_kernel = {"avx2", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+const FilterKernel avx2_kernel = {"avx2",    place_lines,   filter_flat,       nearest_flat,  filter_line,
+                                  visit_all, visit_nearest, decide_candidates, decide_nearest};
 
 } // namespace multipath
 

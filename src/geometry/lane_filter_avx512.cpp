@@ -55,17 +55,47 @@ KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
 {
     return _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ);
 }
+KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
+{
+    return {_mm512_mask_mov_ps(no.x, _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ), yes.x)};
+}
+KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
+{
+    return {_mm512_sub_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+{
+    return {_mm512_div_ps(a.x, b.x)};
+}
+
+struct LaneMarks
+{
+    __m512i x;
+
+    KERNEL_CODE LaneMarks() : x(_mm512_setzero_si512()) {}
+    KERNEL_CODE void mark(Lanes a, Lanes b, std::uint32_t bit)
+    {
+        const __mmask16 mask = _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ);
+        x = _mm512_mask_or_epi32(x, mask, x, _mm512_set1_epi32(static_cast<int>(bit)));
+    }
+    KERNEL_CODE void store(std::uint32_t* to) const { _mm512_store_si512(to, x); }
+};
 
 } // namespace
 } // namespace multipath
 
 #include "geometry/lane_filter.inl"
 
+#include "geometry/lane_packet.inl"
+
+#include "geometry/lane_phases.inl"
+
 #include "geometry/lane_tree.inl"
 
 namespace multipath {
 
-const FilterKernel avx512_kernel = {"avx512", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+const FilterKernel avx512_kernel = {"avx512",  place_lines,   filter_flat,       nearest_flat,  filter_line,
+                                    visit_all, visit_nearest, decide_candidates, decide_nearest};
 
 } // namespace multipath
 

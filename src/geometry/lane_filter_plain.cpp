@@ -52,16 +52,44 @@ KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
 {
     return a.x <= b.x ? 1u : 0u;
 }
+/// yes where a <= b, no elsewhere.
+KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
+{
+    return a.x <= b.x ? yes : no;
+}
+KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
+{
+    return {a.x - b.x};
+}
+KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+{
+    return {a.x / b.x};
+}
+
+/// 32 marks in each lane.
+struct LaneMarks
+{
+    std::uint32_t x = 0;
+
+    /// Sets a mark (one bit) where a <= b.
+    void mark(Lanes a, Lanes b, std::uint32_t bit) { x |= a.x <= b.x ? bit : 0u; }
+    void store(std::uint32_t* to) const { *to = x; }
+};
 
 } // namespace
 } // namespace multipath
 
 #include "geometry/lane_filter.inl"
 
+#include "geometry/lane_packet.inl"
+
+#include "geometry/lane_phases.inl"
+
 #include "geometry/lane_tree.inl"
 
 namespace multipath {
 
-const FilterKernel plain_kernel = {"plain", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+const FilterKernel plain_kernel = {"plain",   place_lines,   filter_flat,       nearest_flat,  filter_line,
+                                   visit_all, visit_nearest, decide_candidates, decide_nearest};
 
 } // namespace multipath

@@ -54,17 +54,48 @@ KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
 {
     return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.x, b.x)));
 }
+KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
+{
+    const __m128 mask = _mm_cmple_ps(a.x, b.x);
+    return {_mm_or_ps(_mm_and_ps(mask, yes.x), _mm_andnot_ps(mask, no.x))};
+}
+KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
+{
+    return {_mm_sub_ps(a.x, b.x)};
+}
+KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+{
+    return {_mm_div_ps(a.x, b.x)};
+}
+
+struct LaneMarks
+{
+    __m128i x;
+
+    KERNEL_CODE LaneMarks() : x(_mm_setzero_si128()) {}
+    KERNEL_CODE void mark(Lanes a, Lanes b, std::uint32_t bit)
+    {
+        const __m128i mask = _mm_castps_si128(_mm_cmple_ps(a.x, b.x));
+        x = _mm_or_si128(x, _mm_and_si128(mask, _mm_set1_epi32(static_cast<int>(bit))));
+    }
+    KERNEL_CODE void store(std::uint32_t* to) const { _mm_store_si128(reinterpret_cast<__m128i*>(to), x); }
+};
 
 } // namespace
 } // namespace multipath
 
 #include "geometry/lane_filter.inl"
 
+#include "geometry/lane_packet.inl"
+
+#include "geometry/lane_phases.inl"
+
 #include "geometry/lane_tree.inl"
 
 namespace multipath {
 
-const FilterKernel sse2_kernel = {"sse2", place_lines, filter_flat, filter_line, visit_all, visit_nearest};
+const FilterKernel sse2_kernel = {"sse2",    place_lines,   filter_flat,       nearest_flat,  filter_line,
+                                  visit_all, visit_nearest, decide_candidates, decide_nearest};
 
 } // namespace multipath
 

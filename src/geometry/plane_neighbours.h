@@ -21,6 +21,9 @@ public:
 
     bool is_listed(std::uint32_t surface) const { return first_[surface] != unlisted; }
 
+    /// False if the surface is listed and has none.
+    bool may_have_some(std::uint32_t surface) const { return first_[surface] != empty_list; }
+
     /// Calls visit(other) for the neighbours of a listed surface, in ascending order.
     template <class Visit>
     void for_each(std::uint32_t surface, const Visit& visit) const
@@ -31,6 +34,7 @@ public:
 
 private:
     static constexpr std::uint32_t unlisted = 0xffffffffu;
+    static constexpr std::uint32_t empty_list = 0;
     static constexpr std::uint32_t end_of_list = 0xffffffffu;
 
     std::vector<std::uint32_t> first_;                      ///< per surface: place of its list

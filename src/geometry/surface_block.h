@@ -29,4 +29,17 @@ struct alignas(64) SurfaceBlock
     static constexpr float distance_slack = 0x1p-19f; ///< of |h|
 };
 
+/// Few surfaces, all of which are tested one after the other: number s is lane s % 16 of block s / 16. Triangles come
+/// first.
+struct FlatSurfaces
+{
+    const SurfaceBlock* blocks;
+    const float* plane; ///< number of each surface's plane
+    unsigned triangles;
+    unsigned count;
+
+    static constexpr unsigned most = 128;     ///< where testing all stops being faster than a hierarchy
+    static constexpr float never = 0x1p+100f; ///< stands for where nothing is met
+};
+
 } // namespace multipath

@@ -66,7 +66,7 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
     struct Block
     {
         std::vector<Item> items;
-        std::vector<ParticleStep> steps;
+        ParticlePaths paths;
     };
     std::vector<Block> blocks(static_cast<std::size_t>(slot_count(threads)));
     PartialSums sums(PowerState::empty(scene));
@@ -75,16 +75,14 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         Block& block = blocks[static_cast<std::size_t>(slot)];
         const std::uint64_t first = number * particles_per_block;
         block.items.resize(static_cast<std::size_t>(std::min(particles_per_block, particles.count() - first)));
-        block.steps.clear();
         sequence.generate(options.first_item + first, block.items);
-        for (std::size_t k = 0; k < block.items.size(); ++k)
-            particles.follow(first + k, block.items[k], block.steps);
+        particles.follow(first, block.items, block.paths);
     };
     const auto deposit_all = [&](std::uint64_t, int slot) {
         const Block& block = blocks[static_cast<std::size_t>(slot)];
-        sums.deposit_all(scene, block.steps, options.estimator, state);
-        segments += block.steps.size();
-        count_lines(block.steps.size());
+        sums.deposit_all(scene, block.paths.steps, options.estimator, state);
+        segments += block.paths.steps.size();
+        count_lines(block.paths.steps.size());
     };
     ordered_blocks((particles.count() + particles_per_block - 1) / particles_per_block, threads, trace, deposit_all);
     sums.flush(state);

@@ -32,9 +32,9 @@ ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, co
     ParticleStory story{particles.count(), particles.shots().size(), {}};
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
         ToldParticle told{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
-        std::vector<ParticleStep> steps;
-        particles.follow(n, told.origin.numbers, steps);
-        for (const ParticleStep& step : steps)
+        ParticlePaths paths;
+        particles.follow(n, {told.origin.numbers}, paths);
+        for (const ParticleStep& step : paths.steps)
             told.steps.push_back(tell(scene, step, options.estimator));
         story.particles.push_back(told);
     }

@@ -6,10 +6,10 @@
 
 #include "sampling/random.h"
 #include "transport/intersection_list.h"
-#include "transport/local_ray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace multipath {
 
@@ -20,33 +20,90 @@ Particles::Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t 
         before_.push_back(before_.back() + shot.rays);
 }
 
-void Particles::follow(std::uint64_t particle, const Item& first_item, std::vector<ParticleStep>& steps) const
+const Shot& Particles::shot_of(std::uint64_t particle) const
 {
     const auto above = std::upper_bound(before_.begin(), before_.end(), particle);
-    const Shot& shot = shots_[static_cast<std::size_t>(above - before_.begin()) - 1];
-    const std::uint64_t random_key = random_bits(key_, particle);
-    std::uint64_t counter = 0;
-    const auto number = [&] { return bits_to_unit(random_bits(random_key, counter++)); };
+    return shots_[static_cast<std::size_t>(above - before_.begin()) - 1];
+}
 
-    std::uint32_t from = shot.patch;
-    Rgb power = shot.power_per_ray;
-    Item item = first_item;
-    while (true) {
-        const Patch patch = scene_.patch(from);
-        const std::uint32_t where = receiver(scene_, patch.surface, local_line(patch, item));
-        const Rgb rho = Segment::is_patch(where) ? scene_.reflectance(where) : Rgb{};
-        const double survival = mean(rho);
-        const double drawn = number();
-        if (!(drawn < survival)) {
-            steps.push_back({from, item, where, power, drawn, {}});
-            return;
-        }
-        const Rgb reflected = (1.0 / survival) * (rho * power);
-        steps.push_back({from, item, where, power, drawn, reflected});
-        power = reflected;
-        from = where;
-        item = {number(), number(), number(), number()};
+namespace {
+
+constexpr std::uint64_t numbers_per_step = 5; // one decides whether a particle goes on, four where to
+
+double random_number(std::uint64_t key, std::uint64_t particle, std::uint64_t counter)
+{
+    return bits_to_unit(random_bits(random_bits(key, particle), counter));
+}
+
+} // namespace
+
+Item Particles::next_item(std::uint64_t particle, std::uint32_t depth) const
+{
+    const std::uint64_t counter = numbers_per_step * depth + 1;
+    Item item;
+    for (std::uint64_t i = 0; i < item.size(); ++i)
+        item[i] = random_number(key_, particle, counter + i);
+    return item;
+}
+
+ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::uint32_t from, const Item& item,
+                             std::uint32_t where, Rgb power) const
+{
+    const Rgb rho = Segment::is_patch(where) ? scene_.reflectance(where) : Rgb{};
+    const double survival = mean(rho);
+    const double drawn = random_number(key_, particle, numbers_per_step * depth);
+    return {from, item, where, power, drawn, drawn < survival ? (1.0 / survival) * (rho * power) : Rgb{}};
+}
+
+// All particles take their first step, then all that are left their second, and so on: rays are traced faster together.
+void Particles::follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const
+{
+    RayBlock& rays = paths.rays_;
+    paths.by_depth_.clear();
+    paths.particle_.clear();
+    paths.first_step_.assign(items.size() + 1, 0);
+    paths.going_on_.resize(items.size());
+    paths.power_.resize(items.size());
+    rays.patches.resize(items.size());
+    rays.items = items;
+    for (std::uint32_t k = 0; k < items.size(); ++k) {
+        const Shot& shot = shot_of(first + k);
+        paths.going_on_[k] = k;
+        paths.power_[k] = shot.power_per_ray;
+        rays.patches[k] = shot.patch;
     }
+    for (std::uint32_t depth = 0; !paths.going_on_.empty(); ++depth) {
+        rays.trace(scene_);
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < paths.going_on_.size(); ++k) {
+            const std::uint32_t number = paths.going_on_[k];
+            const ParticleStep taken =
+                step(first + number, depth, rays.patches[k], rays.items[k], rays.receivers[k], paths.power_[k]);
+            paths.by_depth_.push_back(taken);
+            paths.particle_.push_back(number);
+            ++paths.first_step_[number + 1];
+            if (taken.ends())
+                continue;
+            paths.going_on_[left] = number;
+            paths.power_[left] = taken.goes_on;
+            rays.patches[left] = taken.where;
+            rays.items[left] = next_item(first + number, depth);
+            ++left;
+        }
+        paths.going_on_.resize(left);
+        rays.patches.resize(left);
+        rays.items.resize(left);
+    }
+    paths.sort_by_particle();
+}
+
+/// Each particle's steps are already in order.
+void ParticlePaths::sort_by_particle()
+{
+    std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
+    steps.resize(by_depth_.size());
+    for (std::size_t k = 0; k < by_depth_.size(); ++k)
+        steps[first_step_[particle_[k]]++] = by_depth_[k];
 }
 
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed)
@@ -54,10 +111,16 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
     const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 65536);
     const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
     const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
-    std::vector<ParticleStep> steps;
-    for (std::uint64_t k = 0; k < pilot.count(); ++k)
-        pilot.follow(k, random->item(k), steps);
-    const double segments = static_cast<double>(steps.size()) / static_cast<double>(pilot.count());
+    ParticlePaths paths;
+    std::uint64_t steps = 0;
+    constexpr std::uint64_t together = 1024;
+    for (std::uint64_t first = 0; first < pilot.count(); first += together) {
+        std::vector<Item> items(static_cast<std::size_t>(std::min(together, pilot.count() - first)));
+        random->generate(first, items);
+        pilot.follow(first, items, paths);
+        steps += paths.steps.size();
+    }
+    const double segments = static_cast<double>(steps) / static_cast<double>(pilot.count());
     const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) / segments));
     return Particles(scene, plan_first_shot(scene, state, 0.0, std::max<std::uint64_t>(1, wanted)), seed);
 }

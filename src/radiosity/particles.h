@@ -2,6 +2,7 @@
 
 #include "radiosity/first_shot.h"
 #include "sampling/sequence.h"
+#include "transport/ray_block.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,27 @@ struct ParticleStep
     Rgb power;           ///< [W] that arrives
     double drawn;        ///< [0, 1) number that decides: below the patch's survival it goes on
     Rgb goes_on;         ///< [W] that leaves again; black where the particle ends
+
+    bool ends() const { return goes_on == Rgb{}; }
+};
+
+/// The paths of some particles, with memory that serves again.
+class ParticlePaths
+{
+public:
+    std::vector<ParticleStep> steps; ///< all paths one after the other
+
+private:
+    friend class Particles;
+
+    void sort_by_particle();
+
+    RayBlock rays_;                       ///< of the particles that still go on, one segment each
+    std::vector<std::uint32_t> going_on_; ///< which particles these are
+    std::vector<Rgb> power_;              ///< [W] of each of them
+    std::vector<ParticleStep> by_depth_;  ///< all first segments, then all second ones, ...
+    std::vector<std::uint32_t> particle_; ///< whose these are
+    std::vector<std::size_t> first_step_; ///< of each particle
 };
 
 /// The particles of a run (L1): which source sends which, counted through, and the path of each, a function of its
@@ -32,10 +54,16 @@ public:
     std::uint64_t count() const { return before_.back(); }
     const std::vector<Shot>& shots() const { return shots_; }
 
-    /// Appends the path of one particle; `item` is for its first segment, all that follows is random.
-    void follow(std::uint64_t particle, const Item& item, std::vector<ParticleStep>& steps) const;
+    /// The paths of particles first, first + 1, ..., one after the other. The items are for their first segments, all
+    /// that follows is random. Replaces what `paths` held.
+    void follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const;
 
 private:
+    ParticleStep step(std::uint64_t particle, std::uint32_t depth, std::uint32_t from, const Item& item,
+                      std::uint32_t where, Rgb power) const;
+    Item next_item(std::uint64_t particle, std::uint32_t depth) const;
+    const Shot& shot_of(std::uint64_t particle) const;
+
     const Scene& scene_;
     std::vector<Shot> shots_;
     std::vector<std::uint64_t> before_ = {0};

@@ -2,7 +2,7 @@
 
 #include "parallel/ordered_blocks.h"
 #include "transport/intersection_list.h"
-#include "transport/local_ray.h"
+#include "transport/ray_block.h"
 
 #include <algorithm>
 
@@ -11,13 +11,6 @@ namespace multipath {
 namespace {
 
 constexpr std::uint64_t rays_per_block = 4096;
-
-/// Rays number first ... of the whole list of shots, and the place in the list where they begin.
-struct RayBlock
-{
-    std::vector<Item> items;
-    std::vector<std::uint32_t> receivers;
-};
 
 /// Cumulative number of rays before each shot; one entry more than shots.
 std::vector<std::uint64_t> rays_before(const std::vector<Shot>& shots)
@@ -87,18 +80,13 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
         RayBlock& block = blocks[static_cast<std::size_t>(slot)];
         const std::uint64_t first = number * rays_per_block;
         block.items.resize(static_cast<std::size_t>(std::min(rays_per_block, ray_count - first)));
-        block.receivers.clear();
         sequence.generate(first_item + first, block.items);
-        std::size_t shot = shot_of_ray(before, first);
-        LocalRays rays(scene.patch(shots[shot].patch));
-        for (std::size_t k = 0; k < block.items.size(); ++k) {
-            if (first + k >= before[shot + 1]) {
-                shot = shot_of_ray(before, first + k);
-                rays = LocalRays(scene.patch(shots[shot].patch));
-            }
-            const std::uint32_t surface = scene.surface_of(shots[shot].patch);
-            block.receivers.push_back(receiver(scene, surface, rays.line(block.items[k])));
+        block.patches.clear();
+        for (std::size_t shot = shot_of_ray(before, first); block.patches.size() < block.items.size(); ++shot) {
+            const std::uint64_t end = std::min(before[shot + 1] - first, std::uint64_t{block.items.size()});
+            block.patches.resize(static_cast<std::size_t>(end), shots[shot].patch);
         }
+        block.trace(scene);
     };
     ReceivedRays received(scene);
     std::size_t current_shot = 0;

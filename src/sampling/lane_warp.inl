@@ -22,14 +22,8 @@ KERNEL_CODE DoubleLanes polynomial(DoubleLanes y, const double* coefficients, in
 /// behind the point are rounded away; the sum's lowest bits are then those of the whole number.
 KERNEL_CODE LaneSinCos sin_cos_of_turns(DoubleLanes turns)
 {
-    constexpr double sine_terms[] = {1.0,
-                                     -1.0 / 6,
-                                     1.0 / 120,
-                                     -1.0 / 5040,
-                                     1.0 / 362880,
-                                     -1.0 / 39916800,
-                                     1.0 / 6227020800.0,
-                                     -1.0 / 1307674368000.0};
+    constexpr double sine_terms[] = {1.0,          -1.0 / 6,        1.0 / 120,          -1.0 / 5040,
+                                     1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
     constexpr double cosine_terms[] = {1.0,
                                        -1.0 / 2,
                                        1.0 / 24,

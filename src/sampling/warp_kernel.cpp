@@ -24,6 +24,16 @@ const WarpKernel& chosen = fastest();
 
 } // namespace
 
+void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
+{
+    for (std::size_t k = 0; k < count; ++k) {
+        square.a[k] = items[k][first_number];
+        square.b[k] = items[k][first_number + 1];
+    }
+    for (std::size_t k = count; k % 8 != 0; ++k)
+        square.a[k] = square.b[k] = 0.0;
+}
+
 std::vector<const WarpKernel*> available_warp_kernels()
 {
     std::vector<const WarpKernel*> kernels;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sampling/sequence.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +24,9 @@ struct SquarePoints
     alignas(64) double a[warp_block];
     alignas(64) double b[warp_block];
 };
+
+/// Two successive numbers of every item; what fills up the last group of lanes is 0.
+void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square);
 
 /// The maps of warp.h for many points at a time, compiled for one instruction set. All give the same numbers as the
 /// maps for one point, bit for bit. They fill whole groups of lanes: `count` rounded up to the next multiple of 8.

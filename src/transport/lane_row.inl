@@ -34,7 +34,8 @@ KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct
             parts[0] += value * products[k].x[rest];
             products[k].y[rest] += value * products[k].factor;
         }
-        products[k].sum = ((parts[0] + parts[1]) + (parts[2] + parts[3])) + ((parts[4] + parts[5]) + (parts[6] + parts[7]));
+        products[k].sum =
+            ((parts[0] + parts[1]) + (parts[2] + parts[3])) + ((parts[4] + parts[5]) + (parts[6] + parts[7]));
     }
 }
 

@@ -26,17 +26,6 @@ Vec3 turned(Vec3 p)
     return cosine * p + sine * cross(axis, p) + ((1.0 - cosine) * dot(axis, p)) * axis;
 }
 
-/// Two successive numbers of every item; what fills up the last group of lanes is 0.
-void gather_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
-{
-    for (std::size_t k = 0; k < count; ++k) {
-        square.a[k] = items[k][first_number];
-        square.b[k] = items[k][first_number + 1];
-    }
-    for (std::size_t k = count; k % 8 != 0; ++k)
-        square.a[k] = square.b[k] = 0.0;
-}
-
 /// How far a ray from a point of the box goes inside it.
 double way_through(const Bounds& box, Vec3 from, Vec3 direction)
 {
@@ -132,9 +121,9 @@ void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines
     SquarePoints square;
     WarpedPoints from;
     WarpedPoints to;
-    gather_square(items, count, 0, square);
+    take_square(items, count, 0, square);
     warp_kernel().uniform_sphere(square, count, from);
-    gather_square(items, count, 2, square);
+    take_square(items, count, 2, square);
     warp_kernel().uniform_sphere(square, count, to);
     const Vec3 centre = box_.centre();
     for (std::size_t k = 0; k < count; ++k)
@@ -146,7 +135,7 @@ void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) c
 {
     SquarePoints square;
     WarpedPoints local;
-    gather_square(items, count, 2, square);
+    take_square(items, count, 2, square);
     warp_kernel().cosine_hemisphere(square, count, local);
     for (std::size_t k = 0; k < count; ++k)
         lines[k] = box_line(items[k], {local.x[k], local.y[k], local.z[k]});

@@ -1,9 +1,11 @@
 #include "transport/local_ray.h"
 
 #include "sampling/warp.h"
+#include "sampling/warp_kernel.h"
 #include "transport/intersection_list.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace multipath {
 
@@ -17,12 +19,16 @@ LocalRays::LocalRays(const Patch& patch) : shape_(patch.shape), normal_(patch.sh
 
 Line LocalRays::line(const Item& item) const
 {
+    return line(item, square_to_cosine_hemisphere(item[2], item[3]));
+}
+
+Line LocalRays::line(const Item& item, Vec3 local) const
+{
     // A ray must not start on the border itself, where rounding could put it outside a closed room.
     const auto inside = [](double x) { return std::clamp(x, 0x1p-30, 1.0 - 0x1p-30); };
     Barycentric place{inside(item[0]), inside(item[1])};
     if (shape_.shape == Shape::triangle)
         place = square_to_uniform_triangle(place.u, place.v);
-    const Vec3 local = square_to_cosine_hemisphere(item[2], item[3]);
     return {shape_.at(place.u, place.v), local.x * tangent_ + local.y * bitangent_ + local.z * normal_};
 }
 
@@ -31,12 +37,32 @@ Line local_line(const Patch& patch, const Item& item)
     return LocalRays(patch).line(item);
 }
 
+void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines)
+{
+    SquarePoints square;
+    WarpedPoints local;
+    std::optional<LocalRays> rays;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t place = k % warp_block;
+        if (place == 0) {
+            take_square(items + k, std::min(warp_block, count - k), 2, square);
+            warp_kernel().cosine_hemisphere(square, std::min(warp_block, count - k), local);
+        }
+        if (k == 0 || patches[k] != patches[k - 1])
+            rays.emplace(scene.patch(patches[k]));
+        lines[k] = rays->line(items[k], {local.x[place], local.y[place], local.z[place]});
+    }
+}
+
 std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray)
 {
     const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, ray);
-    if (!hit)
-        return Segment::outside;
-    const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
+    return hit ? receiving_patch(scene, *hit) : Segment::outside;
+}
+
+std::uint32_t receiving_patch(const Scene& scene, const Hit& hit)
+{
+    const std::uint32_t patch = scene.patch_at(hit.surface, hit.u, hit.v, hit.front);
     return patch == Scene::no_patch ? Segment::behind : patch;
 }
 

@@ -4,6 +4,7 @@
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace multipath {
@@ -17,6 +18,9 @@ public:
     /// The ray from a uniform point (item[0], item[1]) in a cosine-distributed direction (item[2], item[3]).
     Line line(const Item& item) const;
 
+    /// The same for a direction found elsewhere: item[2], item[3] on the hemisphere about +z.
+    Line line(const Item& item, Vec3 local) const;
+
 private:
     Surface shape_;
     Vec3 tangent_;
@@ -27,7 +31,13 @@ private:
 /// The same for a single ray.
 Line local_line(const Patch& patch, const Item& item);
 
+/// The same for many rays, faster: number k from patches[k] by items[k].
+void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines);
+
 /// Where the ray from a patch arrives: a patch, or Segment::behind or Segment::outside.
 std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray);
+
+/// The patch that is met, or Segment::behind.
+std::uint32_t receiving_patch(const Scene& scene, const Hit& hit);
 
 } // namespace multipath

@@ -197,16 +197,27 @@ void compare_closest_hits(const Rivals& rivals)
     const Intersector intersector(rivals.surfaces);
     std::vector<Contestant> contestants = embrees_of(rivals, "rays", rays, &EmbreeScene::count_closest_hits);
     const std::size_t embrees = contestants.size();
-    for (std::size_t e = 0; e < std::max<std::size_t>(1, embrees); ++e)
-        contestants.push_back({"ours" + (embrees > 0 ? " /" + contestants[e].name.substr(8) : ""), "rays",
-                               [&] {
-                                   double count = 0.0;
-                                   for (std::size_t k = 0; k < rays.size(); ++k)
-                                       count += intersector.closest_hit_from(from[k], rays[k]) ? 1.0 : 0.0;
-                                   use(count);
-                                   return static_cast<double>(rays.size());
-                               },
-                               embrees > 0 ? contestants[e].name : ""});
+    const auto one_by_one = [&] {
+        double count = 0.0;
+        for (std::size_t k = 0; k < rays.size(); ++k)
+            count += intersector.closest_hit_from(from[k], rays[k]) ? 1.0 : 0.0;
+        use(count);
+        return static_cast<double>(rays.size());
+    };
+    const auto in_blocks = [&] {
+        HitLists lists;
+        for (std::size_t k = 0; k < rays.size(); k += block) {
+            intersector.closest_hits_from(&from[k], &rays[k], block, lists);
+            use(static_cast<double>(lists[k % block].size()));
+        }
+        return static_cast<double>(rays.size());
+    };
+    for (std::size_t e = 0; e < std::max<std::size_t>(1, embrees); ++e) {
+        const std::string rival = embrees > 0 ? contestants[e].name : "";
+        const std::string against = embrees > 0 ? " /" + rival.substr(8) : "";
+        contestants.push_back({"ray by ray" + against, "rays", one_by_one, rival});
+        contestants.push_back({"in blocks" + against, "rays", in_blocks, rival});
+    }
     compete("closest hit of diffuse rays: " + rivals.name, contestants);
 }
 
@@ -214,6 +225,12 @@ void compare_crossings()
 {
     std::vector<Rivals> all;
     all.push_back({"room of 37 rectangles", room_with_boxes(5), {1, 16, 164}});
+        for (const Rivals& r : all) {
+            compare_all_hits(r);
+            compare_closest_hits(r);
+        }
+        return;
+    }
     all.push_back({"room of 301 rectangles", room_with_boxes(49), {1}});
     all.push_back({"soup of 20,000 triangles", triangle_soup(20000, 0.05), {0}});
     all.push_back({"soup of 1,000,000 triangles", triangle_soup(1000000, 0.01), {0}});

@@ -44,6 +44,16 @@ public:
         return best == hits.end() ? std::optional<Hit>() : *best;
     }
 
+    /// The first of the hits of a ray that leaves `from` where nothing else lies in its plane.
+    std::optional<Hit> closest_from(std::uint32_t from, std::vector<Hit> hits) const
+    {
+        const auto in_plane = [&](const Hit& hit) {
+            return planes_.plane_number[hit.surface] == planes_.plane_number[from];
+        };
+        hits.erase(std::remove_if(hits.begin(), hits.end(), in_plane), hits.end());
+        return closest(hits);
+    }
+
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const
     {
         std::vector<std::uint32_t> found;

@@ -109,6 +109,66 @@ std::size_t wrong_lines(const std::vector<Surface>& surfaces, const std::vector<
     return wrong;
 }
 
+struct RaysFrom
+{
+    std::vector<std::uint32_t> surfaces;
+    std::vector<Line> rays;
+};
+
+/// Rays from points of surfaces, also from their edges and corners, in any direction, also towards corners of others
+/// and along the surface.
+RaysFrom rays_from(const std::vector<Surface>& surfaces, std::size_t count, std::uint64_t key)
+{
+    RaysFrom result;
+    Numbers numbers(key);
+    while (result.rays.size() < count) {
+        const auto from = static_cast<std::uint32_t>(numbers.below(surfaces.size()));
+        const Surface& s = surfaces[from];
+        const auto coordinate = [&] {
+            return numbers.unit() < 0.1 ? (numbers.unit() < 0.5 ? 0.0 : 1.0) : numbers.unit();
+        };
+        const double u = coordinate();
+        const double v = (s.shape == Shape::triangle ? 1.0 - u : 1.0) * coordinate();
+        const Vec3 start = s.at(u, v);
+        const Vec3 corner = surfaces[numbers.below(surfaces.size())].at(coordinate(), 0.0);
+        for (const Vec3 direction : {numbers.point(-1, 1), corner - start, s.edge_u, Vec3{}}) {
+            result.surfaces.push_back(from);
+            result.rays.push_back({start, direction});
+        }
+    }
+    return result;
+}
+
+/// How many rays some kernel, in some way of asking, gets wrong.
+std::size_t wrong_rays(const std::vector<Surface>& surfaces, const RaysFrom& from)
+{
+    const BruteForce brute_force(surfaces);
+    std::vector<Intersector> intersectors;
+    std::vector<HitLists> blocks(available_kernels().size());
+    for (const FilterKernel* kernel : available_kernels()) {
+        intersectors.emplace_back(surfaces, *kernel);
+        intersectors.back().closest_hits_from(from.surfaces.data(), from.rays.data(), from.rays.size(),
+                                              blocks[intersectors.size() - 1]);
+    }
+    std::size_t wrong = 0;
+    std::vector<Hit> hits;
+    for (std::size_t n = 0; n < from.rays.size(); ++n) {
+        const std::uint32_t surface = from.surfaces[n];
+        brute_force.all_hits(from.rays[n], hits);
+        const bool covered = !brute_force.coincident_surfaces(surface, from.rays[n].origin).empty();
+        const std::optional<Hit> expected = covered ? intersectors.back().closest_hit_from(surface, from.rays[n])
+                                                    : brute_force.closest_from(surface, hits);
+        bool right = true;
+        for (std::size_t k = 0; k < intersectors.size(); ++k) {
+            const HitLists::List list = blocks[k][n];
+            right = right && list.size() <= 1 && same(list.empty() ? std::optional<Hit>() : list[0], expected) &&
+                    same(intersectors[k].closest_hit_from(surface, from.rays[n]), expected);
+        }
+        wrong += !right;
+    }
+    return wrong;
+}
+
 std::vector<Line> random_chords(const std::vector<Surface>& surfaces, std::size_t count)
 {
     Bounds box;
@@ -137,15 +197,18 @@ TEST_CASE("the plain kernel is there, and the fastest has another name where the
 // 128 surfaces are still all filtered, 129 found through the hierarchy.
 TEST_CASE("kernels lose no hit of scattered surfaces, wherever they stand and however large they are")
 {
-    for (const std::size_t count : {1u, 15u, 17u, 128u, 129u, 300u})
-        CHECK(wrong_lines(scattered_surfaces(count, count > 50 ? 0.2 : 0.5, count),
-                          difficult_lines(scattered_surfaces(count, count > 50 ? 0.2 : 0.5, count), 3000, count)) == 0);
+    for (const std::size_t count : {1u, 15u, 17u, 128u, 129u, 300u}) {
+        const std::vector<Surface> surfaces = scattered_surfaces(count, count > 50 ? 0.2 : 0.5, count);
+        CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 3000, count)) == 0);
+        CHECK(wrong_rays(surfaces, rays_from(surfaces, 3000, count)) == 0);
+    }
     for (const std::size_t count : {30u, 200u})
         for (const double scale : {1.0, 1e-6, 1e6})
             for (const double shift : {0.0, 1.0, 1e6}) {
                 const std::vector<Surface> surfaces =
                     transformed(scattered_surfaces(count, 0.3, count), scale, {shift, -2.0 * shift, 0.5 * shift});
                 CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 1000, 5)) == 0);
+                CHECK(wrong_rays(surfaces, rays_from(surfaces, 1000, 5)) == 0);
             }
 }
 
@@ -166,6 +229,7 @@ TEST_CASE("kernels lose no hit of coincident faces")
                 {0.0625 * static_cast<double>(numbers.below(16)), 0, 0.0625 * static_cast<double>(numbers.below(16))},
                 {0.0625, 0.25, 0.0625});
         CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 10000, 6)) == 0);
+        CHECK(wrong_rays(surfaces, rays_from(surfaces, 10000, 6)) == 0);
         for (Surface& s : surfaces)
             s = moved(s);
         CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 10000, 7)) == 0);
@@ -191,6 +255,7 @@ TEST_CASE("kernels lose no hit of slivers and tiny triangles")
                     surfaces.push_back(s);
         }
         CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 10000, 8)) == 0);
+        CHECK(wrong_rays(surfaces, rays_from(surfaces, 10000, 8)) == 0);
     }
 }
 
@@ -227,6 +292,7 @@ TEST_CASE("kernels lose no hit of a million lines through the bundled scenes")
         CHECK_MESSAGE(wrong_lines(surfaces, random_chords(surfaces, surfaces.size() > 100 ? 60000 : 150000)) == 0,
                       name);
         CHECK_MESSAGE(wrong_lines(surfaces, difficult_lines(surfaces, 20000, 9)) == 0, name);
+        CHECK_MESSAGE(wrong_rays(surfaces, rays_from(surfaces, 20000, 9)) == 0, name);
     }
 }
 

@@ -1,0 +1,95 @@
+// What comes before and after the filters of many lines, in double precision: plain loops, vectorised by the compiler
+// for the instruction set, which changes no bit. Included once by the file of each instruction set, after KERNEL_ENTRY,
+// all static.
+
+namespace multipath {
+namespace {
+
+/// Lines member by member.
+struct LineColumns
+{
+    static constexpr std::size_t most = 16; ///< so few that they stay close to the processor
+
+    alignas(64) double origin[3][most];
+    double direction[3][most];
+    double t_max[most];
+
+    Line line(std::size_t i) const
+    {
+        return {
+            {origin[0][i], origin[1][i], origin[2][i]}, {direction[0][i], direction[1][i], direction[2][i]}, t_max[i]};
+    }
+};
+
+KERNEL_CODE void to_columns(const Line* lines, std::size_t count, LineColumns& columns)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        __builtin_prefetch(lines + i + 128);
+        columns.origin[0][i] = lines[i].origin.x;
+        columns.origin[1][i] = lines[i].origin.y;
+        columns.origin[2][i] = lines[i].origin.z;
+        columns.direction[0][i] = lines[i].direction.x;
+        columns.direction[1][i] = lines[i].direction.y;
+        columns.direction[2][i] = lines[i].direction.z;
+        columns.t_max[i] = lines[i].t_max;
+    }
+}
+
+/// FilterFrame::place for the first lines of the columns, always as many as there can be, which then needs no rest
+/// loop.
+KERNEL_CODE void place_columns(const FilterFrame& frame, const LineColumns& lines, std::size_t first, LineBatch& batch)
+{
+    for (std::size_t k = 0; k < LineColumns::most; ++k) {
+        const std::size_t i = first + k;
+        FilterLine placed;
+        batch.course[i] = static_cast<std::uint32_t>(frame.place(lines.line(k), placed));
+        batch.direction[0][i] = placed.direction[0];
+        batch.direction[1][i] = placed.direction[1];
+        batch.direction[2][i] = placed.direction[2];
+        batch.moment[0][i] = placed.moment[0];
+        batch.moment[1][i] = placed.moment[1];
+        batch.moment[2][i] = placed.moment[2];
+        batch.middle[0][i] = placed.middle[0];
+        batch.middle[1][i] = placed.middle[1];
+        batch.middle[2][i] = placed.middle[2];
+        batch.half_length[i] = placed.half_length;
+        batch.scale[i] = placed.scale;
+        batch.whole[i] = placed.whole;
+        batch.middle_t[i] = placed.middle_t;
+    }
+}
+
+KERNEL_ENTRY void place_lines(const FilterFrame& frame, const Line* lines, std::size_t count, LineBatch& batch)
+{
+    const FilterFrame local = frame; // nothing that is written below can change it
+    LineColumns columns{};
+    for (std::size_t first = 0; first < count; first += LineColumns::most) {
+        to_columns(lines + first, count - first < LineColumns::most ? count - first : LineColumns::most, columns);
+        place_columns(local, columns, first, batch);
+    }
+}
+
+/// SurfaceTable::decide for every candidate, in order.
+KERNEL_ENTRY std::size_t decide_candidates(const SurfaceTable& table, const Line* lines,
+                                           const LineCandidate* candidates, std::size_t count, Hit* hits,
+                                           std::size_t* end_of_line)
+{
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const LineCandidate candidate = candidates[i];
+        end += table.decide(lines[candidate.line], candidate.surface, hits[end]);
+        end_of_line[candidate.line] = end;
+    }
+    return end;
+}
+
+/// SurfaceTable::decide for one surface of each line.
+KERNEL_ENTRY void decide_nearest(const SurfaceTable& table, const Line* lines, const std::uint32_t* surfaces,
+                                 std::size_t count, Hit* hits, std::uint32_t* is_hit)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        is_hit[i] = table.decide(lines[i], surfaces[i], hits[i]);
+}
+
+} // namespace
+} // namespace multipath
