@@ -32,6 +32,7 @@ public:
     };
 
     std::size_t size() const { return end_.size(); } ///< number of lines
+    std::size_t hit_count() const { return end_.empty() ? 0 : end_.back(); }
     List operator[](std::size_t line) const
     {
         return {hits_.data() + (line == 0 ? 0 : end_[line - 1]), hits_.data() + end_[line]};

@@ -36,29 +36,39 @@ ShuffledOrder::ShuffledOrder(const Sequence& base, std::uint64_t first, std::uin
 {
 }
 
+std::uint64_t ShuffledOrder::size_of(std::uint64_t block) const
+{
+    return std::min(block_size, count_ - block * block_size);
+}
+
+std::uint64_t ShuffledOrder::key_of(std::uint64_t block)
+{
+    return mix_bits(block + 0x13198a2e03707344u);
+}
+
 std::uint64_t ShuffledOrder::item_at(std::uint64_t n) const
 {
     if (n < first_ || n - first_ >= count_)
         return n;
     const std::uint64_t block = (n - first_) / block_size;
-    const std::uint64_t before = block * block_size;
-    const std::uint64_t size = std::min(block_size, count_ - before);
-    return first_ + before + permuted_within(n - first_ - before, size, mix_bits(block + 0x13198a2e03707344u));
+    const std::uint64_t before = first_ + block * block_size;
+    return before + permuted_within(n - before, size_of(block), key_of(block));
 }
 
 void ShuffledOrder::generate(std::uint64_t first, std::vector<Item>& items) const
 {
-    std::vector<Item> block;
-    std::uint64_t block_first = 0; // the block holds the items from here on
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        const std::uint64_t n = item_at(first + k);
-        if (n < block_first || n - block_first >= block.size()) {
-            block_first = n < first_ ? n : n - (n - first_) % block_size;
-            block.resize(static_cast<std::size_t>(std::min(block_size, item_limit() - block_first)));
-            base_.generate(block_first, block);
-        }
-        items[k] = block[static_cast<std::size_t>(n - block_first)];
+    const bool whole_block = first >= first_ && first - first_ < count_ && (first - first_) % block_size == 0 &&
+                             items.size() == size_of((first - first_) / block_size);
+    if (!whole_block) {
+        for (std::size_t k = 0; k < items.size(); ++k)
+            items[k] = base_.item(item_at(first + k));
+        return;
     }
+    std::vector<Item> in_order(items.size());
+    base_.generate(first, in_order);
+    const std::uint64_t key = key_of((first - first_) / block_size);
+    for (std::size_t k = 0; k < items.size(); ++k)
+        items[k] = in_order[static_cast<std::size_t>(permuted_within(k, items.size(), key))];
 }
 
 } // namespace multipath

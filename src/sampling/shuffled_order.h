@@ -21,12 +21,16 @@ public:
     int dimensions() const override { return base_.dimensions(); }
     std::uint64_t item_limit() const override { return base_.item_limit(); }
     double coordinate(std::uint64_t n, int dimension) const override { return base_.coordinate(item_at(n), dimension); }
+    /// Fast for whole blocks.
     void generate(std::uint64_t first, std::vector<Item>& items) const override;
 
     /// Which item of the base stands at place n.
     std::uint64_t item_at(std::uint64_t n) const;
 
 private:
+    std::uint64_t size_of(std::uint64_t block) const;
+    static std::uint64_t key_of(std::uint64_t block);
+
     const Sequence& base_;
     std::uint64_t first_;
     std::uint64_t count_;

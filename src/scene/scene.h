@@ -55,6 +55,13 @@ public:
 
     /// The patch on one side of a surface at (u, v), or no_patch for the back of a one-sided surface.
     std::uint32_t patch_at(std::uint32_t surface, double u, double v, bool front) const;
+    /// The patches on both sides at (u, v), or `none` for the back of a one-sided surface.
+    struct Sides
+    {
+        std::uint32_t front;
+        std::uint32_t back;
+    };
+    Sides patches_at(std::uint32_t surface, double u, double v, std::uint32_t none) const;
     const Tessellation& tessellation(std::uint32_t surface) const { return tessellations_[surface]; }
     std::uint32_t first_patch(std::uint32_t surface) const { return first_cell_[surface]; } ///< first front patch
 
@@ -87,10 +94,14 @@ private:
 // Inline: asked for every crossing of a line.
 inline std::uint32_t Scene::patch_at(std::uint32_t surface, double u, double v, bool front) const
 {
-    if (!front && !two_sided_)
-        return no_patch;
+    const Sides sides = patches_at(surface, u, v, no_patch);
+    return front ? sides.front : sides.back;
+}
+
+inline Scene::Sides Scene::patches_at(std::uint32_t surface, double u, double v, std::uint32_t none) const
+{
     const std::uint32_t cell = first_cell_[surface] + tessellations_[surface].cell_at(u, v);
-    return front ? cell : cell_count_ + cell;
+    return {cell, two_sided_ ? cell_count_ + cell : none};
 }
 
 /// A patch size that gives a few thousand patches: the largest round number not above sqrt(A / 2500), or up to 2.5

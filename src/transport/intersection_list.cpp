@@ -1,13 +1,33 @@
 #include "transport/intersection_list.h"
 
+#include "geometry/conditions.h"
+
 namespace multipath {
 
 namespace {
 
-std::uint32_t patch_or_behind(const Scene& scene, const Hit& hit, bool front)
+Passage passage_at(const Scene& scene, const Hit& hit)
 {
-    const std::uint32_t patch = scene.patch_at(hit.surface, hit.u, hit.v, front);
-    return patch == Scene::no_patch ? Segment::behind : patch;
+    const Scene::Sides sides = scene.patches_at(hit.surface, hit.u, hit.v, Segment::behind);
+    return hit.front ? Passage{sides.front, sides.back} : Passage{sides.back, sides.front};
+}
+
+/// Writes the segments of one line, at most one more than hits; returns where the next one goes. What a line meets is
+/// hard to predict: nothing here branches on it.
+Segment* write_segments(const Scene& scene, HitLists::List hits, Segment* place)
+{
+    std::uint32_t from = Segment::outside;
+    const auto write = [&](std::uint32_t to) {
+        *place = {from, to};
+        place += any(Segment::is_patch(from), Segment::is_patch(to));
+    };
+    for (const Hit& hit : hits) {
+        const Passage passage = passage_at(scene, hit);
+        write(passage.arrives_at);
+        from = passage.leaves;
+    }
+    write(Segment::outside);
+    return place;
 }
 
 } // namespace
@@ -15,22 +35,24 @@ std::uint32_t patch_or_behind(const Scene& scene, const Hit& hit, bool front)
 void append_passages(const Scene& scene, HitLists::List hits, std::vector<Passage>& passages)
 {
     for (const Hit& hit : hits)
-        passages.push_back({patch_or_behind(scene, hit, hit.front), patch_or_behind(scene, hit, !hit.front)});
+        passages.push_back(passage_at(scene, hit));
 }
 
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments)
 {
-    std::uint32_t from = Segment::outside;
-    const auto append = [&](std::uint32_t to) {
-        if (Segment::is_patch(from) || Segment::is_patch(to))
-            segments.push_back({from, to});
-    };
-    for (const Hit& hit : hits) {
-        append(patch_or_behind(scene, hit, hit.front)); // the side that the line arrives at
-        from = patch_or_behind(scene, hit, !hit.front); // the side that it leaves
-    }
-    if (!hits.empty())
-        append(Segment::outside);
+    const std::size_t before = segments.size();
+    segments.resize(before + hits.size() + 1);
+    const Segment* end = write_segments(scene, hits, segments.data() + before);
+    segments.resize(static_cast<std::size_t>(end - segments.data()));
+}
+
+void find_segments(const Scene& scene, const HitLists& lists, std::vector<Segment>& segments)
+{
+    segments.resize(lists.hit_count() + lists.size() + 1);
+    Segment* end = segments.data();
+    for (std::size_t line = 0; line < lists.size(); ++line)
+        end = write_segments(scene, lists[line], end);
+    segments.resize(static_cast<std::size_t>(end - segments.data()));
 }
 
 } // namespace multipath

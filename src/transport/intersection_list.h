@@ -38,4 +38,7 @@ void append_passages(const Scene& scene, HitLists::List hits, std::vector<Passag
 /// Appends the segments of one line, given its hits in order. Those that touch no patch are left out.
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments);
 
+/// The segments of many lines, line after line. Replaces what `segments` held.
+void find_segments(const Scene& scene, const HitLists& lists, std::vector<Segment>& segments);
+
 } // namespace multipath

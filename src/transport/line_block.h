@@ -19,11 +19,9 @@ public:
 
     static std::uint64_t blocks_for(std::uint64_t lines) { return (lines + most_lines - 1) / most_lines; }
 
-    /// Takes block `number` of the `lines` lines whose items begin at first_item, and calls met(hits) for each of them,
-    /// hits in order.
-    template <class Met>
-    void trace(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence, std::uint64_t first_item,
-               std::uint64_t lines, std::uint64_t number, const Met& met)
+    /// Takes block `number` of the `lines` lines whose items begin at first_item: what each of them meets, in order.
+    const HitLists& trace(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
+                          std::uint64_t first_item, std::uint64_t lines, std::uint64_t number)
     {
         const std::uint64_t first = number * most_lines;
         items_.resize(static_cast<std::size_t>(std::min(most_lines, lines - first)));
@@ -31,8 +29,7 @@ public:
         sequence.generate(first_item + first, items_);
         global_lines.lines(items_.data(), items_.size(), lines_.data());
         scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
-        for (std::size_t k = 0; k < lines_.size(); ++k)
-            met(hits_[k]);
+        return hits_;
     }
 
     std::uint64_t lines() const { return items_.size(); } ///< of the block traced last
@@ -52,9 +49,7 @@ struct SegmentBlock
     void trace(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence, std::uint64_t first_item,
                std::uint64_t line_count, std::uint64_t number)
     {
-        segments.clear();
-        lines.trace(scene, global_lines, sequence, first_item, line_count, number,
-                    [&](HitLists::List hits) { append_segments(scene, hits, segments); });
+        find_segments(scene, lines.trace(scene, global_lines, sequence, first_item, line_count, number), segments);
     }
 };
 

@@ -82,11 +82,12 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         PairBlock& block = blocks[static_cast<std::size_t>(slot)];
         block.pairs.clear();
         block.losses.clear();
-        block.lines.trace(scene, lines, sequence, first_item, lines_cast, number, [&](HitLists::List hits) {
+        const HitLists& lists = block.lines.trace(scene, lines, sequence, first_item, lines_cast, number);
+        for (std::size_t line = 0; line < lists.size(); ++line) {
             block.passages.clear();
-            append_passages(scene, hits, block.passages);
+            append_passages(scene, lists[line], block.passages);
             note(block.passages, block);
-        });
+        }
     };
     const auto add_block = [&](std::uint64_t, int slot) {
         const PairBlock& block = blocks[static_cast<std::size_t>(slot)];

@@ -4,6 +4,7 @@
 
 #include "transport/pair_rays.h"
 
+#include "geometry/hit_lists.h"
 #include "parallel/ordered_blocks.h"
 #include "sampling/random.h"
 #include "transport/fill_level.h"
@@ -47,28 +48,70 @@ private:
     std::vector<Rgb> sends_;    ///< B^2
 };
 
-bool is_free(const Scene& scene, const RayPair& pair, const RayPair::Ray& ray)
+/// Rays of several pairs, traced together.
+class SightBlock
 {
-    const std::optional<Hit> hit = scene.intersector().closest_hit_from(pair.from_surface(), ray.line);
-    return hit && hit->surface == pair.to_surface() && hit->front == pair.to_front();
-}
+public:
+    explicit SightBlock(const Scene& scene) : scene_(scene) {}
 
-/// The visible share of a pair by some rays, weighted like the light that they would carry; below zero if the rays tell
-/// nothing.
-double visible_share(const Scene& scene, const RayPair& pair, const Item* items, std::uint64_t rays)
-{
-    double all = 0.0;
-    double free = 0.0;
-    for (std::uint64_t k = 0; k < rays; ++k) {
-        const RayPair::Ray ray = pair.ray(items[k]);
-        if (!(ray.weight > 0.0))
-            continue;
-        all += ray.weight;
-        if (is_free(scene, pair, ray))
-            free += ray.weight;
+    /// Adds the rays of a pair.
+    void add(const RayPair& pair, const Item* items, std::uint64_t rays)
+    {
+        pairs_.push_back({pair.to_surface(), pair.to_front(), weights_.size(), 0});
+        for (std::uint64_t k = 0; k < rays; ++k) {
+            const RayPair::Ray ray = pair.ray(items[k]);
+            if (!(ray.weight > 0.0))
+                continue;
+            surfaces_.push_back(pair.from_surface());
+            rays_.push_back(ray.line);
+            weights_.push_back(ray.weight);
+        }
+        pairs_.back().end = weights_.size();
     }
-    return all > 0.0 ? free / all : -1.0;
-}
+
+    /// Of each pair the visible share, weighted like the light that the rays would carry; below zero if they tell
+    /// nothing. Forgets the rays.
+    std::vector<double> visible_shares()
+    {
+        scene_.intersector().closest_hits_from(surfaces_.data(), rays_.data(), rays_.size(), hits_);
+        std::vector<double> shares;
+        for (const PairOfBlock& pair : pairs_)
+            shares.push_back(visible_share(pair));
+        pairs_.clear();
+        surfaces_.clear();
+        rays_.clear();
+        weights_.clear();
+        return shares;
+    }
+
+private:
+    struct PairOfBlock
+    {
+        std::uint32_t to_surface;
+        bool to_front;
+        std::size_t begin, end; ///< its rays
+    };
+
+    double visible_share(const PairOfBlock& pair) const
+    {
+        double all = 0.0;
+        double free = 0.0;
+        for (std::size_t k = pair.begin; k < pair.end; ++k) {
+            const HitLists::List hit = hits_[k];
+            all += weights_[k];
+            if (!hit.empty() && hit[0].surface == pair.to_surface && hit[0].front == pair.to_front)
+                free += weights_[k];
+        }
+        return all > 0.0 ? free / all : -1.0;
+    }
+
+    const Scene& scene_;
+    std::vector<PairOfBlock> pairs_;
+    std::vector<std::uint32_t> surfaces_;
+    std::vector<Line> rays_;
+    std::vector<double> weights_;
+    HitLists hits_;
+};
 
 /// The rays of one row of pairs. A running sum over all pairs of what each deserves passes whole numbers: each of them
 /// is a ray.
@@ -134,6 +177,19 @@ double fill_level(const ExchangeEstimate& estimate, const PairMatrix<float>& uno
     return all.level(static_cast<double>(rays));
 }
 
+/// Takes what some rays tell of a pair into its estimate, weighted by what both are worth.
+void refine(ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, double crossing_area, std::uint32_t i,
+            const RowOfRays::Target& target, double share)
+{
+    const auto free_exchange = static_cast<double>(unoccluded.at(i, target.patch));
+    const double lines = free_exchange / crossing_area; // what the first estimate is worth
+    const double part = static_cast<double>(target.rays) / (static_cast<double>(target.rays) + lines);
+    float& exchange = estimate.exchange.at(i, target.patch);
+    exchange = static_cast<float>((1.0 - part) * static_cast<double>(exchange) + part * free_exchange * share);
+    float& variance = estimate.variance.at(i, target.patch);
+    variance = static_cast<float>((1.0 - part) * static_cast<double>(variance));
+}
+
 } // namespace
 
 ExchangeEstimate refined_by_rays(ExchangeEstimate estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
@@ -164,29 +220,28 @@ ExchangeEstimate refined_by_rays(ExchangeEstimate estimate, const Scene& scene, 
     std::vector<double> before = {bits_to_unit(random_bits(mix_bits(plan.seed ^ 0x243f6a8885a308d3u), 0))};
     for (const double sum : row_sums)
         before.push_back(before.back() + rate * sum);
-    const auto cast_row = [&](std::uint32_t i) {
+    std::vector<SightBlock> sights(static_cast<std::size_t>(slot_count(threads)), SightBlock(scene));
+    const auto cast_row = [&](std::uint32_t i, SightBlock& sight) {
         const RowOfRays row(deserved_rays(i), rate, before[i]);
         std::vector<Item> items(static_cast<std::size_t>(row.end_ray - row.first_ray));
         sequence.generate(plan.first_item + row.first_ray, items);
         const Item* next = items.data();
         for (const RowOfRays::Target& target : row.targets) {
-            const double share = visible_share(scene, RayPair(scene, i, target.patch), next, target.rays);
+            sight.add(RayPair(scene, i, target.patch), next, target.rays);
             next += target.rays;
-            if (share < 0.0)
-                continue;
-            const auto free_exchange = static_cast<double>(unoccluded.at(i, target.patch));
-            const double lines = free_exchange / crossing_area; // what the first estimate is worth
-            const double part = static_cast<double>(target.rays) / (static_cast<double>(target.rays) + lines);
-            float& exchange = estimate.exchange.at(i, target.patch);
-            exchange = static_cast<float>((1.0 - part) * static_cast<double>(exchange) + part * free_exchange * share);
-            float& variance = estimate.variance.at(i, target.patch);
-            variance = static_cast<float>((1.0 - part) * static_cast<double>(variance));
         }
+        const std::vector<double> shares = sight.visible_shares();
+        for (std::size_t k = 0; k < shares.size(); ++k)
+            if (shares[k] >= 0.0)
+                refine(estimate, unoccluded, crossing_area, i, row.targets[k], shares[k]);
         return row.end_ray - row.first_ray;
     };
     std::vector<std::uint64_t> cast(n);
     ordered_blocks(
-        n, threads, [&](std::uint64_t i, int) { cast[i] = cast_row(static_cast<std::uint32_t>(i)); },
+        n, threads,
+        [&](std::uint64_t i, int slot) {
+            cast[i] = cast_row(static_cast<std::uint32_t>(i), sights[static_cast<std::size_t>(slot)]);
+        },
         [&](std::uint64_t i, int) { count_lines(cast[i]); });
     return estimate;
 }
