@@ -210,7 +210,7 @@ template <class Visit>
 void Intersector::for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const
 {
     const auto consider = [&](std::uint32_t surface) {
-        if (surface != of && plane_[surface] == plane_[of] && table_.hit_at_point(point, {}, surface))
+        if (surface != of && plane_[surface] == plane_[of] && table_.holds(point, surface))
             visit(surface);
     };
     if (neighbours_.is_listed(of)) {

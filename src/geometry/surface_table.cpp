@@ -20,15 +20,4 @@ SurfaceTable::SurfaceTable(const std::vector<Surface>& surfaces, const SharedPla
     }
 }
 
-std::optional<Hit> SurfaceTable::hit_at_point(Vec3 p, Vec3 direction, std::uint32_t s) const
-{
-    const SurfaceRow& row = rows_[s];
-    const double u = row.x[1] * p.x + row.y[1] * p.y + row.z[1] * p.z + row.offset[1];
-    const double v = row.x[2] * p.x + row.y[2] * p.y + row.z[2] * p.z + row.offset[2];
-    const double k = row.offset[3];
-    if (!(u >= 0.0 && v >= 0.0 && (1.0 - u) - k * v >= 0.0 && (1.0 - v) - k * u >= 0.0))
-        return std::nullopt;
-    return Hit{0.0, s, u, v, dot(row.vector(0), direction) < 0.0};
-}
-
 } // namespace multipath

@@ -46,12 +46,21 @@ public:
     /// The same without a branch, for loops: writes `hit` whatever comes out, and says whether it is one.
     bool decide(const Line& line, std::uint32_t surface, Hit& hit) const;
 
-    /// Where `point`, known to lie in the plane of the surface, is on it; empty when it lies outside.
-    std::optional<Hit> hit_at_point(Vec3 point, Vec3 direction, std::uint32_t surface) const;
+    /// Whether a point of the plane of the surface lies on it, borders included.
+    bool holds(Vec3 point, std::uint32_t surface) const;
 
 private:
     std::vector<SurfaceRow> rows_;
 };
+
+inline bool SurfaceTable::holds(Vec3 p, std::uint32_t surface) const
+{
+    const SurfaceRow& row = rows_[surface];
+    const double u = row.x[1] * p.x + row.y[1] * p.y + row.z[1] * p.z + row.offset[1];
+    const double v = row.x[2] * p.x + row.y[2] * p.y + row.z[2] * p.z + row.offset[2];
+    const double k = row.offset[3];
+    return every(u >= 0.0, v >= 0.0, (1.0 - u) - k * v >= 0.0, (1.0 - v) - k * u >= 0.0);
+}
 
 inline bool SurfaceTable::decide(const Line& line, std::uint32_t surface, Hit& hit) const
 {

@@ -32,10 +32,13 @@ Segment* write_segments(const Scene& scene, HitLists::List hits, Segment* place)
 
 } // namespace
 
-void append_passages(const Scene& scene, HitLists::List hits, std::vector<Passage>& passages)
+void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages)
 {
-    for (const Hit& hit : hits)
-        passages.push_back(passage_at(scene, hit));
+    passages.resize(lists.hit_count());
+    Passage* next = passages.data();
+    for (std::size_t line = 0; line < lists.size(); ++line)
+        for (const Hit& hit : lists[line])
+            *next++ = passage_at(scene, hit);
 }
 
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments)

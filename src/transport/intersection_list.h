@@ -32,8 +32,8 @@ struct Passage
     std::uint32_t leaves;
 };
 
-/// Appends one passage for every hit of a line, in order.
-void append_passages(const Scene& scene, HitLists::List hits, std::vector<Passage>& passages);
+/// One passage for every hit of many lines, line after line. Replaces what `passages` held.
+void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages);
 
 /// Appends the segments of one line, given its hits in order. Those that touch no patch are left out.
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments);

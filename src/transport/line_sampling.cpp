@@ -89,8 +89,10 @@ Line GlobalLines::box_line(const Item& item, Vec3 local) const
     // A line must not run along an edge of the box, where it could miss both walls.
     const auto inside = [](double share) { return std::clamp(share, 0x1p-30, 1.0 - 0x1p-30); };
     const double strip = item[0] * sides_.back().strip_end;
-    const Side& side =
-        *std::find_if(sides_.begin(), sides_.end() - 1, [&](const Side& s) { return strip < s.strip_end; });
+    std::size_t number = 0; // of the side, without a branch: which one it is cannot be predicted
+    for (std::size_t k = 0; k + 1 < sides_.size(); ++k)
+        number += strip >= sides_[k].strip_end;
+    const Side& side = sides_[number];
     const double area = side.width * side.height;
     const Vec3 place = side.corner + inside(1.0 - (side.strip_end - strip) / area) * side.width * side.along +
                        inside(item[1]) * side.height * side.up;

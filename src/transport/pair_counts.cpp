@@ -29,9 +29,8 @@ struct PairBlock
 };
 
 /// Notes every facing pair along one line, neighbours or not, and where power would be lost.
-void note(const std::vector<Passage>& passages, PairBlock& block)
+void note(const Passage* passages, std::size_t count, PairBlock& block)
 {
-    const std::size_t count = passages.size();
     for (std::size_t a = 0; a < count; ++a) {
         const std::uint32_t from = passages[a].leaves;
         const bool arrives_alone = a == 0 || !Segment::is_patch(passages[a - 1].leaves);
@@ -83,10 +82,11 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         block.pairs.clear();
         block.losses.clear();
         const HitLists& lists = block.lines.trace(scene, lines, sequence, first_item, lines_cast, number);
+        find_passages(scene, lists, block.passages);
+        const Passage* next = block.passages.data();
         for (std::size_t line = 0; line < lists.size(); ++line) {
-            block.passages.clear();
-            append_passages(scene, lists[line], block.passages);
-            note(block.passages, block);
+            note(next, lists[line].size(), block);
+            next += lists[line].size();
         }
     };
     const auto add_block = [&](std::uint64_t, int slot) {

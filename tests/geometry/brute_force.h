@@ -58,7 +58,7 @@ public:
     {
         std::vector<std::uint32_t> found;
         for (std::uint32_t s = 0; s < table_.size(); ++s)
-            if (s != of && planes_.plane_number[s] == planes_.plane_number[of] && table_.hit_at_point(point, {}, s))
+            if (s != of && planes_.plane_number[s] == planes_.plane_number[of] && table_.holds(point, s))
                 found.push_back(s);
         return found;
     }
