@@ -48,6 +48,13 @@ private:
         hits_[place] = hit;
         end_.push_back(place + (is_hit ? 1 : 0));
     }
+    /// Makes room for the ends of more rays.
+    std::size_t* add_rays(std::size_t count)
+    {
+        end_.resize(end_.size() + count);
+        return end_.data() + (end_.size() - count);
+    }
+
     void append(const std::optional<Hit>& hit) { append(hit ? *hit : Hit{}, hit.has_value()); }
 
     void reserve_candidates(std::size_t count)

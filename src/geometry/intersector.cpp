@@ -14,8 +14,17 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t flat_words = (FlatSurfaces::most + 63) / 64;
+constexpr std::size_t flat_words = FlatSurfaces::most / 64;
 constexpr std::uint32_t no_plane = 0xffffffffu;
+
+/// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
+/// once for all of its own, of any other surface.
+bool is_few(const FramedRectangles& framed)
+{
+    const std::size_t surfaces = framed.rectangles.size() + framed.others.size();
+    const std::size_t cost = 8 * framed.rectangles.size() + 18 * framed.frames.size() + 20 * framed.others.size();
+    return surfaces <= FlatSurfaces::most && cost <= 2560;
+}
 
 } // namespace
 
@@ -37,11 +46,14 @@ Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlane
     std::vector<std::uint32_t> filtered;
     for (std::uint32_t s = 0; s < surfaces.size(); ++s)
         (can_be_filtered(table_.row(s), surfaces[s], frame_) ? filtered : unfiltered_).push_back(s);
-    if (filtered.size() > FlatSurfaces::most) {
+    framed_ = group_by_frames(table_, filtered, frame_);
+    if (is_few(framed_)) {
+        lane_number_ = framed_.others;
+        lane_number_.insert(lane_number_.end(), framed_.surfaces.begin(), framed_.surfaces.end());
+    } else {
         tree_ = WideTree(boxes, filtered, frame_);
         lane_number_ = tree_.things();
-    } else {
-        lane_number_ = filtered;
+        framed_ = {};
     }
     fill_blocks();
 }
@@ -53,8 +65,7 @@ void Intersector::fill_blocks()
     const std::size_t together = tree_.empty() ? lane_number_.size() : SurfaceBlock::lanes;
     for (std::size_t first = 0; first < lane_number_.size(); first += together) {
         const auto end_of_triangles = std::stable_partition(place(first), place(first + together), is_triangle);
-        flat_triangles_ =
-            static_cast<unsigned>(end_of_triangles - lane_number_.begin()); // of use where all are together
+        flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
     }
     for (const std::uint32_t s : lane_number_)
         lane_plane_.push_back(s != WideTree::nothing ? static_cast<float>(plane_[s]) : 0.0f);
@@ -62,6 +73,18 @@ void Intersector::fill_blocks()
     for (std::size_t i = 0; i < lane_number_.size(); ++i)
         if (lane_number_[i] != WideTree::nothing)
             fill_lane(blocks_[i / SurfaceBlock::lanes], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
+}
+
+FlatSurfaces Intersector::flat_surfaces() const
+{
+    return {blocks_.data(),
+            lane_plane_.data(),
+            flat_triangles_,
+            static_cast<unsigned>(framed_.others.size()),
+            static_cast<unsigned>(lane_number_.size()),
+            framed_.frames.data(),
+            static_cast<unsigned>(framed_.frames.size()),
+            framed_.rectangles.data()};
 }
 
 /// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.

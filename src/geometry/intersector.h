@@ -2,6 +2,7 @@
 
 #include "geometry/filter_kernel.h"
 #include "geometry/filter_line.h"
+#include "geometry/framed_rectangles.h"
 #include "geometry/hit_lists.h"
 #include "geometry/line.h"
 #include "geometry/plane_neighbours.h"
@@ -60,10 +61,7 @@ private:
     template <class Visit>
     void for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const;
 
-    FlatSurfaces flat_surfaces() const
-    {
-        return {blocks_.data(), lane_plane_.data(), flat_triangles_, static_cast<unsigned>(lane_number_.size())};
-    }
+    FlatSurfaces flat_surfaces() const;
     bool is_covered(std::uint32_t from, Vec3 point) const;
     bool any_may_be_covered(const std::uint32_t* surfaces, std::size_t count) const;
 
@@ -90,7 +88,8 @@ private:
     WideTree tree_;                          ///< empty for few surfaces
     std::vector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
     std::vector<float> lane_plane_;          ///< plane number of the same
-    unsigned flat_triangles_ = 0;            ///< the first lanes, if there is no tree
+    unsigned flat_triangles_ = 0;            ///< without a tree: the first lanes
+    FramedRectangles framed_;                ///< without a tree: the last lanes
     std::vector<SurfaceBlock> blocks_;
     std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
     bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things

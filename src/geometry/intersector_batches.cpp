@@ -157,16 +157,22 @@ void Intersector::find_closest_among_few(const std::uint32_t* from, const Line* 
         surface[i] = lane_number_[static_cast<std::size_t>(candidates.number[i])];
     kernel_->decide_nearest(table_, rays, surface.data(), count, hits.data(), is_hit.data());
     const bool none_covered = !any_may_be_covered(from, count);
+    std::size_t end = lists.hit_count();
+    std::size_t* end_of_ray = lists.add_rays(count);
     for (std::size_t i = 0; i < count; ++i) {
         const bool found = every(candidates.first[i] < FlatSurfaces::never, is_hit[i] != 0);
         const bool passes = lists.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
         const double second = lists.batch_.middle_t[i] + static_cast<double>(candidates.second[i]);
         const bool alone = candidates.second[i] == FlatSurfaces::never;
-        if (any(!passes, alone, every(found, hits[i].t < second)) &&
-            (none_covered || !is_covered(from[i], rays[i].origin)))
-            lists.append(hits[i], every(passes, found));
-        else
-            lists.append(closest_hit_from(from[i], rays[i]));
+        bool is_first = every(passes, found);
+        lists.hits_[end] = hits[i];
+        if (!(any(!passes, alone, every(found, hits[i].t < second)) &&
+              (none_covered || !is_covered(from[i], rays[i].origin)))) {
+            const std::optional<Hit> hit = closest_hit_from(from[i], rays[i]);
+            lists.hits_[end] = hit.value_or(Hit{});
+            is_first = hit.has_value();
+        }
+        end_of_ray[i] = end += is_first;
     }
 }
 

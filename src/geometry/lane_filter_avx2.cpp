@@ -15,6 +15,7 @@ namespace {
 struct Lanes
 {
     static constexpr unsigned width = 8;
+    static constexpr float reciprocal_error = 0x1.8p-12f;
     __m256 x;
 
     KERNEL_CODE static Lanes load(const float* from) { return {_mm256_load_ps(from)}; }
@@ -62,9 +63,9 @@ KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {_mm256_sub_ps(a.x, b.x)};
 }
-KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+KERNEL_CODE Lanes reciprocal(Lanes a)
 {
-    return {_mm256_div_ps(a.x, b.x)};
+    return {_mm256_rcp_ps(a.x)};
 }
 
 struct LaneMarks

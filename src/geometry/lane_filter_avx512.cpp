@@ -15,6 +15,7 @@ namespace {
 struct Lanes
 {
     static constexpr unsigned width = 16;
+    static constexpr float reciprocal_error = 0x1p-14f;
     __m512 x;
 
     KERNEL_CODE static Lanes load(const float* from) { return {_mm512_load_ps(from)}; }
@@ -63,9 +64,9 @@ KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {_mm512_sub_ps(a.x, b.x)};
 }
-KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+KERNEL_CODE Lanes reciprocal(Lanes a)
 {
-    return {_mm512_div_ps(a.x, b.x)};
+    return {_mm512_maskz_rcp14_ps(0xffff, a.x)};
 }
 
 struct LaneMarks

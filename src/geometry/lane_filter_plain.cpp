@@ -11,6 +11,7 @@ namespace {
 struct Lanes
 {
     static constexpr unsigned width = 1;
+    static constexpr float reciprocal_error = 0x1p-23f;
     float x;
 
     static Lanes load(const float* from) { return {*from}; }
@@ -61,9 +62,10 @@ KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {a.x - b.x};
 }
-KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+/// About 1 / a, wrong by no more than the share Lanes::reciprocal_error.
+KERNEL_CODE Lanes reciprocal(Lanes a)
 {
-    return {a.x / b.x};
+    return {1.0f / a.x};
 }
 
 /// 32 marks in each lane.

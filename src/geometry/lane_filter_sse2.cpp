@@ -15,6 +15,7 @@ namespace {
 struct Lanes
 {
     static constexpr unsigned width = 4;
+    static constexpr float reciprocal_error = 0x1.8p-12f;
     __m128 x;
 
     KERNEL_CODE static Lanes load(const float* from) { return {_mm_load_ps(from)}; }
@@ -63,9 +64,9 @@ KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {_mm_sub_ps(a.x, b.x)};
 }
-KERNEL_CODE Lanes operator/(Lanes a, Lanes b)
+KERNEL_CODE Lanes reciprocal(Lanes a)
 {
-    return {_mm_div_ps(a.x, b.x)};
+    return {_mm_rcp_ps(a.x)};
 }
 
 struct LaneMarks

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geometry/rectangle_frame.h"
+
 namespace multipath {
 
 /// Up to 16 surfaces side by side, in single precision and in the coordinates of FilterFrame, in the form in which a
@@ -29,16 +31,20 @@ struct alignas(64) SurfaceBlock
     static constexpr float distance_slack = 0x1p-19f; ///< of |h|
 };
 
-/// Few surfaces, all of which are tested one after the other: number s is lane s % 16 of block s / 16. Triangles come
-/// first.
+/// Few surfaces, all of which are tested one after the other: first triangles, then parallelograms, number s in lane
+/// s % 16 of block s / 16; then the rectangles of frames.
 struct FlatSurfaces
 {
     const SurfaceBlock* blocks;
     const float* plane; ///< number of each surface's plane
     unsigned triangles;
+    unsigned others; ///< triangles and parallelograms
     unsigned count;
+    const RectangleFrame* frames;
+    unsigned frame_count;
+    const FrameRectangle* rectangles; ///< from number `others` on
 
-    static constexpr unsigned most = 128;     ///< where testing all stops being faster than a hierarchy
+    static constexpr unsigned most = 512;
     static constexpr float never = 0x1p+100f; ///< stands for where nothing is met
 };
 

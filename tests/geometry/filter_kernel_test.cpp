@@ -236,6 +236,29 @@ TEST_CASE("kernels lose no hit of coincident faces")
     }
 }
 
+Vec3 turned(Vec3 p, Vec3 by)
+{
+    return p + cross(by, p);
+}
+
+// Up to a tolerance of 1e-5 such rectangles share their axes in the filter, beyond it they do not.
+TEST_CASE("kernels lose no hit of rectangles whose edges run almost along common axes")
+{
+    for (const double angle : {0.0, 1e-7, 5e-6, 9e-6, 2e-5, 1e-3}) {
+        std::vector<Surface> surfaces;
+        add_box(surfaces, {1, 1, 1}, {-1, -1, -1});
+        Numbers numbers(12);
+        for (int i = 0; i < 15; ++i)
+            add_box(surfaces, numbers.point(0.1, 0.8), {0.1, 0.2, 0.05 + 0.01 * i});
+        for (Surface& s : surfaces) {
+            const Vec3 by = angle * numbers.point(-1, 1);
+            s = {s.shape, s.origin, turned(s.edge_u, by), turned(s.edge_v, by)};
+        }
+        CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 5000, 13)) == 0);
+        CHECK(wrong_rays(surfaces, rays_from(surfaces, 5000, 14)) == 0);
+    }
+}
+
 // Heights from 1e-3 to 1e-16 of the scene: from those that single precision shows well to those whose rows are
 // rounding.
 TEST_CASE("kernels lose no hit of slivers and tiny triangles")

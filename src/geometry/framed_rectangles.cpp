@@ -1,0 +1,159 @@
+// How much slack the tests of RectangleFrame need, in the terms of block_filling.cpp: e = 2^-24, L the length of the
+// direction, everything in the unit sphere. A rectangle is taken into a frame when its normal and its edges differ from
+// the axes by no more than the tolerance T = 1e-5.
+//
+// 1. Rounding: a component of the direction is wrong by at most 6 e L, one of the middle (|m| < 1.5) by 9 e, h by 13 e,
+//    m - centre (at most 2.5) by 13 e; so (m - centre) a + h d by 2 (2.5 * 6 + 13) e L and 10 e L for its own
+//    operations: 66 e L; the limit by 8 e L.
+// 2. Tolerance: a and d differ by T L, h and m by 1.5 T: 2 (2.5 + 1.5) T L = 8 T L; the limit by T L.
+//    In all 74 e L + 9 T L < 10 T L: the slack.
+// 3. |h| <= |a| half_length: 13 e + 10 e + 1.5 T + 1.01 T < 4 T. The same bounds where on the line, at the earliest,
+// the
+//    crossing is.
+// A sign of a that rounding turned matters to none of these.
+
+#include "geometry/framed_rectangles.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+constexpr double tolerance = 1e-5;
+
+/// A coordinate along an edge: dot(along, q) - centre runs from -half to half.
+struct EdgeCoordinate
+{
+    Vec3 along; ///< unit vector
+    double centre;
+    double half;
+};
+
+/// A parallelogram in the coordinates of the filter.
+struct PlacedParallelogram
+{
+    Vec3 normal;
+    double offset;
+    std::array<EdgeCoordinate, 2> edges;
+};
+
+EdgeCoordinate edge_coordinate(Vec3 gradient, double at_centre)
+{
+    const double steepness = length(gradient);
+    return {(1.0 / steepness) * gradient, (0.5 - at_centre) / steepness, 0.5 / steepness};
+}
+
+PlacedParallelogram placed(const SurfaceRow& row, const FilterFrame& frame)
+{
+    const auto edge = [&](std::size_t i) {
+        return edge_coordinate(frame.radius() * row.vector(i), dot(row.vector(i), frame.centre()) + row.offset[i]);
+    };
+    return {row.vector(0), frame.scale() * (row.offset[0] - dot(row.vector(0), frame.centre())), {edge(1), edge(2)}};
+}
+
+/// 1 or -1 if the vectors are equal up to this sign and the tolerance.
+std::optional<double> equal_up_to_sign(Vec3 a, Vec3 b)
+{
+    const double sign = dot(a, b) < 0.0 ? -1.0 : 1.0;
+    return length(a - sign * b) <= tolerance ? std::optional<double>(sign) : std::nullopt;
+}
+
+using Axes = std::array<Vec3, 3>;
+
+struct Place
+{
+    std::size_t frame;
+    std::size_t axis;
+    FrameRectangle rectangle;
+    std::uint32_t surface;
+};
+
+/// The rectangle in terms of the axes, if they are those of its normal and edges.
+std::optional<Place> place_in(const Axes& axes, const PlacedParallelogram& p)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::optional<double> normal_sign = equal_up_to_sign(p.normal, axes[k]);
+        if (!normal_sign)
+            continue;
+        for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+            const EdgeCoordinate& u = p.edges[first];
+            const EdgeCoordinate& v = p.edges[1 - first];
+            const std::optional<double> u_sign = equal_up_to_sign(u.along, axes[(k + 1) % 3]);
+            const std::optional<double> v_sign = equal_up_to_sign(v.along, axes[(k + 2) % 3]);
+            if (u_sign && v_sign)
+                return Place{0,
+                             k,
+                             {static_cast<float>(*normal_sign * p.offset), static_cast<float>(*u_sign * u.centre),
+                              static_cast<float>(*v_sign * v.centre), static_cast<float>(u.half),
+                              static_cast<float>(v.half)},
+                             0};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Axes along the normal and the edges; the last one fits only if the edges are perpendicular.
+Axes axes_of(const PlacedParallelogram& p)
+{
+    return {p.normal, p.edges[0].along, cross(p.normal, p.edges[0].along)};
+}
+
+RectangleFrame frame_with(const Axes& axes)
+{
+    RectangleFrame frame{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        frame.axis[k][0] = static_cast<float>(axes[k].x);
+        frame.axis[k][1] = static_cast<float>(axes[k].y);
+        frame.axis[k][2] = static_cast<float>(axes[k].z);
+    }
+    return frame;
+}
+
+} // namespace
+
+FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<std::uint32_t>& surfaces,
+                                 const FilterFrame& filter_frame)
+{
+    FramedRectangles result;
+    std::vector<Axes> frames;
+    std::vector<Place> places;
+    for (const std::uint32_t surface : surfaces) {
+        if (table.is_triangle(surface)) {
+            result.others.push_back(surface);
+            continue;
+        }
+        const PlacedParallelogram p = placed(table.row(surface), filter_frame);
+        std::optional<Place> place;
+        std::size_t frame = 0;
+        for (; frame < frames.size() && !place; ++frame)
+            place = place_in(frames[frame], p);
+        if (!place) {
+            place = place_in(axes_of(p), p);
+            if (!place) {
+                result.others.push_back(surface);
+                continue;
+            }
+            frames.push_back(axes_of(p));
+            frame = frames.size();
+        }
+        places.push_back({frame - 1, place->axis, place->rectangle, surface});
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+        return a.frame != b.frame ? a.frame < b.frame : a.axis < b.axis;
+    });
+    for (const Axes& axes : frames)
+        result.frames.push_back(frame_with(axes));
+    for (const Place& place : places) {
+        result.rectangles.push_back(place.rectangle);
+        result.surfaces.push_back(place.surface);
+        for (std::size_t k = place.axis; k < 3; ++k)
+            result.frames[place.frame].end[k] = static_cast<std::uint32_t>(result.rectangles.size());
+    }
+    return result;
+}
+
+} // namespace multipath
