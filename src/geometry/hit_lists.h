@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -40,22 +39,6 @@ public:
 
 private:
     friend class Intersector;
-
-    /// The hit of one more line, for which there must be room, if it has one.
-    void append(const Hit& hit, bool is_hit)
-    {
-        const std::size_t place = end_.empty() ? 0 : end_.back();
-        hits_[place] = hit;
-        end_.push_back(place + (is_hit ? 1 : 0));
-    }
-    /// Makes room for the ends of more rays.
-    std::size_t* add_rays(std::size_t count)
-    {
-        end_.resize(end_.size() + count);
-        return end_.data() + (end_.size() - count);
-    }
-
-    void append(const std::optional<Hit>& hit) { append(hit ? *hit : Hit{}, hit.has_value()); }
 
     void reserve_candidates(std::size_t count)
     {

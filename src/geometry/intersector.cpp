@@ -166,7 +166,11 @@ std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line&
 {
     // Where another face lies on the start, its place in the order of coincident faces decides whether the ray meets
     // it.
-    return is_covered(from, ray.origin) ? next_along_whole_line(from, ray) : nearest(ray, plane_[from]);
+    if (!is_covered(from, ray.origin))
+        return nearest(ray, plane_[from]);
+    std::vector<Hit> along;
+    all_hits(whole_line(ray), along);
+    return next_along(along, from, ray);
 }
 
 bool Intersector::is_covered(std::uint32_t from, Vec3 point) const
@@ -256,19 +260,27 @@ std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Ve
     return found;
 }
 
-std::optional<Hit> Intersector::next_along_whole_line(std::uint32_t from, const Line& ray) const
+double Intersector::reach_of(const Line& ray) const
 {
-    const double reach = (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
-    std::vector<Hit> hits;
-    all_hits({ray.at(-reach), ray.direction}, hits);
-    const auto own = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.surface == from; });
-    if (own == hits.end()) // rounding put the start beyond the border
+    return (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
+}
+
+Line Intersector::whole_line(const Line& ray) const
+{
+    return {ray.at(-reach_of(ray)), ray.direction};
+}
+
+std::optional<Hit> Intersector::next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const
+{
+    const auto own =
+        std::find_if(whole_line.begin(), whole_line.end(), [&](const Hit& hit) { return hit.surface == from; });
+    if (own == whole_line.end()) // rounding put the start beyond the border
         return nearest(ray, plane_[from]);
     const auto next = own + 1;
-    if (next == hits.end())
+    if (next == whole_line.end())
         return std::nullopt;
     Hit result = *next;
-    result.t = std::max(0.0, result.t - reach);
+    result.t = std::max(0.0, result.t - reach_of(ray));
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "geometry/filter_kernel.h"
 #include "geometry/filter_line.h"
+#include "geometry/first_hits.h"
 #include "geometry/framed_rectangles.h"
 #include "geometry/hit_lists.h"
 #include "geometry/line.h"
@@ -41,8 +42,8 @@ public:
     /// except a coincident face that closes off the point where the ray starts (a box resting on a floor).
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
-    /// The same for many rays, faster: replaces what `lists` held by one hit or none for each.
-    void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
+    /// The same for many rays, faster. Replaces what `found` held.
+    void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
     /// The surfaces that share the plane of `of` and hold `point`, a point of `of`; without `of` itself.
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
@@ -57,13 +58,14 @@ private:
     void for_each_candidate(const Line& line, const Visit& visit) const;
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
     std::optional<Hit> nearest_in_tree(const Line& line, const FilterLine& placed, std::uint32_t excluded_plane) const;
-    std::optional<Hit> next_along_whole_line(std::uint32_t from, const Line& ray) const;
+    double reach_of(const Line& ray) const;
+    Line whole_line(const Line& ray) const; ///< the ray and what lies behind its start
+    std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;
     template <class Visit>
     void for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const;
 
     FlatSurfaces flat_surfaces() const;
     bool is_covered(std::uint32_t from, Vec3 point) const;
-    bool any_may_be_covered(const std::uint32_t* surfaces, std::size_t count) const;
 
     // The phases of all_hits and closest_hits_from for many lines.
     bool place_lines(const Line* lines, std::size_t count, HitLists& lists) const;
@@ -72,9 +74,11 @@ private:
     void find_in_tree(HitLists& lists) const;
     void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
     void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
-    void find_closest_among_few(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
-    void find_closest_in_tree(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
-    void find_closest_one_by_one(const std::uint32_t* from, const Line* rays, std::size_t count, HitLists& lists) const;
+    void find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
+                              FirstHits& found) const;
+    void find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
+                            FirstHits& found) const;
+    void find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
     bool comes_before(const Hit& a, const Hit& b) const
     {

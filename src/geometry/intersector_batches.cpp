@@ -1,11 +1,9 @@
-// The hits of many lines, in phases: all lines are placed, then all filtered, then all candidates decided, then all
+// All hits of many lines, in phases: all lines are placed, then all filtered, then all candidates decided, then all
 // hits put in order. A processor guesses ahead well within a phase, and badly where each line takes another course.
 
 #include "geometry/intersector.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
 namespace multipath {
 
@@ -121,85 +119,6 @@ void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::s
         std::copy(hits.begin(), hits.end(), lists.hits_.begin() + static_cast<std::ptrdiff_t>(begin));
         lists.end_.push_back(begin + hits.size());
     }
-}
-
-void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                    HitLists& lists) const
-{
-    lists.end_.clear();
-    lists.end_.reserve(count);
-    if (lists.hits_.size() < count + 1)
-        lists.hits_.resize(count + 1);
-    for (std::size_t first = 0; first < count; first += LineBatch::most) {
-        const std::size_t together = std::min(count - first, LineBatch::most);
-        if (!unfiltered_.empty() || !place_lines(rays + first, together, lists))
-            find_closest_one_by_one(from + first, rays + first, together, lists);
-        else if (tree_.empty())
-            find_closest_among_few(from + first, rays + first, together, lists);
-        else
-            find_closest_in_tree(from + first, rays + first, together, lists);
-    }
-}
-
-// Of every ray the surface that may come first is decided. It does come first if no other can be met before it.
-void Intersector::find_closest_among_few(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                         HitLists& lists) const
-{
-    alignas(64) std::array<float, LineBatch::most> own_plane{};
-    for (std::size_t i = 0; i < count; ++i)
-        own_plane[i] = static_cast<float>(plane_[from[i]]);
-    NearestCandidates candidates;
-    kernel_->nearest_flat(flat_surfaces(), lists.batch_, count, own_plane.data(), candidates);
-    std::array<std::uint32_t, LineBatch::most> surface;
-    std::array<std::uint32_t, LineBatch::most> is_hit;
-    std::array<Hit, LineBatch::most> hits;
-    for (std::size_t i = 0; i < count; ++i)
-        surface[i] = lane_number_[static_cast<std::size_t>(candidates.number[i])];
-    kernel_->decide_nearest(table_, rays, surface.data(), count, hits.data(), is_hit.data());
-    const bool none_covered = !any_may_be_covered(from, count);
-    std::size_t end = lists.hit_count();
-    std::size_t* end_of_ray = lists.add_rays(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool found = every(candidates.first[i] < FlatSurfaces::never, is_hit[i] != 0);
-        const bool passes = lists.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
-        const double second = lists.batch_.middle_t[i] + static_cast<double>(candidates.second[i]);
-        const bool alone = candidates.second[i] == FlatSurfaces::never;
-        bool is_first = every(passes, found);
-        lists.hits_[end] = hits[i];
-        if (!(any(!passes, alone, every(found, hits[i].t < second)) &&
-              (none_covered || !is_covered(from[i], rays[i].origin)))) {
-            const std::optional<Hit> hit = closest_hit_from(from[i], rays[i]);
-            lists.hits_[end] = hit.value_or(Hit{});
-            is_first = hit.has_value();
-        }
-        end_of_ray[i] = end += is_first;
-    }
-}
-
-/// False if no surface has another in its plane that may touch it.
-bool Intersector::any_may_be_covered(const std::uint32_t* surfaces, std::size_t count) const
-{
-    return std::any_of(surfaces, surfaces + count,
-                       [this](std::uint32_t surface) { return neighbours_.may_have_some(surface); });
-}
-
-void Intersector::find_closest_in_tree(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                       HitLists& lists) const
-{
-    for (std::size_t i = 0; i < count; ++i)
-        if (is_covered(from[i], rays[i].origin))
-            lists.append(next_along_whole_line(from[i], rays[i]));
-        else if (lists.batch_.course[i] != static_cast<std::uint32_t>(LineCourse::passes))
-            lists.append(std::nullopt);
-        else
-            lists.append(nearest_in_tree(rays[i], lists.batch_.line(i), plane_[from[i]]));
-}
-
-void Intersector::find_closest_one_by_one(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                          HitLists& lists) const
-{
-    for (std::size_t i = 0; i < count; ++i)
-        lists.append(closest_hit_from(from[i], rays[i]));
 }
 
 } // namespace multipath

@@ -4,7 +4,7 @@
 
 #include "transport/pair_rays.h"
 
-#include "geometry/hit_lists.h"
+#include "geometry/first_hits.h"
 #include "parallel/ordered_blocks.h"
 #include "sampling/random.h"
 #include "transport/fill_level.h"
@@ -97,9 +97,8 @@ private:
         double all = 0.0;
         double free = 0.0;
         for (std::size_t k = pair.begin; k < pair.end; ++k) {
-            const HitLists::List hit = hits_[k];
             all += weights_[k];
-            if (!hit.empty() && hit[0].surface == pair.to_surface && hit[0].front == pair.to_front)
+            if (hits_.is_hit(k) && hits_[k].surface == pair.to_surface && hits_[k].front == pair.to_front)
                 free += weights_[k];
         }
         return all > 0.0 ? free / all : -1.0;
@@ -110,7 +109,7 @@ private:
     std::vector<std::uint32_t> surfaces_;
     std::vector<Line> rays_;
     std::vector<double> weights_;
-    HitLists hits_;
+    FirstHits hits_;
 };
 
 /// The rays of one row of pairs. A running sum over all pairs of what each deserves passes whole numbers: each of them

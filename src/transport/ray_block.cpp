@@ -16,7 +16,7 @@ void RayBlock::trace(const Scene& scene)
     scene.intersector().closest_hits_from(surfaces_.data(), lines_.data(), count, hits_);
     receivers.resize(count);
     for (std::size_t k = 0; k < count; ++k)
-        receivers[k] = hits_[k].empty() ? Segment::outside : receiving_patch(scene, hits_[k][0]);
+        receivers[k] = hits_.is_hit(k) ? receiving_patch(scene, hits_[k]) : Segment::outside;
 }
 
 } // namespace multipath

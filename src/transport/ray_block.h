@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/hit_lists.h"
+#include "geometry/first_hits.h"
 #include "geometry/line.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
@@ -23,7 +23,7 @@ struct RayBlock
 private:
     std::vector<std::uint32_t> surfaces_;
     std::vector<Line> lines_;
-    HitLists hits_;
+    FirstHits hits_;
 };
 
 } // namespace multipath

@@ -144,7 +144,7 @@ std::size_t wrong_rays(const std::vector<Surface>& surfaces, const RaysFrom& fro
 {
     const BruteForce brute_force(surfaces);
     std::vector<Intersector> intersectors;
-    std::vector<HitLists> blocks(available_kernels().size());
+    std::vector<FirstHits> blocks(available_kernels().size());
     for (const FilterKernel* kernel : available_kernels()) {
         intersectors.emplace_back(surfaces, *kernel);
         intersectors.back().closest_hits_from(from.surfaces.data(), from.rays.data(), from.rays.size(),
@@ -160,8 +160,8 @@ std::size_t wrong_rays(const std::vector<Surface>& surfaces, const RaysFrom& fro
                                                     : brute_force.closest_from(surface, hits);
         bool right = true;
         for (std::size_t k = 0; k < intersectors.size(); ++k) {
-            const HitLists::List list = blocks[k][n];
-            right = right && list.size() <= 1 && same(list.empty() ? std::optional<Hit>() : list[0], expected) &&
+            const FirstHits& block = blocks[k];
+            right = right && same(block.is_hit(n) ? std::optional<Hit>(block[n]) : std::nullopt, expected) &&
                     same(intersectors[k].closest_hit_from(surface, from.rays[n]), expected);
         }
         wrong += !right;
