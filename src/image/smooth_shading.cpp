@@ -125,6 +125,21 @@ Rgb SmoothShading::at(const Hit& hit) const
     return CornerLattice(scene_.tessellation(hit.surface)).interpolated(corners, hit.u, hit.v);
 }
 
+std::array<Rgb, 4> SmoothShading::at_corners(std::uint32_t patch) const
+{
+    std::array<Rgb, 4> result;
+    result.fill(values_[patch]);
+    const std::uint32_t surface = scene_.surface_of(patch);
+    if (is_source(scene_, surface))
+        return result;
+    const CornerLattice lattice(scene_.tessellation(surface));
+    const CellCorners corners = scene_.corners(patch);
+    for (std::size_t k = 0; k < corners.count; ++k)
+        result[k] = corners_[first_corner(surface, scene_.is_front(patch)) +
+                             lattice.number(corners.points[k].i, corners.points[k].j)];
+    return result;
+}
+
 std::size_t SmoothShading::first_corner(std::uint32_t surface, bool front) const
 {
     return first_corner_[front ? surface : scene_.surfaces().size() + surface];

@@ -4,7 +4,9 @@
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace multipath {
@@ -20,6 +22,9 @@ public:
 
     /// The value where a line meets a side that exists.
     Rgb at(const Hit& hit) const;
+
+    /// The values at the corners of a patch, in the order of Scene::corners(); three of a triangle, then one unused.
+    std::array<Rgb, 4> at_corners(std::uint32_t patch) const;
 
 private:
     std::size_t first_corner(std::uint32_t surface, bool front) const;

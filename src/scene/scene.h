@@ -42,6 +42,13 @@ public:
 
     std::uint32_t patch_count() const { return patch_count_; }
     std::uint32_t surface_of(std::uint32_t patch) const { return surface_of_[cell_of(patch)]; }
+    bool is_front(std::uint32_t patch) const { return patch < cell_count_; }
+    /// Between which points of its surface's grid a patch lies; a back in the order of the front on its other side.
+    CellCorners corners(std::uint32_t patch) const
+    {
+        const std::uint32_t surface = surface_of(patch);
+        return tessellations_[surface].corners(cell_of(patch) - first_cell_[surface]);
+    }
     const Material& material_of(std::uint32_t patch) const
     {
         return file_.materials[file_.material[surface_of(patch)]];
@@ -72,7 +79,6 @@ public:
 
 private:
     std::uint32_t cell_of(std::uint32_t patch) const { return patch < cell_count_ ? patch : patch - cell_count_; }
-    bool is_front(std::uint32_t patch) const { return patch < cell_count_; }
 
     SceneFile file_;
     bool two_sided_ = false;

@@ -19,27 +19,35 @@ double cells_along(double edge, double patch_size)
 
 } // namespace
 
+CellCorners Tessellation::corners(std::uint32_t cell) const
+{
+    if (shape == Shape::parallelogram) {
+        const std::uint32_t i = cell / cells_v;
+        const std::uint32_t j = cell % cells_v;
+        return {{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, 4};
+    }
+    const double n = cells_u;
+    auto i = static_cast<std::uint32_t>(n - std::sqrt(n * n - cell));
+    while (i > 0 && cells_before_column(i, cells_u) > cell)
+        --i;
+    while (i + 1 < cells_u && cells_before_column(i + 1, cells_u) <= cell)
+        ++i;
+    const auto place = static_cast<std::uint32_t>(cell - cells_before_column(i, cells_u));
+    const std::uint32_t j = place / 2;
+    if (place % 2 == 0)
+        return {{{{i, j}, {i + 1, j}, {i, j + 1}, {}}}, 3};
+    return {{{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}, {}}}, 3};
+}
+
 Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
 {
     const double n_u = cells_u;
     const double n_v = cells_v;
-    if (shape == Shape::parallelogram) {
-        const double i = cell / cells_v;
-        const double j = cell % cells_v;
-        return {shape, surface.at(i / n_u, j / n_v), (1.0 / n_u) * surface.edge_u, (1.0 / n_v) * surface.edge_v};
-    }
-    auto column = static_cast<std::uint32_t>(n_u - std::sqrt(n_u * n_u - cell));
-    while (column > 0 && cells_before_column(column, cells_u) > cell)
-        --column;
-    while (column + 1 < cells_u && cells_before_column(column + 1, cells_u) <= cell)
-        ++column;
-    const auto place = static_cast<std::uint32_t>(cell - cells_before_column(column, cells_u));
-    const double i = column;
-    const double j = place / 2;
-    if (place % 2 == 0)
-        return {shape, surface.at(i / n_u, j / n_u), (1.0 / n_u) * surface.edge_u, (1.0 / n_u) * surface.edge_v};
-    return {shape, surface.at((i + 1) / n_u, (j + 1) / n_u), (-1.0 / n_u) * surface.edge_u,
-            (-1.0 / n_u) * surface.edge_v};
+    const CellCorners around = corners(cell);
+    const GridPoint origin = around.points[0];
+    const double along = around.points[1].i > origin.i ? 1.0 : -1.0; // every other cell of a triangle is upside down
+    return {shape, surface.at(origin.i / n_u, origin.j / n_v), (along / n_u) * surface.edge_u,
+            (along / n_v) * surface.edge_v};
 }
 
 namespace {

@@ -3,10 +3,30 @@
 #include "geometry/surface.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace multipath {
+
+/// A point of the grid that cuts a surface: the i-th of cells_u steps along u, the j-th of cells_v along v.
+struct GridPoint
+{
+    std::uint32_t i = 0;
+    std::uint32_t j = 0;
+};
+
+/// The corners of a cell in turn, counter-clockwise on the front: its origin, the end of its edge_u, ... , of its
+/// edge_v.
+struct CellCorners
+{
+    std::array<GridPoint, 4> points;
+    std::size_t count = 4; ///< or 3
+
+    const GridPoint* begin() const { return points.data(); }
+    const GridPoint* end() const { return points.data() + count; }
+};
 
 /// How one surface is cut into equal patches: a parallelogram into cells_u x cells_v parallelograms, a triangle into
 /// cells_u^2 triangles similar to it (cells_v = cells_u). Cell numbers follow from (u, v) in constant time.
@@ -19,6 +39,7 @@ struct Tessellation
     std::uint64_t cell_count() const { return std::uint64_t{cells_u} * cells_v; }
     /// The cell that holds (u, v); values a rounding error outside the surface count as on its border.
     std::uint32_t cell_at(double u, double v) const;
+    CellCorners corners(std::uint32_t cell) const;
     /// The cell as a surface of its own; all cells have the same area.
     Surface cell(const Surface& surface, std::uint32_t cell) const;
 

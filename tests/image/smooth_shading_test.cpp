@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace multipath;
@@ -133,4 +134,29 @@ TEST_CASE("the two sides of a surface are shaded each from its own patches")
     const SmoothShading shading(scene, values);
     CHECK(shown(shading, 1, 0.3, 0.3, true) == doctest::Approx(2.0));
     CHECK(shown(shading, 1, 0.3, 0.3, false) == doctest::Approx(4.0));
+}
+
+TEST_CASE("the values at a patch's corners are those that the corners show")
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, paint).triangle({1, 0, 0}, {2, 0, 0}, {1, 1, 0}, paint);
+    const Scene scene = builder.scene(0.3, true);
+    std::vector<Rgb> values;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        values.push_back(grey(patch * patch % 17));
+    const SmoothShading shading(scene, values);
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+        const std::uint32_t surface = scene.surface_of(patch);
+        const std::array<Rgb, 4> at_corners = shading.at_corners(patch);
+        const CellCorners corners = scene.corners(patch);
+        for (std::size_t k = 0; k < corners.count; ++k) {
+            const double u = static_cast<double>(corners.points[k].i) / scene.tessellation(surface).cells_u;
+            const double v = static_cast<double>(corners.points[k].j) / scene.tessellation(surface).cells_v;
+            // The lamp is not interpolated: at its corners its patches differ.
+            const double expected =
+                surface == 0 ? values[patch].r : shown(shading, surface, u, v, scene.is_front(patch));
+            REQUIRE(at_corners[k].r == doctest::Approx(expected).epsilon(1e-12)); // rounding of (u, v)
+        }
+    }
 }

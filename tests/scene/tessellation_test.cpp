@@ -43,6 +43,27 @@ TEST_CASE("cell numbers and cells belong together, and the cells' areas add up")
         }
 }
 
+TEST_CASE("a cell lies between its corners on the grid")
+{
+    for (const Shape shape : {Shape::parallelogram, Shape::triangle}) {
+        const Surface surface = {shape, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
+        const Tessellation tessellation = tessellate(surface, 0.3);
+        for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+            const Surface piece = tessellation.cell(surface, cell);
+            std::vector<Vec3> around = {piece.origin, piece.at(1, 0), piece.at(1, 1), piece.at(0, 1)};
+            if (shape == Shape::triangle)
+                around.erase(around.begin() + 2);
+            const CellCorners corners = tessellation.corners(cell);
+            REQUIRE(corners.count == around.size());
+            for (std::size_t k = 0; k < corners.count; ++k) {
+                const double u = static_cast<double>(corners.points[k].i) / tessellation.cells_u;
+                const double v = static_cast<double>(corners.points[k].j) / tessellation.cells_v;
+                REQUIRE(length(surface.at(u, v) - around[k]) < 1e-14); // rounding
+            }
+        }
+    }
+}
+
 TEST_CASE("points on or just beyond the border fall into cells at the border")
 {
     const Tessellation grid{Shape::parallelogram, 3, 4};
