@@ -1,7 +1,7 @@
-#include "cli/json.h"
 #include "cli/number_text.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "export/json.h"
 #include "radiosity/scene_lint.h"
 #include "radiosity/scene_report.h"
 #include "scene/text_format.h"

@@ -1,7 +1,7 @@
-#include "cli/json.h"
 #include "cli/number_text.h"
 #include "commands/commands.h"
 #include "export/csv_text.h"
+#include "export/json.h"
 #include "export/patch_table_reader.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/json.h"
+#include "export/json.h"
 #include "radiosity/solve.h"
 #include "scene/scene.h"
 

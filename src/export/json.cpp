@@ -1,4 +1,6 @@
-#include "cli/json.h"
+#include "export/json.h"
+
+#include "export/utf8_text.h"
 
 #include <array>
 #include <cmath>
@@ -11,7 +13,7 @@ namespace {
 std::string quoted(std::string_view text)
 {
     std::string result = "\"";
-    for (const char c : text) {
+    for (const char c : utf8_text(text)) {
         if (c == '"' || c == '\\') {
             result += '\\';
             result += c;
@@ -82,6 +84,10 @@ void JsonObject::numbers(std::string_view key, const std::vector<double>& values
 void JsonObject::texts(std::string_view key, const std::vector<std::string>& values)
 {
     add(key, list(values, quoted));
+}
+void JsonObject::object(std::string_view key, const JsonObject& value)
+{
+    add(key, value.inline_form());
 }
 void JsonObject::objects(std::string_view key, const std::vector<JsonObject>& values)
 {

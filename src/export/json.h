@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-/// A JSON object that is written key by key, in the order of the calls.
+/// A JSON object that is written key by key, in the order of the calls. Texts that are no UTF-8 become it.
 class JsonObject
 {
 public:
@@ -18,6 +18,7 @@ public:
     void null(std::string_view key);
     void numbers(std::string_view key, const std::vector<double>& values);
     void texts(std::string_view key, const std::vector<std::string>& values);
+    void object(std::string_view key, const JsonObject& value);
     void objects(std::string_view key, const std::vector<JsonObject>& values);
 
     /// One line per key, indented.
