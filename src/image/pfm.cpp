@@ -1,22 +1,8 @@
 #include "image/pfm.h"
 
-#include <cstdint>
-#include <cstring>
+#include "scene/little_endian.h"
 
 namespace multipath {
-
-namespace {
-
-void append_little_endian(std::string& bytes, float value)
-{
-    std::uint32_t bits = 0;
-    static_assert(sizeof bits == sizeof value, "PFM needs 32-bit floats");
-    std::memcpy(&bits, &value, sizeof bits);
-    for (int shift = 0; shift < 32; shift += 8)
-        bytes += static_cast<char>((bits >> shift) & 0xffu);
-}
-
-} // namespace
 
 std::string pfm_bytes(const Image& image)
 {

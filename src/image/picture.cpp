@@ -22,15 +22,22 @@ RenderOptions preview_options(RenderOptions options)
 
 } // namespace
 
+double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                     const RenderOptions& options, const ToneMapOptions& tone)
+{
+    const double base = tone.scale
+                            ? *tone.scale
+                            : automatic_scale(render(scene, radiosity, camera, preview_options(options)), tone.tone);
+    return base * std::exp2(tone.exposure);
+}
+
 ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                     const RenderOptions& options, const ToneMapOptions& tone)
 {
-    ToneMapOptions exposed = tone;
-    if (!exposed.scale)
-        exposed.scale = automatic_scale(render(scene, radiosity, camera, preview_options(options)), tone.tone);
+    const double scale = picture_scale(scene, radiosity, camera, options, tone);
     RenderOptions clipped = options;
-    clipped.white = white_point(tone.tone) / (*exposed.scale * std::exp2(tone.exposure));
-    return tone_map(render(scene, radiosity, camera, clipped), exposed);
+    clipped.white = white_point(tone.tone) / scale;
+    return tone_map(render(scene, radiosity, camera, clipped), {tone.tone, 0.0, scale});
 }
 
 } // namespace multipath

@@ -10,6 +10,10 @@
 
 namespace multipath {
 
+/// [m^2/W] The scale at which picture() shows the radiosity: the given or the measured one, exposure included.
+double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                     const RenderOptions& options, const ToneMapOptions& tone);
+
 /// A finished picture for the screen: exposure is measured on a small preview, then the picture is rendered with white
 /// where the exposure puts it (options.white is not used) and tone mapped.
 ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,

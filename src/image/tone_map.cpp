@@ -93,6 +93,11 @@ double srgb_encoded(double linear)
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
+Rgb srgb_encoded(Rgb linear)
+{
+    return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
+}
+
 double white_point(ToneOperator tone)
 {
     return inverse_curve(tone, 1.0);
@@ -108,6 +113,15 @@ double automatic_scale(const Image& image, ToneOperator tone)
     return inverse_curve(tone, middle_grey) / middle_luminance(luminances);
 }
 
+Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale)
+{
+    const auto shown = [&](double channel) {
+        const double light = curve(tone, scale * channel);
+        return light > 0.0 ? std::min(light, 1.0) : 0.0; // what is no number is dark
+    };
+    return {shown(radiosity.r), shown(radiosity.g), shown(radiosity.b)};
+}
+
 ScreenImage tone_map(const Image& image, const ToneMapOptions& options)
 {
     const double base = options.scale ? *options.scale : automatic_scale(image, options.tone);
@@ -117,8 +131,9 @@ ScreenImage tone_map(const Image& image, const ToneMapOptions& options)
     std::uint64_t counter = 0;
     for (const Rgb& pixel : image.pixels) {
         const double noise = bits_to_unit(random_bits(0, counter++));
-        for (const double channel : {pixel.r, pixel.g, pixel.b})
-            screen.bytes.push_back(quantized(curve(options.tone, scale * channel), noise));
+        const Rgb light = screen_light(pixel, options.tone, scale);
+        for (const double channel : {light.r, light.g, light.b})
+            screen.bytes.push_back(quantized(channel, noise));
     }
     return screen;
 }
