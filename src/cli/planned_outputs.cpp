@@ -18,11 +18,14 @@ struct KnownExtension
     OutputFormat format;
 };
 
-constexpr std::array<KnownExtension, 5> known_extensions = {{{".ppm", OutputFormat::ppm},
+constexpr std::array<KnownExtension, 8> known_extensions = {{{".ppm", OutputFormat::ppm},
                                                              {".pfm", OutputFormat::pfm},
                                                              {".png", OutputFormat::png},
                                                              {".csv", OutputFormat::csv},
-                                                             {".svg", OutputFormat::svg}}};
+                                                             {".svg", OutputFormat::svg},
+                                                             {".ply", OutputFormat::ply},
+                                                             {".glb", OutputFormat::glb},
+                                                             {".obj", OutputFormat::obj}}};
 
 std::string lower_case_extension(const std::string& path)
 {

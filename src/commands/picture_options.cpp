@@ -42,7 +42,7 @@ OptionGroup picture_option_group()
               "radiosity",
               "What pictures show: radiosity, the room as an eye would see it; in false colours with a legend, "
               "irradiance or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
-              "patches, each in a colour of its own. A PFM holds the values.",
+              "patches, each in a colour of its own. A PFM holds the values. Meshes hold the radiosity in any case.",
               false,
               {"radiosity", "irradiance", "error", "patches"}},
              {"size", 0, "WxH", "800x600", "Width and height in pixels."},
@@ -76,8 +76,8 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     options.render.width = size.width;
     options.render.height = size.height;
     options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
-    const bool smooth = options.shown == Shown::radiosity && line.text("shading") == "smooth";
-    options.render.shading = smooth ? Shading::smooth : Shading::flat;
+    options.mesh_shading = line.text("shading") == "smooth" ? Shading::smooth : Shading::flat;
+    options.render.shading = options.shown == Shown::radiosity ? options.mesh_shading : Shading::flat;
     options.render.threads = threads;
     options.tone.tone = tone_operator(line.text("tone-map"));
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);

@@ -20,6 +20,7 @@ struct PictureOptions
     Shown shown = Shown::radiosity;
     RenderOptions render;
     ToneMapOptions tone;
+    Shading mesh_shading = Shading::smooth; ///< of meshes, which hold the radiosity whatever pictures show
     std::optional<Vec3> eye;
     std::optional<Vec3> target;
     std::optional<double> field_of_view; ///< [degrees]

@@ -1,6 +1,7 @@
 #include "commands/solution_outputs.h"
 
 #include "cli/usage_error.h"
+#include "commands/mesh_outputs.h"
 #include "export/patch_table.h"
 #include "image/false_colour.h"
 #include "image/pfm.h"
@@ -10,6 +11,7 @@
 #include "image/quantity.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace multipath {
 
@@ -17,7 +19,7 @@ namespace {
 
 bool is_picture(const PlannedOutput& output)
 {
-    return output.format != OutputFormat::csv;
+    return output.format != OutputFormat::csv && !is_mesh(output.format);
 }
 
 Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown)
@@ -66,11 +68,16 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
     const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
     const Quantity quantity = pictures ? shown_quantity(scene, solution, picture_options.shown) : Quantity{};
     ScreenImage screen;
+    std::optional<SolvedMesh> mesh;
     for (PlannedOutput& output : outputs) {
         const bool shows_screen = output.format == OutputFormat::ppm || output.format == OutputFormat::png;
         if (shows_screen && screen.bytes.empty())
             screen = screen_picture(scene, quantity, camera, picture_options);
-        if (output.format == OutputFormat::ppm)
+        if (is_mesh(output.format) && !mesh)
+            mesh.emplace(scene, solution, picture_options);
+        if (is_mesh(output.format))
+            output.file.write(mesh->bytes(output.format, comments));
+        else if (output.format == OutputFormat::ppm)
             output.file.write(ppm_bytes(screen, comment));
         else if (output.format == OutputFormat::png)
             output.file.write(png_bytes(screen, comment));

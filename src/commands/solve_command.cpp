@@ -24,12 +24,13 @@ namespace {
 CommandTable solve_table()
 {
     return {"solve",
-            "radiosity of every patch of a scene, as pictures and tables",
+            "radiosity of every patch of a scene, as pictures, meshes and tables",
             {{"SCENE.obj"}},
             {{"Output",
               {{"output", 'o', "FILE", "",
-                "Where to write; by extension .ppm, .png, .pfm (pictures) or .csv (one row per patch). '-' writes a "
-                "PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
+                "Where to write; by extension .ppm, .png, .pfm (pictures), .ply, .glb, .obj (meshes whose vertices "
+                "have the light as colours) or .csv (one row per patch). '-' writes a PPM to standard output. Without "
+                "it, SCENE.ppm and SCENE.png are written here.",
                 true},
                {"json", 0, "", "", "Print a machine-readable summary on standard output."},
                {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
@@ -45,7 +46,8 @@ CommandTable solve_table()
             "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
             "\n"
             "  multipath solve room.obj\n"
-            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"};
+            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"
+            "  multipath solve room.obj -o room.glb -o room.ply\n"};
 }
 
 /// SCENE.ppm and SCENE.png in the working directory.

@@ -1,0 +1,46 @@
+#include "export/linear_scale.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+struct LitArea
+{
+    double brightness = 0.0; ///< [W/m^2] of the brightest channel
+    double area = 0.0;       ///< [m^2]
+};
+
+std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radiosity, bool with_lamps)
+{
+    std::vector<LitArea> areas;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        if (with_lamps || scene.emittance(patch) == Rgb{})
+            areas.push_back(
+                {std::max({radiosity[patch].r, radiosity[patch].g, radiosity[patch].b}), scene.area(patch)});
+    return areas;
+}
+
+} // namespace
+
+double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    std::vector<LitArea> areas = lit_areas(scene, radiosity, false);
+    if (areas.empty())
+        areas = lit_areas(scene, radiosity, true);
+    std::sort(areas.begin(), areas.end(),
+              [](const LitArea& a, const LitArea& b) { return a.brightness > b.brightness; });
+    double total = 0.0;
+    for (const LitArea& lit : areas)
+        total += lit.area;
+    double clipped = 0.0;
+    for (const LitArea& lit : areas) {
+        clipped += lit.area;
+        if (clipped > 0.01 * total)
+            return lit.brightness > 0.0 ? 1.0 / lit.brightness : 1.0;
+    }
+    return 1.0;
+}
+
+} // namespace multipath
