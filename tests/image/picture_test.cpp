@@ -68,3 +68,18 @@ TEST_CASE("exposure brightens the room")
     CHECK(count_of(shown(scene, values, 1.0), 0, 135) == 0);
     CHECK(count_of(shown(scene, values, -1.0), 133, 135) < 3 * 20);
 }
+
+TEST_CASE("the scale of a picture is the one it is shown with")
+{
+    const Scene scene = room_with_lamp();
+    const std::vector<Rgb> values = radiosity(scene, 3.0, 100.0);
+    const Camera camera = {{0.1, 1.0, 0.1}, {2.0, 2.0, 2.0}, {0, 1, 0}, 70.0};
+    RenderOptions options;
+    options.width = 64;
+    options.height = 48;
+    const ToneMapOptions tone = {ToneOperator::reinhard, 0.5};
+    const double scale = picture_scale(scene, values, camera, options, tone);
+    CHECK(picture(scene, values, camera, options, tone).bytes ==
+          picture(scene, values, camera, options, {ToneOperator::reinhard, 0.0, scale}).bytes);
+    CHECK(picture_scale(scene, values, camera, options, {ToneOperator::reinhard, 1.0, 3.0}) == 6.0);
+}

@@ -130,3 +130,17 @@ TEST_CASE("a black image stays black")
     for (const ToneOperator tone : operators)
         CHECK(mean_byte(tone_map(grey_image({0.0, 0.0}), {tone})) == 0.0);
 }
+
+// Two ways to the same byte: without the noise, which moves it by one at most, a picture is the encoded light.
+TEST_CASE("the light of a screen is what pictures encode")
+{
+    for (const ToneOperator tone : {ToneOperator::linear, ToneOperator::reinhard, ToneOperator::aces}) {
+        const Rgb radiosity = {0.02, 0.7, 3.0};
+        const Rgb shown = srgb_encoded(screen_light(radiosity, tone, 0.5));
+        const ScreenImage image = tone_map({1, 1, {radiosity}}, {tone, 0.0, 0.5});
+        CHECK(std::abs(image.bytes[0] - 255.0 * shown.r) <= 1.0);
+        CHECK(std::abs(image.bytes[1] - 255.0 * shown.g) <= 1.0);
+        CHECK(std::abs(image.bytes[2] - 255.0 * shown.b) <= 1.0);
+    }
+    CHECK(screen_light({2.0, 0.25, -1.0}, ToneOperator::linear, 1.0) == Rgb{1.0, 0.25, 0.0});
+}
