@@ -99,6 +99,47 @@ Facts facts_of_report(std::string_view bytes)
     }
 }
 
+Facts facts_of_ply(std::string_view bytes)
+{
+    constexpr std::string_view keyword = "comment ";
+    Facts facts;
+    for (std::string_view line = take_line(bytes); !bytes.empty() && line != "end_header"; line = take_line(bytes))
+        if (starts_with(line, keyword))
+            facts.emplace_back(line.substr(keyword.size()));
+    return facts;
+}
+
+/// Takes a text with its quotes off a list in JSON. Of escapes it knows those that the program writes; \u stays.
+std::string take_text(std::string_view& list)
+{
+    std::string text;
+    std::size_t at = list.find('"') + 1;
+    for (; at < list.size() && list[at] != '"'; ++at) {
+        const bool escape = list[at] == '\\' && at + 1 < list.size() && list[at + 1] != 'u';
+        at += escape ? 1 : 0;
+        text += list[at];
+    }
+    list.remove_prefix(std::min(at + 1, list.size()));
+    return text;
+}
+
+Facts facts_of_glb(std::string_view bytes)
+{
+    Facts facts;
+    std::string_view record = glb_record(bytes);
+    while (record.find('"') != std::string_view::npos)
+        facts.push_back(take_text(record));
+    return facts;
+}
+
+/// A table and an OBJ both begin with comments.
+bool is_obj(std::string_view bytes)
+{
+    while (starts_with(bytes, "#"))
+        take_line(bytes);
+    return starts_with(bytes, "v ");
+}
+
 /// What the fact "name: value" says; the first one if there are several.
 std::optional<std::string> value_of(const Facts& facts, const std::string& name)
 {
@@ -120,7 +161,11 @@ RecordedFile kind_of(std::string_view bytes, const std::string& path)
         return RecordedFile::report;
     if (starts_with(bytes, "PF\n") || starts_with(bytes, "Pf\n"))
         throw InputError(path + ": a PFM keeps no record of its command; expected a PNG, PPM or CSV of the same run");
-    return RecordedFile::table;
+    if (starts_with(bytes, "ply\n"))
+        return RecordedFile::ply;
+    if (starts_with(bytes, "glTF"))
+        return RecordedFile::glb;
+    return is_obj(bytes) ? RecordedFile::obj : RecordedFile::table;
 }
 
 Facts facts_of(RecordedFile kind, std::string_view bytes)
@@ -134,6 +179,11 @@ Facts facts_of(RecordedFile kind, std::string_view bytes)
         return facts_of_drawing(bytes);
     case RecordedFile::report:
         return facts_of_report(bytes);
+    case RecordedFile::ply:
+        return facts_of_ply(bytes);
+    case RecordedFile::glb:
+        return facts_of_glb(bytes);
+    case RecordedFile::obj:
     case RecordedFile::table:
         break;
     }
@@ -150,14 +200,34 @@ std::string_view drawing_record(std::string_view bytes)
     return end == std::string_view::npos ? "" : bytes.substr(begin + tag.size(), end - begin - tag.size());
 }
 
+std::string_view glb_record(std::string_view bytes)
+{
+    constexpr std::string_view key = "\"record\": [";
+    const std::size_t key_begin = bytes.find(key);
+    if (key_begin == std::string_view::npos)
+        return "";
+    const std::size_t begin = key_begin + key.size();
+    bool inside = false; // a text, which may have brackets
+    for (std::size_t at = begin; at < bytes.size(); ++at) {
+        if (inside && bytes[at] == '\\')
+            ++at;
+        else if (bytes[at] == '"')
+            inside = !inside;
+        else if (!inside && bytes[at] == ']')
+            return bytes.substr(begin, at - begin);
+    }
+    return "";
+}
+
 RecordedCommand read_recorded_command(const std::string& bytes, const std::string& path)
 {
     const RecordedFile kind = kind_of(bytes, path);
     const Facts facts = facts_of(kind, bytes);
     const std::optional<std::string> command = value_of(facts, "command");
     if (!command)
-        throw InputError(path + ": no record of a multipath command in it; expected a CSV, SVG, PNG, PPM or report "
-                                "(index.html) that multipath wrote");
+        throw InputError(path +
+                         ": no record of a multipath command in it; expected a CSV, SVG, PNG, PPM, PLY, GLB, OBJ "
+                         "or report (index.html) that multipath wrote");
     const std::optional<std::vector<std::string>> words = split_shell_words(*command);
     if (!words)
         throw InputError(path + ": expected a command of plain and quoted words in its record, got " +

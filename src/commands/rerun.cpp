@@ -95,6 +95,12 @@ const char* extension_of(RecordedFile kind)
         return ".svg";
     case RecordedFile::report:
         return ".html";
+    case RecordedFile::ply:
+        return ".ply";
+    case RecordedFile::glb:
+        return ".glb";
+    case RecordedFile::obj:
+        return ".obj";
     case RecordedFile::table:
         break;
     }

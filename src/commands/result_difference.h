@@ -25,6 +25,9 @@ ResultDifference table_difference(const std::string& then, const std::string& no
 ResultDifference ppm_difference(const std::string& then, const std::string& now);
 ResultDifference png_difference(const std::string& then, const std::string& now);
 ResultDifference drawing_difference(const std::string& then, const std::string& now);
+ResultDifference ply_difference(const std::string& then, const std::string& now);
+ResultDifference glb_difference(const std::string& then, const std::string& now);
+ResultDifference obj_difference(const std::string& then, const std::string& now);
 
 /// What report_html() marks as changing from run to run, and figures with seconds across, are times.
 ResultDifference report_difference(const std::string& then, const std::string& now);

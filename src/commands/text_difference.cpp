@@ -53,6 +53,16 @@ std::string without_record(const std::string& drawing)
                         std::string(static_cast<std::size_t>(std::count(record.begin(), record.end(), '\n')), '\n'));
 }
 
+/// The same with the comments of an OBJ.
+std::string without_comments(const std::string& obj)
+{
+    std::size_t begin = 0;
+    std::string lines;
+    for (; begin < obj.size() && obj[begin] == '#'; begin = std::min(obj.find('\n', begin), obj.size() - 1) + 1)
+        lines += '\n';
+    return lines + obj.substr(begin);
+}
+
 /// Without the drawings of figures with seconds across.
 std::string without_times(const std::string& report)
 {
@@ -100,6 +110,11 @@ ResultDifference drawing_difference(const std::string& then, const std::string& 
     return {first_difference(without_record(then), without_record(now))};
 }
 
+ResultDifference obj_difference(const std::string& then, const std::string& now)
+{
+    return {first_difference(without_comments(then), without_comments(now))};
+}
+
 ResultDifference report_difference(const std::string& then, const std::string& now)
 {
     const auto result = [](const std::string& report) {
@@ -123,6 +138,12 @@ ResultDifference result_difference(RecordedFile kind, const std::string& then, c
         return drawing_difference(then, now);
     case RecordedFile::report:
         return report_difference(then, now);
+    case RecordedFile::ply:
+        return ply_difference(then, now);
+    case RecordedFile::glb:
+        return glb_difference(then, now);
+    case RecordedFile::obj:
+        return obj_difference(then, now);
     case RecordedFile::table:
         break;
     }

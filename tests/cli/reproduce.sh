@@ -24,8 +24,9 @@ refused() {
     ends 1 reproduce "$2" --quiet && silent out && lines_are err 1 && says err "multipath: $1"
 }
 
-"$program" solve $scene $small --lines 5000 --quiet -o room.csv -o room.png -o room.ppm -o room.pfm
-for file in room.csv room.png room.ppm; do
+"$program" solve $scene $small --lines 5000 --quiet -o room.csv -o room.png -o room.ppm -o room.pfm \
+    -o room.ply -o room.glb -o room.obj
+for file in room.csv room.png room.ppm room.ply room.glb room.obj; do
     check "what solve has written comes out again: $file" same $file
 done
 check "so it does with one thread" same room.csv --threads 1

@@ -2,6 +2,10 @@
 
 #include "cli/provenance.h"
 #include "commands/commands.h"
+#include "export/glb.h"
+#include "export/mesh_scenes.h"
+#include "export/obj_colours.h"
+#include "export/ply.h"
 #include "export/svg_plot.h"
 #include "image/png.h"
 #include "image/ppm.h"
@@ -86,6 +90,25 @@ TEST_CASE("every kind of file gives back what it was told of its command")
     check_odd_record(png_bytes(pixel, joined(odd_facts)), RecordedFile::png);
     check_odd_record(svg_head(10, 10, "command: no <desc>", odd_facts) + svg_end(), RecordedFile::drawing);
     check_odd_record(report_html({ReportParagraph{"text"}}, "", odd_facts), RecordedFile::report);
+}
+
+TEST_CASE("meshes give it back too")
+{
+    const Scene scene = walls_that_do_not_match().scene(4.0);
+    const std::vector<Rgb> radiosity = some_values(scene);
+    const PatchMesh mesh = patch_mesh(scene, flat_corners(radiosity), {});
+    const ScreenColour colour = [](Rgb value) { return value; };
+    check_odd_record(ply_bytes(mesh, radiosity, colour, odd_facts), RecordedFile::ply);
+    check_odd_record(obj_text(mesh, scene, colour, odd_facts), RecordedFile::obj);
+    Words with_brackets = odd_facts;
+    with_brackets.insert(with_brackets.begin(), "a \\ and [a] \"]\"");
+    const std::string glb = glb_bytes(mesh, scene, 1.0, with_brackets);
+    check_odd_record(glb, RecordedFile::glb);
+    for (std::size_t length : {std::size_t{4}, glb.find("]\\\""), glb.find("seed")})
+        CHECK(problem(glb.substr(0, length)).find("file: no record") == 0);
+    CHECK(problem("ply\n").find("file: no record") == 0);
+    CHECK(problem("ply\ncomment command: multipath x").find("file: no record") == 0);
+    CHECK(problem("# one\nv 0 0 0\n").find("file: no record") == 0);
 }
 
 TEST_CASE("line ends of another system do not matter")

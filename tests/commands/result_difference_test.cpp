@@ -1,5 +1,9 @@
 #include "commands/result_difference.h"
 
+#include "export/glb.h"
+#include "export/mesh_scenes.h"
+#include "export/obj_colours.h"
+#include "export/ply.h"
 #include "export/svg_plot.h"
 #include "image/png.h"
 #include "image/ppm.h"
@@ -150,4 +154,43 @@ TEST_CASE("reports may differ in times, in figures with seconds across, and in t
     CHECK(report_difference(seconds, report("3 s", "5", "<b/>", "seconds", "paper")).only_times);
     CHECK_FALSE(report_difference(seconds, report("3 s", "6", "<b/>", "seconds", "paper")).text.empty());
     CHECK_FALSE(report_difference(seconds, one).text.empty());
+}
+
+TEST_CASE("meshes differ where their vertices and faces do, not in their records")
+{
+    const Scene scene = walls_that_do_not_match().scene(1.0);
+    std::vector<Rgb> radiosity = some_values(scene);
+    const ScreenColour colour = [](Rgb value) { return 0.5 * value; };
+    const auto ply = [&](const Scene& room, const char* comment) {
+        return ply_bytes(patch_mesh(room, flat_corners(radiosity), {}), radiosity, colour, {comment});
+    };
+    const auto glb = [&](const Scene& room, const char* comment) {
+        return glb_bytes(patch_mesh(room, flat_corners(radiosity), {}), room, 0.5, {comment});
+    };
+    const auto obj = [&](const Scene& room, const char* comment) {
+        return obj_text(patch_mesh(room, flat_corners(radiosity), {}), room, colour, {comment});
+    };
+    const std::string ply_then = ply(scene, "command: a");
+    const std::string glb_then = glb(scene, "command: a");
+    const std::string obj_then = obj(scene, "command: a");
+    CHECK(ply_difference(ply_then, ply(scene, "command: longer")).text.empty());
+    CHECK(glb_difference(glb_then, glb(scene, "command: [longer] \"]\"")).text.empty());
+    CHECK(obj_difference(obj_then, obj(scene, "command: longer")).text.empty());
+
+    const Scene finer = walls_that_do_not_match().scene(0.5);
+    const std::vector<Rgb> before = radiosity;
+    radiosity = some_values(finer);
+    CHECK(ply_difference(ply_then, ply(finer, "command: a")).text.find("the descriptions") == 0);
+    CHECK(glb_difference(glb_then, glb(finer, "command: a")).text.find("the descriptions") == 0);
+    radiosity = before;
+    radiosity[0].g += 0.25;
+    CHECK(ply_difference(ply_then, ply(scene, "command: a")).text.find("the vertices or faces differ, from byte") == 0);
+    CHECK(glb_difference(glb_then, glb(scene, "command: a")).text.find("the vertices or faces differ, from byte") == 0);
+    CHECK(obj_difference(obj_then, obj(scene, "command: a")).text ==
+          "line 2 differs: then `0 0 0 0.1250 0.2500 0.0625`, now `0 0 0 0.1250 0.3750 0.0625`");
+
+    for (const std::size_t length : {std::size_t{0}, std::size_t{10}, std::size_t{30}, ply_then.size() / 2}) {
+        CHECK_FALSE(ply_difference(ply_then, ply_then.substr(0, length)).text.empty());
+        CHECK_FALSE(glb_difference(glb_then, glb_then.substr(0, length)).text.empty());
+    }
 }
