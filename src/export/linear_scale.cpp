@@ -22,6 +22,21 @@ std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radio
     return areas;
 }
 
+/// What is exceeded on a share of the area; the brightest come first.
+double exceeded_on(double share, const std::vector<LitArea>& areas)
+{
+    double total = 0.0;
+    for (const LitArea& lit : areas)
+        total += lit.area;
+    double before = 0.0;
+    for (const LitArea& lit : areas) {
+        before += lit.area;
+        if (before > share * total)
+            return lit.brightness;
+    }
+    return 0.0;
+}
+
 } // namespace
 
 double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
@@ -31,16 +46,11 @@ double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
         areas = lit_areas(scene, radiosity, true);
     std::sort(areas.begin(), areas.end(),
               [](const LitArea& a, const LitArea& b) { return a.brightness > b.brightness; });
-    double total = 0.0;
-    for (const LitArea& lit : areas)
-        total += lit.area;
-    double clipped = 0.0;
-    for (const LitArea& lit : areas) {
-        clipped += lit.area;
-        if (clipped > 0.01 * total)
-            return lit.brightness > 0.0 ? 1.0 / lit.brightness : 1.0;
-    }
-    return 1.0;
+    const double bright = exceeded_on(0.01, areas);
+    const double middle = exceeded_on(0.5, areas);
+    if (!(bright > 0.0))
+        return 1.0;
+    return middle > 0.0 ? std::max(1.0 / bright, 0.18 / middle) : 1.0 / bright;
 }
 
 } // namespace multipath

@@ -17,6 +17,9 @@ TEST_CASE("white is what is brightest beside lamps and the hundredth part next t
     CHECK(linear_scale(scene, values) == 0.25);
     values[8] = {8, 0, 0}; // 2 of 150 are no spot
     CHECK(linear_scale(scene, values) == 0.125);
+    for (std::uint32_t patch = 8; patch < 30; ++patch)
+        values[patch] = {0, 0, 400}; // a seventh, a hundred times as bright as the rest
+    CHECK(linear_scale(scene, values) == 0.18 / 4.0);
     CHECK(linear_scale(scene, std::vector<Rgb>(scene.patch_count())) == 1.0);
 }
 

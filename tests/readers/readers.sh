@@ -1,0 +1,51 @@
+# The meshes as independent programs read them: three.js (in node, and in a browser), Khronos' validator, assimp.
+# usage: readers.sh PROGRAM ROOT [SCREENSHOT]     in an empty folder; needs node, npm, assimp and a browser (CHROMIUM)
+. "$2/tests/cli/check.sh"
+screenshot=${3:-inside.png}
+chromium=${CHROMIUM:-chromium}
+cp "$root"/tests/readers/*.mjs "$root"/tests/readers/*.cjs "$root"/tests/readers/*.html .
+
+fetched() { npm install --no-audit --no-fund --no-save three@0.187.0 gltf-validator@2.0.0-dev.3.10; }
+check "the readers are there" fetched
+
+solved() {
+    for shading in flat smooth; do
+        ends 0 solve "$root/scenes/4chairs.obj" --lines 2^17 --quiet --shading $shading -o $shading.csv -o $shading.ply \
+            -o $shading.glb -o $shading.obj || return
+    done
+    ends 0 solve "$root/scenes/sphere.obj" --lines 2^14 --replicates 2 --two-sided --quiet -o sphere.glb
+}
+check "solve writes the meshes" solved
+
+check "three.js reads the areas, powers and names of the table" node three_loaders.mjs
+check "Khronos' validator finds nothing wrong" node validate.cjs flat.glb smooth.glb sphere.glb
+
+assimp_reads() {
+    for kind in ply glb obj; do assimp export flat.$kind $kind.json -fassjson || return; done
+    node assimp_meshes.mjs
+}
+check "assimp reads the areas, colours and names" assimp_reads
+
+# usage: browse OPTIONS...
+browse() {
+    timeout 120 "$chromium" --headless --no-sandbox --hide-scrollbars --allow-file-access-from-files --use-gl=angle \
+        --use-angle=swiftshader --enable-unsafe-swiftshader --host-resolver-rules="MAP * ~NOTFOUND" --virtual-time-budget=60000 \
+        --window-size=900,700 "$@" "file://$PWD/inside.html?file=$file" 2>browser.log
+}
+
+# usage: closed FILE.glb
+closed() {
+    file=$1
+    browse --dump-dom >dom.html && grep -q '^end$' dom.html && sed -n 's/.*<pre id="result">//; /^cracks\|^white\|^shades/p' dom.html >seen
+    grep -qx 'cracks 0' seen && awk '/^white/ { lamp = $2 > 1000 } /^shades/ { varied = $2 > 500 } END { exit !(lamp && varied) }' seen &&
+        return
+    cat seen
+    head -c 2000 dom.html
+    return 1
+}
+check "seen from inside, a smooth room has no crack, a white lamp and many shades" closed smooth.glb
+check "so has a room of flat patches" closed flat.glb
+
+pictured() { file=smooth.glb && browse --screenshot="$screenshot" && [ "$(wc -c <"$screenshot")" -gt 20000 ]; }
+check "a screenshot is kept" pictured
+finish
