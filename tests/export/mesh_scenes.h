@@ -16,6 +16,7 @@ inline SceneBuilder walls_that_do_not_match()
     builder.rectangle({0, 0, 0}, {0, 0, 1}, {1.5, 0, 0}, paint);
     builder.rectangle({1.5, 0, 0}, {0, 0, 1}, {2.5, 0, 0}, builder.material({0.8, 0.1, 0.2}, {}));
     builder.triangle({0, 3, 0}, {4, 3, 0}, {2, 3, 5}, paint);
+    builder.triangle({4, 3, 0}, {6, 3, 1}, {3.1, 3, 2.25}, paint);
     return builder.rectangle({0, 50, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.5, 1.0));
 }
 

@@ -116,6 +116,16 @@ TEST_CASE("flat patches keep their own values, smooth ones share vertices inside
             REQUIRE(smooth.radiosity[face.corners[k]] == single(shading.at_corners(face.patch)[k]));
 }
 
+TEST_CASE("patches of one value but different errors share no vertex")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, builder.grey(0.5, 1.0)).scene(1.0);
+    const std::vector<Rgb> same(scene.patch_count(), Rgb{1, 1, 1});
+    const std::vector<Rgb> different = some_values(scene);
+    CHECK(patch_mesh(scene, flat_corners(same), {}).positions.size() == 6);
+    CHECK(patch_mesh(scene, flat_corners(same), flat_corners(different)).positions.size() == 8);
+}
+
 // A linear ramp is the same from whatever vertices it is interpolated.
 TEST_CASE("new corners have the values of where they are")
 {
