@@ -36,22 +36,19 @@ double mean_length(const PatchMesh& mesh)
 /// Moves the corners on rims to the first one within the tolerance, and returns all such places.
 PointGrid join_corners(PatchMesh& mesh, double cell, double tolerance)
 {
-    PointGrid places(cell, mesh.rims.size());
+    PointGrid places(cell, mesh.rim_vertices.size());
     const Vec3 margin = {tolerance, tolerance, tolerance};
-    for (const RimEdge edge : mesh.rims) {
-        const auto [first, second] = ends_of(mesh, edge);
-        for (const std::uint32_t vertex : {first, second}) {
-            const Vec3 here = to_vec3(mesh.positions[vertex]);
-            std::optional<std::uint32_t> earliest;
-            places.visit_box(here - margin, here + margin, [&](std::uint32_t other) {
-                if (length(to_vec3(mesh.positions[other]) - here) <= tolerance)
-                    earliest = earliest ? std::min(*earliest, other) : other;
-            });
-            if (earliest)
-                mesh.positions[vertex] = mesh.positions[*earliest];
-            else
-                places.insert(here, vertex);
-        }
+    for (const std::uint32_t vertex : mesh.rim_vertices) {
+        const Vec3 here = to_vec3(mesh.positions[vertex]);
+        std::optional<std::uint32_t> earliest;
+        places.visit_box(here - margin, here + margin, [&](std::uint32_t other) {
+            if (length(to_vec3(mesh.positions[other]) - here) <= tolerance)
+                earliest = earliest ? std::min(*earliest, other) : other;
+        });
+        if (earliest)
+            mesh.positions[vertex] = mesh.positions[*earliest];
+        else
+            places.insert(here, vertex);
     }
     return places;
 }
@@ -99,6 +96,7 @@ PatchMesh sewn(PatchMesh mesh, double tolerance)
         cuts.insert(cuts.end(), more.begin(), more.end());
     }
     mesh.rims = {};
+    mesh.rim_vertices = {};
     return cuts.empty() ? mesh : with_cuts(mesh, cuts);
 }
 

@@ -12,6 +12,12 @@ namespace {
 
 constexpr double coinciding = 1e-6; ///< of the scene's diagonal: closer corners are one
 
+bool on_rim(const Tessellation& cut, GridPoint a)
+{
+    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.cells_u;
+    return slanted || a.i == 0 || a.i == cut.cells_u || a.j == 0 || a.j == cut.cells_v;
+}
+
 /// Is the way between two neighbours on the grid a part of the surface's rim?
 bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
 {
@@ -85,6 +91,8 @@ private:
         mesh_.radiosity.push_back(radiosity);
         if (error_)
             mesh_.error.push_back(error);
+        if (on_rim(tessellation, point))
+            mesh_.rim_vertices.push_back(latest);
         return latest;
     }
 

@@ -67,7 +67,10 @@ struct PatchMesh
     std::vector<Float3> error;     ///< [W/m^2] per vertex: standard error of the radiosity; empty if unknown
     std::vector<MeshFace> faces;
     std::vector<MeshSide> sides;
-    std::vector<RimEdge> rims; ///< in the order of the faces, while sides are not yet joined
+
+    // While sides are not yet joined:
+    std::vector<RimEdge> rims;               ///< in the order of the faces
+    std::vector<std::uint32_t> rim_vertices; ///< in the order of the vertices
 };
 
 /// Values at the corners of a patch, in the order of Scene::corners().

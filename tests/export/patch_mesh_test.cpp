@@ -94,6 +94,16 @@ TEST_CASE("corners of different surfaces that differ by rounding come to lie in 
     const PatchMesh mesh = flat_mesh(scene, std::vector<Rgb>(scene.patch_count(), Rgb{1, 1, 1}));
     std::set<Float3> places(mesh.positions.begin(), mesh.positions.end());
     CHECK(places.size() == 5 * 5 + 4 * 5); // the two squares share five corners
+
+    // Here patches touch the common side with nothing but a corner.
+    SceneBuilder of_triangles;
+    const std::uint32_t lamp = of_triangles.grey(0.5, 1.0);
+    of_triangles.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, lamp);
+    of_triangles.triangle({3e-7, 0, 1e-7}, {3e-7, 1, 1e-7}, {-1, 0, 0}, lamp);
+    const Scene triangles = of_triangles.scene(0.36);
+    const PatchMesh flat = flat_mesh(triangles, some_values(triangles));
+    places = {flat.positions.begin(), flat.positions.end()};
+    CHECK(places.size() == 15 + 10); // they share five
 }
 
 TEST_CASE("flat patches keep their own values, smooth ones share vertices inside a side")
