@@ -17,6 +17,13 @@ ToneOperator tone_operator(const std::string& name)
     return name == "percentile" ? ToneOperator::percentile : ToneOperator::aces;
 }
 
+Shading shading_named(const std::string& name)
+{
+    if (name == "gather")
+        return Shading::gather;
+    return name == "smooth" ? Shading::smooth : Shading::flat;
+}
+
 Shown read_shown(const CommandLine& line)
 {
     const std::string name = line.text("show");
@@ -35,37 +42,41 @@ Shown read_shown(const CommandLine& line)
 
 OptionGroup picture_option_group()
 {
-    return {"Picture",
-            {{"show",
-              0,
-              "WHAT",
-              "radiosity",
-              "What pictures show: radiosity, the room as an eye would see it; in false colours with a legend, "
-              "irradiance or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
-              "patches, each in a colour of its own. A PFM holds the values. Meshes hold the radiosity in any case.",
-              false,
-              {"radiosity", "irradiance", "error", "patches"}},
-             {"size", 0, "WxH", "800x600", "Width and height in pixels."},
-             {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
-             {"shading",
-              0,
-              "HOW",
-              "smooth",
-              "Interpolate between patches, or show each in one colour.",
-              false,
-              {"smooth", "flat"}},
-             {"eye", 0, "X,Y,Z", "", "Where the camera stands. Without it, chosen to show most of the room."},
-             {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
-             {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
-             {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
-             {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
-             {"tone-map",
-              0,
-              "HOW",
-              "reinhard",
-              "How radiosity becomes screen brightness.",
-              false,
-              {"linear", "reinhard", "aces", "percentile"}}}};
+    return {
+        "Picture",
+        {{"show",
+          0,
+          "WHAT",
+          "radiosity",
+          "What pictures show: radiosity, the room as an eye would see it; in false colours with a legend, "
+          "irradiance or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
+          "patches, each in a colour of its own. A PFM holds the values. Meshes hold the radiosity in any case.",
+          false,
+          {"radiosity", "irradiance", "error", "patches"}},
+         {"size", 0, "WxH", "800x600", "Width and height in pixels."},
+         {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
+         {"shading",
+          0,
+          "HOW",
+          "smooth",
+          "Interpolate between patches; show each in one colour (flat); or, slowly, compute the last reflection for "
+          "every pixel (gather): shadows as sharp as they are, and no trace of patches.",
+          false,
+          {"smooth", "flat", "gather"}},
+         {"gather-rays", 0, "N", "64",
+          "Of --shading gather: rays per pixel to the sources, and as many in all directions."},
+         {"eye", 0, "X,Y,Z", "", "Where the camera stands. Without it, chosen to show most of the room."},
+         {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
+         {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
+         {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
+         {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
+         {"tone-map",
+          0,
+          "HOW",
+          "reinhard",
+          "How radiosity becomes screen brightness.",
+          false,
+          {"linear", "reinhard", "aces", "percentile"}}}};
 }
 
 PictureOptions read_picture_options(const CommandLine& line, int threads)
@@ -76,8 +87,14 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     options.render.width = size.width;
     options.render.height = size.height;
     options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
-    options.mesh_shading = line.text("shading") == "smooth" ? Shading::smooth : Shading::flat;
-    options.render.shading = options.shown == Shown::radiosity ? options.mesh_shading : Shading::flat;
+    if (options.shown == Shown::radiosity)
+        options.render.shading = shading_named(line.text("shading"));
+    else
+        options.render.shading = Shading::flat;
+    options.mesh_shading = line.text("shading") == "flat" ? Shading::flat : Shading::smooth;
+    if (line.text("gather-rays") != line.default_text("gather-rays") && options.render.shading != Shading::gather)
+        throw UsageError("--gather-rays has no effect without --shading gather; expected both");
+    options.render.gather_rays = static_cast<int>(read_count("--gather-rays", line.text("gather-rays"), 1, 1 << 20));
     options.render.threads = threads;
     options.tone.tone = tone_operator(line.text("tone-map"));
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);

@@ -4,6 +4,7 @@
 
 #include "image/render.h"
 
+#include "image/final_gather.h"
 #include "image/smooth_shading.h"
 #include "image/visible_hits.h"
 #include "parallel/ordered_blocks.h"
@@ -22,6 +23,16 @@ double uniform_to_tent(double u)
     return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
 }
 
+/// The number of a pixel in an order in which every square of 2^n pixels, aligned to its size, comes in one piece: the
+/// bits of x and y by turns (Morton).
+std::uint64_t number_in_squares(int x, int y)
+{
+    std::uint64_t number = 0;
+    for (int bit = 0; bit < 16; ++bit)
+        number |= static_cast<std::uint64_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
+    return number;
+}
+
 /// Draws one pixel at a time.
 class Painter
 {
@@ -33,33 +44,50 @@ public:
             smooth_.emplace(scene, radiosity);
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
+        const int samples = grid_ * grid_;
+        if (options.shading == Shading::gather)
+            gather_.emplace(scene, radiosity, (options.gather_rays + samples - 1) / samples);
     }
+
+    /// What one thread works with.
+    struct Tools
+    {
+        VisibleHits visible;
+        std::vector<Item> items;
+    };
 
     /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
     /// that is almost horizontal passes k^2 shades, not k.
-    Rgb pixel(int x, int y, VisibleHits& visible) const
+    Rgb pixel(int x, int y, Tools& tools) const
     {
         const double k = grid_;
+        std::uint64_t number = number_in_squares(x, y) * static_cast<std::uint64_t>(grid_ * grid_);
         Rgb sum;
         for (int row = 0; row < grid_; ++row)
             for (int column = 0; column < grid_; ++column) {
                 const double u = (column + (row + 0.5) / k) / k;
                 const double v = (row + (grid_ - column - 0.5) / k) / k;
-                sum += seen(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v), visible);
+                sum += seen(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v), number++, tools);
             }
         return 1.0 / (k * k) * sum;
     }
 
 private:
-    Rgb seen(double x, double y, VisibleHits& visible) const
+    Rgb seen(double x, double y, std::uint64_t number, Tools& tools) const
     {
-        const std::optional<Hit> hit = visible.first(rays_.through(x, y));
+        const std::optional<Hit> hit = tools.visible.first(rays_.through(x, y));
         if (!hit)
             return {};
-        const Rgb value =
-            smooth_ ? smooth_->at(*hit) : radiosity_[scene_.patch_at(hit->surface, hit->u, hit->v, hit->front)];
+        const Rgb value = shade(*hit, number, tools);
         return {std::min(value.r, options_.white), std::min(value.g, options_.white),
                 std::min(value.b, options_.white)};
+    }
+
+    Rgb shade(const Hit& hit, std::uint64_t number, Tools& tools) const
+    {
+        if (gather_)
+            return gather_->at(hit, number, tools.items);
+        return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
     }
 
     const Scene& scene_;
@@ -67,6 +95,7 @@ private:
     PixelRays rays_;
     RenderOptions options_;
     std::optional<SmoothShading> smooth_;
+    std::optional<FinalGather> gather_;
     int grid_ = 1;
 };
 
@@ -79,9 +108,9 @@ Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera
     image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
     parallel_blocks(static_cast<std::uint64_t>(image.height), options.threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
-        VisibleHits visible(scene);
+        Painter::Tools tools{VisibleHits(scene), {}};
         for (int x = 0; x < image.width; ++x)
-            image.at(x, y) = painter.pixel(x, y, visible);
+            image.at(x, y) = painter.pixel(x, y, tools);
     });
     return image;
 }

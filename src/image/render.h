@@ -10,7 +10,11 @@
 
 namespace multipath {
 
-enum class Shading { flat, smooth };
+enum class Shading {
+    flat,   ///< every patch in one colour
+    smooth, ///< interpolated between patches
+    gather, ///< the last reflection computed for every pixel
+};
 
 struct RenderOptions
 {
@@ -18,6 +22,7 @@ struct RenderOptions
     int height = 600;
     int samples_per_pixel = 9; ///< rounded up to a square
     Shading shading = Shading::smooth;
+    int gather_rays = 64; ///< per pixel, to the sources and as many to everything; at least one of each per sample
     int threads = 1;
     /// [W/m^2] Samples brighter than this count as this. A picture for a screen sets what the screen shows as white:
     /// the rim of a lamp a thousand times brighter than the room would otherwise have no intermediate steps.
@@ -25,7 +30,8 @@ struct RenderOptions
 };
 
 /// What the camera sees of a scene with the given radiosity [W/m^2] per patch; black where it meets nothing. Sides that
-/// do not exist are looked through. The same bytes for any number of threads. Throws InputError for an impossible
+/// do not exist are looked through. Gathering takes `radiosity` for a solution, of which it replaces the last
+/// reflection. The same bytes for any number of threads. Throws InputError for an impossible
 /// camera or picture size.
 Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options);
 

@@ -1,0 +1,128 @@
+// H = U V: the irradiance U of a place to which nothing hides the sources is a sum of Lambert's closed forms, and V is
+// the share of it that is not hidden. Rays go to the sources in proportion to what they give, and within a source to
+// directions spread evenly over the solid angle, so that each ray counts with the cosine alone:
+//
+//   V ~ sum of w v / sum of w,   v = 1 where the ray meets the source, 0 where it meets something else
+
+#include "image/source_light.h"
+
+#include "geometry/polygon_irradiance.h"
+#include "sampling/spherical_triangle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+constexpr double most_views = 32.0; // of sources from one place: more are represented by as many of them
+
+Rgb quotient(Rgb a, Rgb b)
+{
+    const auto channel = [](double x, double y) { return y > 0.0 ? x / y : 0.0; };
+    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
+/// A convex polygon as it is seen from a point, in triangles around its first corner.
+class SeenPolygon
+{
+public:
+    SeenPolygon(const FlatPolygon& polygon, Vec3 point)
+    {
+        const auto towards = [&](std::size_t k) { return normalized(polygon.corners[k] - point); };
+        for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
+            triangles_[count_].emplace(towards(0), towards(k), towards(k + 1));
+            solid_angle_ += triangles_[count_++]->solid_angle();
+        }
+    }
+
+    double solid_angle() const { return solid_angle_; }
+
+    /// Uniform over the solid angle, which must not be 0.
+    Vec3 direction(double a, double b) const
+    {
+        double rest = a * solid_angle_;
+        std::size_t k = 0;
+        for (; k + 1 < count_ && rest >= triangles_[k]->solid_angle(); ++k)
+            rest -= triangles_[k]->solid_angle();
+        return triangles_[k]->direction(std::min(1.0, rest / triangles_[k]->solid_angle()), b);
+    }
+
+private:
+    std::array<std::optional<SphericalTriangle>, 3> triangles_;
+    std::size_t count_ = 0;
+    double solid_angle_ = 0.0;
+};
+
+} // namespace
+
+SourceLight::SourceLight(const Scene& scene) : scene_(scene)
+{
+    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
+        const Rgb emittance = scene.materials()[scene.file().material[surface]].emittance;
+        const double power = scene.surfaces()[surface].area() * mean(emittance);
+        if (power > 0.0)
+            sources_.push_back({surface, emittance, power});
+        power_ += power;
+    }
+}
+
+/// Of more sources than `most_views` about so many, in proportion to their power; each then stands for others.
+std::vector<SourceLight::View> SourceLight::views(const Place& place, double offset) const
+{
+    std::vector<View> result;
+    const bool all = static_cast<double>(sources_.size()) <= most_views;
+    double choices_before = 0.0;
+    for (const Source& source : sources_) {
+        const double choices = most_views * source.power / power_;
+        const double chosen = std::floor(choices_before + choices + offset) - std::floor(choices_before + offset);
+        choices_before += choices;
+        const double weight = all ? 1.0 : chosen / choices;
+        if (!(weight > 0.0))
+            continue;
+        const FlatPolygon outline = part_above_horizon(scene_.surfaces()[source.surface], place.point, place.normal);
+        const double form_factor = outline.empty() ? 0.0 : irradiance_from(outline, place.point, place.normal);
+        if (form_factor > 0.0)
+            result.push_back({source.surface, outline, form_factor, weight * form_factor * source.emittance});
+    }
+    return result;
+}
+
+bool SourceLight::is_free(const Place& place, const View& view, Vec3 direction) const
+{
+    const std::optional<Hit> hit = scene_.intersector().closest_hit_from(place.surface, {place.point, direction});
+    return hit && hit->surface == view.surface && hit->front;
+}
+
+Rgb SourceLight::irradiance(const Place& place, const std::vector<Item>& items, double offset) const
+{
+    const std::vector<View> views = this->views(place, offset);
+    Rgb unhidden;
+    for (const View& view : views)
+        unhidden += view.irradiance;
+    const double per_ray = mean(unhidden) / static_cast<double>(items.size());
+    Rgb sent;
+    Rgb arrived;
+    std::size_t ray = 0;
+    double sum = offset; // of rays deserved
+    for (const View& view : views) {
+        sum += mean(view.irradiance) / per_ray;
+        if (!(static_cast<double>(ray) + 1.0 <= sum))
+            continue;
+        const SeenPolygon seen(view.outline, place.point);
+        for (; static_cast<double>(ray) + 1.0 <= sum && ray < items.size() && seen.solid_angle() > 0.0; ++ray) {
+            const Vec3 direction = seen.direction(items[ray][2], items[ray][3]);
+            const double cosine = std::max(0.0, dot(direction, place.normal));
+            const Rgb weight = cosine * seen.solid_angle() / view.form_factor / mean(view.irradiance) * view.irradiance;
+            sent += weight;
+            if (is_free(place, view, direction))
+                arrived += weight;
+        }
+    }
+    return unhidden * quotient(arrived, sent);
+}
+
+} // namespace multipath
