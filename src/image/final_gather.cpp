@@ -1,67 +1,62 @@
 #include "image/final_gather.h"
 
 #include "image/place.h"
+#include "image/visible_hits.h"
+#include "parallel/ordered_blocks.h"
 #include "sampling/random.h"
-#include "sampling/warp.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace multipath {
 
 namespace {
 
-/// Without what the sources emit themselves: SourceLight brings that.
-std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radiosity)
+/// The number of a pixel in an order in which every square of 2^n x 2^n pixels, aligned to its size, comes in one
+/// piece: the bits of x and y by turns (Morton). Consecutive items of a well-spread sequence then complement each other
+/// within such squares, and what noise is left is fine-grained.
+std::uint64_t number_in_squares(int x, int y)
 {
-    std::vector<Rgb> reflected;
-    reflected.reserve(radiosity.size());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const Rgb part = radiosity[i] - scene.emittance(i);
-        reflected.push_back({std::max(0.0, part.r), std::max(0.0, part.g), std::max(0.0, part.b)});
-    }
-    return reflected;
+    std::uint64_t number = 0;
+    for (int bit = 0; bit < 16; ++bit)
+        number |= static_cast<std::uint64_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
+    return number;
 }
 
 } // namespace
 
-FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, int rays)
+FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width,
+                         int height, GatherRays rays, int threads)
     : scene_(scene),
-      rays_(static_cast<std::size_t>(rays)),
-      sequence_(make_sequence("sobol-owen", 1)),
+      rays_to_sources_(static_cast<std::size_t>(rays.to_sources)),
+      sequence_(make_sequence("sobol-owen", 2)),
       source_light_(scene),
-      reflected_(reflected_part(scene, radiosity)),
-      reflected_light_(scene, reflected_)
+      indirect_light_(scene, radiosity, rays.around),
+      grid_(width, height)
 {
+    parallel_blocks(static_cast<std::uint64_t>(height), threads, [&](std::uint64_t row) {
+        const int y = static_cast<int>(row);
+        VisibleHits visible(scene);
+        std::vector<Item> items;
+        for (int x = 0; x < width; ++x)
+            if (const std::optional<Hit> hit = visible.first(pixels.through(x + 0.5, y + 0.5)))
+                grid_.set(x, y, indirect_light_.at(place_of(scene, *hit), number_in_squares(x, y), items));
+    });
 }
 
-Rgb FinalGather::at(const Hit& hit, std::uint64_t number, std::vector<Item>& items) const
+Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, std::vector<Item>& items) const
 {
     const Place place = place_of(scene_, hit);
-    const Material& material = scene_.materials()[scene_.file().material[hit.surface]];
-    items.resize(rays_);
-    sequence_->generate(number * rays_, items);
+    const std::uint64_t pixel = number_in_squares(x, y);
+    const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
+    std::optional<Rgb> irradiance = grid_.irradiance(place, x, y);
+    if (!irradiance) // something that no middle of a pixel around shows
+        irradiance = indirect_light_.at(place, pixel, items).irradiance;
+    items.resize(rays_to_sources_);
+    sequence_->generate(number * rays_to_sources_, items);
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
-    const Rgb irradiance = source_light_.irradiance(place, items, offset) + indirect_irradiance(place, items);
-    return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
-}
-
-Rgb FinalGather::indirect_irradiance(const Place& place, const std::vector<Item>& items) const
-{
-    // Oblique to the edges, so that regular numbers do not aim exactly at the edges of rooms.
-    const Vec3 along_edge = normalized(scene_.surfaces()[place.surface].edge_u);
-    const Vec3 tangent = 0.6 * along_edge + 0.8 * cross(place.normal, along_edge);
-    const Vec3 bitangent = cross(place.normal, tangent);
-    Rgb sum;
-    for (const Item& item : items) {
-        const Vec3 local = square_to_cosine_hemisphere(item[0], item[1]);
-        const Vec3 direction = local.x * tangent + local.y * bitangent + local.z * place.normal;
-        const std::optional<Hit> hit = scene_.intersector().closest_hit_from(place.surface, {place.point, direction});
-        if (hit && (hit->front || scene_.two_sided()))
-            sum += reflected_light_.at(*hit);
-    }
-    return 1.0 / static_cast<double>(items.size()) * sum;
+    *irradiance += source_light_.irradiance(place, items, offset);
+    const Material& material = scene_.materials()[scene_.file().material[hit.surface]];
+    return (hit.front ? material.emittance : Rgb{}) + material.reflectance * *irradiance;
 }
 
 } // namespace multipath

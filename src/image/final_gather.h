@@ -1,7 +1,9 @@
 #pragma once
 
-#include "geometry/surface_table.h"
-#include "image/smooth_shading.h"
+#include "geometry/hit.h"
+#include "image/camera.h"
+#include "image/indirect_grid.h"
+#include "image/indirect_light.h"
 #include "image/source_light.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
@@ -13,31 +15,34 @@
 
 namespace multipath {
 
-/// The last reflection of the light on its way to the eye, for each point on its own: radiosity without patches. Light
-/// straight from the sources comes from SourceLight, all other light from rays over the hemisphere, which look up what
-/// the patches reflect. Immutable and safe to share between threads.
+/// How many rays find the light for one point.
+struct GatherRays
+{
+    int to_sources = 16;
+    int around = 64; ///< for indirect light, which neighbours share
+};
+
+/// One picture of a scene in which the last reflection on the light's way to the eye is computed for each point on its
+/// own: radiosity without patches. Immutable and safe to share between threads.
 class FinalGather
 {
 public:
-    /// `radiosity`: the solution [W/m^2] per patch. `rays` of each kind for a point. The scene must outlive this
-    /// object.
-    FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, int rays);
-    FinalGather(const FinalGather&) = delete;
-    FinalGather& operator=(const FinalGather&) = delete;
+    /// Gathers the indirect light for all pixels. `radiosity`: the solution [W/m^2] per patch. The scene must outlive
+    /// this object.
+    FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width, int height,
+                GatherRays rays, int threads);
 
-    /// [W/m^2] Radiosity where a line meets a side that exists. Points with neighbouring numbers get rays that
-    /// complement each other; `items` is room to work in.
-    Rgb at(const Hit& hit, std::uint64_t number, std::vector<Item>& items) const;
+    /// [W/m^2] Radiosity where a line through pixel (x, y) meets a side that exists. `sample` tells the lines of one
+    /// pixel apart, 0 <= sample < samples; `items` is room to work in.
+    Rgb at(const Hit& hit, int x, int y, int sample, int samples, std::vector<Item>& items) const;
 
 private:
-    Rgb indirect_irradiance(const Place& place, const std::vector<Item>& items) const;
-
     const Scene& scene_;
-    std::size_t rays_;
+    std::size_t rays_to_sources_;
     std::unique_ptr<Sequence> sequence_;
     SourceLight source_light_;
-    std::vector<Rgb> reflected_; ///< [W/m^2] per patch
-    SmoothShading reflected_light_;
+    IndirectLight indirect_light_;
+    IndirectGrid grid_;
 };
 
 } // namespace multipath

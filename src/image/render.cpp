@@ -23,16 +23,6 @@ double uniform_to_tent(double u)
     return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
 }
 
-/// The number of a pixel in an order in which every square of 2^n pixels, aligned to its size, comes in one piece: the
-/// bits of x and y by turns (Morton).
-std::uint64_t number_in_squares(int x, int y)
-{
-    std::uint64_t number = 0;
-    for (int bit = 0; bit < 16; ++bit)
-        number |= static_cast<std::uint64_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
-    return number;
-}
-
 /// Draws one pixel at a time.
 class Painter
 {
@@ -44,9 +34,9 @@ public:
             smooth_.emplace(scene, radiosity);
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
-        const int samples = grid_ * grid_;
+        const GatherRays gather_rays{(options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_), options.gather_rays};
         if (options.shading == Shading::gather)
-            gather_.emplace(scene, radiosity, (options.gather_rays + samples - 1) / samples);
+            gather_.emplace(scene, radiosity, rays_, options.width, options.height, gather_rays, options.threads);
     }
 
     /// What one thread works with.
@@ -61,33 +51,38 @@ public:
     Rgb pixel(int x, int y, Tools& tools) const
     {
         const double k = grid_;
-        std::uint64_t number = number_in_squares(x, y) * static_cast<std::uint64_t>(grid_ * grid_);
         Rgb sum;
         for (int row = 0; row < grid_; ++row)
             for (int column = 0; column < grid_; ++column) {
                 const double u = (column + (row + 0.5) / k) / k;
                 const double v = (row + (grid_ - column - 0.5) / k) / k;
-                sum += seen(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v), number++, tools);
+                const Line ray = rays_.through(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v));
+                if (const std::optional<Hit> hit = tools.visible.first(ray))
+                    sum += clipped(shade(*hit, {x, y, row * grid_ + column}, tools));
             }
         return 1.0 / (k * k) * sum;
     }
 
 private:
-    Rgb seen(double x, double y, std::uint64_t number, Tools& tools) const
+    /// A ray's place in the picture.
+    struct Sample
     {
-        const std::optional<Hit> hit = tools.visible.first(rays_.through(x, y));
-        if (!hit)
-            return {};
-        const Rgb value = shade(*hit, number, tools);
-        return {std::min(value.r, options_.white), std::min(value.g, options_.white),
-                std::min(value.b, options_.white)};
-    }
+        int x;
+        int y;
+        int number; ///< in its pixel
+    };
 
-    Rgb shade(const Hit& hit, std::uint64_t number, Tools& tools) const
+    Rgb shade(const Hit& hit, Sample sample, Tools& tools) const
     {
         if (gather_)
-            return gather_->at(hit, number, tools.items);
+            return gather_->at(hit, sample.x, sample.y, sample.number, grid_ * grid_, tools.items);
         return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
+    }
+
+    Rgb clipped(Rgb value) const
+    {
+        return {std::min(value.r, options_.white), std::min(value.g, options_.white),
+                std::min(value.b, options_.white)};
     }
 
     const Scene& scene_;

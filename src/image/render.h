@@ -22,7 +22,7 @@ struct RenderOptions
     int height = 600;
     int samples_per_pixel = 9; ///< rounded up to a square
     Shading shading = Shading::smooth;
-    int gather_rays = 64; ///< per pixel, to the sources and as many to everything; at least one of each per sample
+    int gather_rays = 64; ///< per pixel for indirect light, and as many to the sources, shared by its samples
     int threads = 1;
     /// [W/m^2] Samples brighter than this count as this. A picture for a screen sets what the screen shows as white:
     /// the rim of a lamp a thousand times brighter than the room would otherwise have no intermediate steps.

@@ -114,7 +114,7 @@ Rgb SourceLight::irradiance(const Place& place, const std::vector<Item>& items, 
             continue;
         const SeenPolygon seen(view.outline, place.point);
         for (; static_cast<double>(ray) + 1.0 <= sum && ray < items.size() && seen.solid_angle() > 0.0; ++ray) {
-            const Vec3 direction = seen.direction(items[ray][2], items[ray][3]);
+            const Vec3 direction = seen.direction(items[ray][0], items[ray][1]);
             const double cosine = std::max(0.0, dot(direction, place.normal));
             const Rgb weight = cosine * seen.solid_angle() / view.form_factor / mean(view.irradiance) * view.irradiance;
             sent += weight;

@@ -20,7 +20,7 @@ public:
     /// The scene must outlive this object.
     explicit SourceLight(const Scene& scene);
 
-    /// [W/m^2] At a place, by one ray for each item, which takes the item's last two numbers. `offset` in [0, 1)
+    /// [W/m^2] At a place, by one ray for each item, which takes the item's first two numbers. `offset` in [0, 1)
     /// decides which sources get the rays if these are few, and is to differ from place to place.
     Rgb irradiance(const Place& place, const std::vector<Item>& items, double offset) const;
 

@@ -74,7 +74,7 @@ TEST_CASE("a room of one radiosity fills the picture with it")
 TEST_CASE("any number of threads draws the same picture")
 {
     const Scene scene = unit_room();
-    for (const Shading shading : {Shading::flat, Shading::smooth}) {
+    for (const Shading shading : {Shading::flat, Shading::smooth, Shading::gather}) {
         RenderOptions options = small_picture(shading);
         const Camera camera = {{0.1, 0.8, 0.1}, {0.5, 0.5, 0.5}};
         const Image one = render(scene, some_radiosity(scene), camera, options);

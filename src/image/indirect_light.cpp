@@ -1,0 +1,59 @@
+#include "image/indirect_light.h"
+
+#include "sampling/warp.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+/// Without what the sources emit themselves.
+std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    std::vector<Rgb> reflected;
+    reflected.reserve(radiosity.size());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const Rgb part = radiosity[i] - scene.emittance(i);
+        reflected.push_back({std::max(0.0, part.r), std::max(0.0, part.g), std::max(0.0, part.b)});
+    }
+    return reflected;
+}
+
+} // namespace
+
+IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays)
+    : scene_(scene),
+      rays_(static_cast<std::size_t>(rays)),
+      sequence_(make_sequence("sobol-owen", 1)),
+      reflected_(reflected_part(scene, radiosity)),
+      reflected_light_(scene, reflected_)
+{
+}
+
+IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, std::vector<Item>& items) const
+{
+    items.resize(rays_);
+    sequence_->generate(number * rays_, items);
+    // Oblique to the edges, so that regular numbers do not aim exactly at the edges of rooms.
+    const Vec3 along_edge = normalized(scene_.surfaces()[place.surface].edge_u);
+    const Vec3 tangent = 0.6 * along_edge + 0.8 * cross(place.normal, along_edge);
+    const Vec3 bitangent = cross(place.normal, tangent);
+    Rgb sum;
+    double nearness = 1.0 / scene_.bounds().diagonal();
+    for (const Item& item : items) {
+        const Vec3 local = square_to_cosine_hemisphere(item[0], item[1]);
+        const Vec3 direction = local.x * tangent + local.y * bitangent + local.z * place.normal;
+        const std::optional<Hit> hit = scene_.intersector().closest_hit_from(place.surface, {place.point, direction});
+        if (!hit)
+            continue;
+        nearness += 1.0 / hit->t;
+        if (hit->front || scene_.two_sided())
+            sum += reflected_light_.at(*hit);
+    }
+    const auto count = static_cast<double>(items.size());
+    return {place, 1.0 / count * sum, count / nearness};
+}
+
+} // namespace multipath
