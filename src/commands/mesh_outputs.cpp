@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading)
+PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading, int threads)
 {
     const bool has_error = !solution.standard_error.empty();
     if (shading == Shading::flat)
@@ -23,10 +23,10 @@ PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading)
     const auto corners_of = [](const SmoothShading& smooth) {
         return [&smooth](std::uint32_t patch) { return smooth.at_corners(patch); };
     };
-    const SmoothShading radiosity(scene, solution.radiosity);
+    const SmoothShading radiosity(scene, solution.radiosity, threads);
     if (!has_error)
         return patch_mesh(scene, corners_of(radiosity), {});
-    const SmoothShading error(scene, solution.standard_error);
+    const SmoothShading error(scene, solution.standard_error, threads);
     return patch_mesh(scene, corners_of(radiosity), corners_of(error));
 }
 
@@ -38,7 +38,10 @@ bool is_mesh(OutputFormat format)
 }
 
 SolvedMesh::SolvedMesh(const Scene& scene, const Solution& solution, const PictureOptions& options)
-    : scene_(scene), solution_(solution), options_(options), mesh_(mesh_of(scene, solution, options.mesh_shading))
+    : scene_(scene),
+      solution_(solution),
+      options_(options),
+      mesh_(mesh_of(scene, solution, options.mesh_shading, options.render.threads))
 {
 }
 

@@ -3,47 +3,54 @@
 #include "scene/rgb.h"
 #include "scene/tessellation.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <vector>
+#include <optional>
 
 namespace multipath {
 
-/// The corners of one surface's patches. Corner (i, j) lies at u = i / cells_u, v = j / cells_v; they are numbered row
-/// by row with j, a triangle's rows getting shorter.
+/// One corner of one cell: number 0 ... 3 counter-clockwise from the cell's origin, 0 ... 2 of a triangle.
+struct CellCorner
+{
+    std::uint32_t cell;
+    std::uint32_t number;
+};
+
+/// The corners of the cells of one surface. Corner (i, j) lies at u = i / cells_u, v = j / cells_v.
 class CornerLattice
 {
 public:
-    explicit CornerLattice(const Tessellation& tessellation);
+    static constexpr std::size_t per_cell = 4; ///< places for the corners of a cell; a triangle uses three
 
-    std::uint32_t last_column(std::uint32_t j) const { return triangle() ? cells_u_ - j : cells_u_; }
-    std::uint32_t last_row() const { return cells_v_; }
-    std::size_t number(std::uint32_t i, std::uint32_t j) const;
-    std::size_t corner_count() const { return number(0, cells_v_) + last_column(cells_v_) + 1; }
-    double u(std::uint32_t i) const { return static_cast<double>(i) / cells_u_; }
-    double v(std::uint32_t j) const { return static_cast<double>(j) / cells_v_; }
+    explicit CornerLattice(const Tessellation& tessellation) : tessellation_(tessellation) {}
 
-    bool on_border(std::uint32_t i, std::uint32_t j) const { return cells_at(i, j) < (triangle() ? 6u : 4u); }
-    /// How many patches meet at a corner.
-    std::uint32_t cells_at(std::uint32_t i, std::uint32_t j) const;
+    std::uint32_t last_column(std::uint32_t j) const { return cells_u() - (triangle() ? j : 0); }
+    std::uint32_t last_row() const { return tessellation_.cells_v; }
+    double u(std::uint32_t i) const { return static_cast<double>(i) / tessellation_.cells_u; }
+    double v(std::uint32_t j) const { return static_cast<double>(j) / tessellation_.cells_v; }
 
-    /// Values at all corners from one value per patch, which is asked for at a point (u, v) inside the patch.
-    /// A parallelogram's border is extrapolated; a triangle's corners are means of the patches around them.
-    std::vector<Rgb> corner_values(const std::function<Rgb(double u, double v)>& patch_value) const;
+    /// The cells that meet at corner (i, j), in the order of a turn around it: four, or six of a triangle, of which
+    /// some do not exist at the border. The last one's next is the first. On a parallelogram the cells differ in i and
+    /// j by turns: next to an even one lies the one with the same j.
+    std::array<std::optional<CellCorner>, 6> around(std::uint32_t i, std::uint32_t j) const;
+    std::size_t most_around() const { return triangle() ? 6 : 4; }
 
-    /// Between the corners of the patch at (u, v): bilinear, or barycentric on a triangle. `values` is that of corner
-    /// 0.
+    /// The cell of a parallelogram that lies so many steps along u and v from another one, if it exists.
+    std::optional<std::uint32_t> cell_beside(std::uint32_t cell, int along_u, int along_v) const;
+
+    /// Between the corners of the cell at (u, v): bilinear, or barycentric on a triangle. `values`: per_cell for each
+    /// cell.
     Rgb interpolated(const Rgb* values, double u, double v) const;
 
 private:
-    bool triangle() const { return shape_ == Shape::triangle; }
-    std::vector<Rgb> triangle_corners(const std::function<Rgb(double u, double v)>& patch_value) const;
-    std::vector<Rgb> parallelogram_corners(const std::function<Rgb(double u, double v)>& patch_value) const;
+    bool triangle() const { return tessellation_.shape == Shape::triangle; }
+    std::uint32_t cells_u() const { return tessellation_.cells_u; }
+    std::optional<std::uint32_t> rectangle(std::int64_t i, std::int64_t j) const;
+    std::optional<std::uint32_t> upright_triangle(std::int64_t i, std::int64_t j) const;
+    std::optional<std::uint32_t> turned_triangle(std::int64_t i, std::int64_t j) const;
 
-    Shape shape_;
-    std::uint32_t cells_u_;
-    std::uint32_t cells_v_;
+    Tessellation tessellation_;
 };
 
 } // namespace multipath

@@ -30,7 +30,7 @@ FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, 
       rays_to_sources_(static_cast<std::size_t>(rays.to_sources)),
       sequence_(make_sequence("sobol-owen", 2)),
       source_light_(scene),
-      indirect_light_(scene, radiosity, rays.around),
+      indirect_light_(scene, radiosity, rays.around, threads),
       grid_(width, height)
 {
     parallel_blocks(static_cast<std::uint64_t>(height), threads, [&](std::uint64_t row) {

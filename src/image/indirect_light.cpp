@@ -23,12 +23,12 @@ std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radi
 
 } // namespace
 
-IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays)
+IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
     : scene_(scene),
       rays_(static_cast<std::size_t>(rays)),
       sequence_(make_sequence("sobol-owen", 1)),
       reflected_(reflected_part(scene, radiosity)),
-      reflected_light_(scene, reflected_)
+      reflected_light_(scene, reflected_, threads)
 {
 }
 

@@ -31,7 +31,7 @@ public:
         : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
     {
         if (options.shading == Shading::smooth)
-            smooth_.emplace(scene, radiosity);
+            smooth_.emplace(scene, radiosity, options.threads);
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
         const GatherRays gather_rays{(options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_), options.gather_rays};

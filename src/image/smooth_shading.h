@@ -1,24 +1,24 @@
 #pragma once
 
-#include "geometry/surface_table.h"
+#include "geometry/hit.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace multipath {
 
-/// Continuous values over the surfaces of a scene, made from one value per patch. Each surface is interpolated from its
-/// own patches; surfaces share values only at corners that they have in common, with one material and without a crease.
-/// A linear ramp over a parallelogram is reproduced; sources keep the plain values of their patches.
+/// Continuous values over the surfaces of a scene, made from one value per patch. Patches share values at corners that
+/// they have in common if they are of one material, without a crease between them, and nothing stands between them;
+/// what furniture covers does not count. A linear ramp over a parallelogram is reproduced; sources keep the plain
+/// values of their patches.
 class SmoothShading
 {
 public:
     /// One value per patch; the scene and the values must outlive this object.
-    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch);
+    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
     /// The value where a line meets a side that exists.
     Rgb at(const Hit& hit) const;
@@ -27,12 +27,9 @@ public:
     std::array<Rgb, 4> at_corners(std::uint32_t patch) const;
 
 private:
-    std::size_t first_corner(std::uint32_t surface, bool front) const;
-
     const Scene& scene_;
     const std::vector<Rgb>& values_;
-    std::vector<std::size_t> first_corner_; ///< per surface, of its front; backs follow after all fronts
-    std::vector<Rgb> corners_;              ///< of the patches, surface by surface
+    std::vector<Rgb> corners_; ///< CornerLattice::per_cell for each patch
 };
 
 } // namespace multipath

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 using namespace multipath;
 
@@ -21,103 +23,90 @@ double difference(Rgb a, Rgb b)
 
 } // namespace
 
-TEST_CASE("corners are numbered without gaps")
+// Each of the n^2 triangles and each of the m n parallelograms has 3 or 4 corners, each of which belongs to one corner
+// of the lattice.
+TEST_CASE("the cells around all corners are the corners of all cells")
+{
+    for (const Tessellation& tessellation :
+         {Tessellation{Shape::parallelogram, 3, 5}, Tessellation{Shape::parallelogram, 1, 1},
+          Tessellation{Shape::triangle, 4, 4}, Tessellation{Shape::triangle, 1, 1}}) {
+        const CornerLattice lattice(tessellation);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> corners;
+        std::size_t count = 0;
+        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
+            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
+                for (const std::optional<CellCorner>& cell : lattice.around(i, j))
+                    if (cell) {
+                        corners.insert({cell->cell, cell->number});
+                        ++count;
+                    }
+        CHECK(count == tessellation.cell_count() * (tessellation.shape == Shape::triangle ? 3 : 4));
+        CHECK(corners.size() == count);
+    }
+}
+
+// Against the geometry of the cells: the numbered corner of the cell lies where the lattice says, and two successive
+// cells share an edge, so that their centres are closer than those of any cells that touch in a corner only.
+TEST_CASE("the cells around a corner have it, and follow each other from edge to edge")
 {
     for (const Tessellation& tessellation :
          {Tessellation{Shape::parallelogram, 3, 5}, Tessellation{Shape::triangle, 4, 4}}) {
+        const Surface surface = {tessellation.shape, {}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+        const bool triangle = tessellation.shape == Shape::triangle;
         const CornerLattice lattice(tessellation);
-        std::set<std::size_t> numbers;
         for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
-                numbers.insert(lattice.number(i, j));
-        CHECK(numbers.size() == lattice.corner_count());
-        CHECK(*numbers.rbegin() == lattice.corner_count() - 1);
+            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i) {
+                const auto cells = lattice.around(i, j);
+                for (std::size_t k = 0; k < lattice.most_around(); ++k) {
+                    if (!cells[k])
+                        continue;
+                    const Surface cell = tessellation.cell(surface, cells[k]->cell);
+                    const Vec3 corners[] = {cell.origin, cell.origin + cell.edge_u,
+                                            triangle ? cell.origin + cell.edge_v : cell.at(1.0, 1.0),
+                                            cell.origin + cell.edge_v};
+                    const Vec3 place = surface.at(lattice.u(i), lattice.v(j));
+                    CHECK(length(corners[cells[k]->number] - place) < 1e-14); // rounding
+                    const auto& next = cells[(k + 1) % lattice.most_around()];
+                    if (!next)
+                        continue;
+                    const Vec3 way = tessellation.cell(surface, next->cell).centre() - cell.centre();
+                    const bool along_u = k % 2 == 0;
+                    if (!triangle) {
+                        CHECK(std::abs(along_u ? way.y : way.x) < 1e-14); // rounding
+                        CHECK(std::abs(along_u ? way.x : way.y) == doctest::Approx(along_u ? 1.0 / 3.0 : 1.0 / 5.0));
+                    } else {
+                        CHECK(length(way) < 0.8 / 4.0); // at most sqrt(5) / 3 of an edge; else a whole one
+                    }
+                }
+            }
     }
-    CHECK(CornerLattice({Shape::parallelogram, 3, 5}).corner_count() == 24);
-    CHECK(CornerLattice({Shape::triangle, 4, 4}).corner_count() == 15);
 }
 
-// Each of the n^2 triangles and each of the m n parallelograms has 3 or 4 corners.
-TEST_CASE("the patches around all corners add up to the corners of all patches")
-{
-    const auto sum = [](const CornerLattice& lattice) {
-        std::uint32_t cells = 0;
-        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
-                cells += lattice.cells_at(i, j);
-        return cells;
-    };
-    CHECK(sum(CornerLattice({Shape::parallelogram, 3, 5})) == 4 * 15);
-    CHECK(sum(CornerLattice({Shape::parallelogram, 1, 1})) == 4);
-    CHECK(sum(CornerLattice({Shape::triangle, 4, 4})) == 3 * 16);
-    CHECK(sum(CornerLattice({Shape::triangle, 1, 1})) == 3);
-}
-
-TEST_CASE("a linear ramp over a parallelogram is reproduced everywhere, its border included")
+TEST_CASE("given a ramp at its corners, every cell shows the ramp")
 {
     for (const Tessellation& tessellation :
-         {Tessellation{Shape::parallelogram, 2, 2}, Tessellation{Shape::parallelogram, 7, 3}}) {
+         {Tessellation{Shape::parallelogram, 3, 5}, Tessellation{Shape::triangle, 3, 3}}) {
         const CornerLattice lattice(tessellation);
-        const std::vector<Rgb> corners = lattice.corner_values(ramp);
-        for (const double u : {0.0, 0.03, 0.5, 0.77, 1.0})
-            for (const double v : {0.0, 0.2, 0.51, 1.0})
+        std::vector<Rgb> corners(CornerLattice::per_cell * tessellation.cell_count());
+        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
+            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
+                for (const std::optional<CellCorner>& cell : lattice.around(i, j))
+                    if (cell)
+                        corners[CornerLattice::per_cell * cell->cell + cell->number] = ramp(lattice.u(i), lattice.v(j));
+        const bool triangle = tessellation.shape == Shape::triangle;
+        for (double u = 0.0; u <= 1.0; u += 0.07)
+            for (double v = 0.0; (triangle ? u + v : v) <= 1.0; v += 0.07)
                 CHECK(difference(lattice.interpolated(corners.data(), u, v), ramp(u, v)) < 1e-13); // rounding
     }
 }
 
-TEST_CASE("given a ramp at its corners, a triangle shows the ramp in every patch")
+TEST_CASE("the cells beside a cell are those of its row and column, and none beyond the border")
 {
-    const CornerLattice lattice({Shape::triangle, 3, 3});
-    std::vector<Rgb> corners(lattice.corner_count());
-    for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-        for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
-            corners[lattice.number(i, j)] = ramp(lattice.u(i), lattice.v(j));
-    for (double u = 0.0; u <= 1.0; u += 0.07)
-        for (double v = 0.0; u + v <= 1.0; v += 0.07)
-            CHECK(difference(lattice.interpolated(corners.data(), u, v), ramp(u, v)) < 1e-13); // rounding
-}
-
-TEST_CASE("a triangle's inner corner is the mean of the six patches around it")
-{
-    const CornerLattice lattice({Shape::triangle, 3, 3});
-    const std::vector<Rgb> corners = lattice.corner_values(ramp);
-    CHECK(difference(corners[lattice.number(1, 1)], ramp(1.0 / 3.0, 1.0 / 3.0)) < 1e-13); // symmetric, so exact
-}
-
-TEST_CASE("a constant stays constant")
-{
-    const auto constant = [](double, double) { return Rgb{0.3, 0.7, 1.9}; };
-    for (const Tessellation& tessellation :
-         {Tessellation{Shape::parallelogram, 1, 4}, Tessellation{Shape::triangle, 5, 5}})
-        for (const Rgb& corner : CornerLattice(tessellation).corner_values(constant))
-            CHECK(difference(corner, {0.3, 0.7, 1.9}) < 1e-14); // rounding
-}
-
-// Bright against dark in the middle: straight extrapolation would leave the range of the values.
-TEST_CASE("a step does not overshoot and nothing becomes negative")
-{
-    const CornerLattice lattice({Shape::parallelogram, 4, 1});
-    const std::vector<Rgb> corners = lattice.corner_values([](double u, double) {
-        const double value = u < 0.25 || u > 0.75 ? 0.0 : 1.0;
-        return Rgb{value, 1.0 - value, u < 0.25 ? 0.1 : 5.0};
-    });
-    for (const Rgb& corner : corners) {
-        CHECK(corner.r >= 0.0);
-        CHECK(corner.r <= 1.0);
-        CHECK(corner.g >= 0.0);
-        CHECK(corner.g <= 1.0);
-        CHECK(corner.b >= 0.0);
-    }
-}
-
-// By hand: from the border inward 5, 1, 0.9 the slopes are 4 and 0.1, so the corner is 5 + 0.1 / 2; for 2, 1, 2 they
-// disagree in sign, so the border patch goes on level.
-TEST_CASE("the border continues the smaller slope, and none where slopes disagree")
-{
-    const CornerLattice lattice({Shape::parallelogram, 3, 1});
-    const std::vector<Rgb> corners = lattice.corner_values([](double u, double) {
-        return u < 1.0 / 3.0 ? Rgb{5.0, 2.0, 0.0} : u < 2.0 / 3.0 ? Rgb{1.0, 1.0, 0.0} : Rgb{0.9, 2.0, 0.0};
-    });
-    CHECK(corners[lattice.number(0, 0)].r == doctest::Approx(5.05));
-    CHECK(corners[lattice.number(0, 0)].g == doctest::Approx(2.0));
+    const CornerLattice lattice({Shape::parallelogram, 3, 5});
+    CHECK(lattice.cell_beside(6, 1, 0) == std::optional<std::uint32_t>(11));
+    CHECK(lattice.cell_beside(6, 0, -1) == std::optional<std::uint32_t>(5));
+    CHECK_FALSE(lattice.cell_beside(6, 0, -2));
+    CHECK_FALSE(lattice.cell_beside(6, -2, 0));
+    CHECK_FALSE(lattice.cell_beside(9, 0, 1));
+    CHECK_FALSE(lattice.cell_beside(9, 2, 0));
 }

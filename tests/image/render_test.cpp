@@ -20,7 +20,7 @@ Scene unit_room()
 {
     SceneBuilder builder;
     return builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(0.5, 0.0))
-        .box({0.3, 0.0, 0.3}, {0.6, 0.4, 0.6}, builder.grey(0.5, 0.0))
+        .box({0.3, 0.1, 0.3}, {0.6, 0.4, 0.6}, builder.grey(0.5, 0.0))
         .rectangle({0.4, 0.99, 0.4}, {0.2, 0, 0}, {0, 0, 0.2}, builder.grey(0.0, 1.0))
         .scene(0.2);
 }

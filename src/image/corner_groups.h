@@ -1,0 +1,30 @@
+#pragma once
+
+#include "image/corner_lattice.h"
+#include "image/visible_patches.h"
+#include "scene/rgb.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace multipath {
+
+/// Patches of one side of one surface that meet at a corner and have nothing between them: they share one value there.
+struct CornerGroup
+{
+    std::uint32_t surface = 0;
+    Vec3 normal; ///< of the side
+    Vec3 corner;
+    std::vector<std::size_t> places; ///< CornerLattice::per_cell * patch + number of the corner
+    Rgb value;
+    double weight = 0.0;           ///< open shares of the patches, added up
+    std::vector<OpenPoint> points; ///< of the patches, in the open, by turns close to the corner and to the middle
+    bool on_border = false;        ///< of the surface
+};
+
+/// Of all corners of one side of a surface. A value is the mean of the patches of the group; towards whatever ends the
+/// group, the border or something that stands there, the values of a parallelogram continue their slope.
+std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, std::uint32_t surface, bool front);
+
+} // namespace multipath

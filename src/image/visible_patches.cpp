@@ -1,0 +1,113 @@
+#include "image/visible_patches.h"
+
+#include "parallel/ordered_blocks.h"
+#include "scene/tessellation.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t samples_along = 8; // an edge: more than 64 points have no room in one number
+constexpr std::uint32_t sample_count = samples_along * samples_along;
+
+Vec3 sample_point(const Surface& shape, std::uint32_t number)
+{
+    return Tessellation{shape.shape, samples_along, samples_along}.cell(shape, number).centre();
+}
+
+/// Does the ray start where something lies on the surface, or inside a solid?
+bool is_closed_in(const Scene& scene, std::uint32_t surface, const Line& ray)
+{
+    const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, ray);
+    return hit && (hit->t <= 1e-9 * scene.bounds().diagonal() || (!hit->front && !scene.two_sided()));
+}
+
+/// Is there no way out? One direction tells for almost all points that there is.
+bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point)
+{
+    const Vec3 normal = shape.normal();
+    const Vec3 aside = normalized(shape.edge_u);
+    const Vec3 along = cross(normal, aside);
+    const std::array<Vec3, 5> directions = {normal, normal + 0.6 * aside + 0.8 * along,
+                                            normal - 0.8 * aside + 0.6 * along, normal - 0.6 * aside - 0.8 * along,
+                                            normal + 0.8 * aside - 0.6 * along};
+    return std::all_of(directions.begin(), directions.end(), [&](Vec3 direction) {
+        return is_closed_in(scene, surface, {point, direction});
+    });
+}
+
+std::uint64_t open_points(const Scene& scene, std::uint32_t patch)
+{
+    const Patch place = scene.patch(patch);
+    std::uint64_t open = 0;
+    for (std::uint32_t n = 0; n < sample_count; ++n)
+        if (!is_covered(scene, place.surface, place.shape, sample_point(place.shape, n)))
+            open |= std::uint64_t{1} << n;
+    return open;
+}
+
+} // namespace
+
+VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads)
+    : scene_(scene), values_(values), open_(scene.patch_count())
+{
+    constexpr std::uint32_t per_block = 64;
+    parallel_blocks((scene.patch_count() + per_block - 1) / per_block, threads, [&](std::uint64_t block) {
+        const auto first = static_cast<std::uint32_t>(block) * per_block;
+        for (std::uint32_t i = first; i < std::min(first + per_block, scene.patch_count()); ++i)
+            open_[i] = open_points(scene, i);
+    });
+}
+
+double VisiblePatches::open_share(std::uint32_t patch) const
+{
+    double count = 0.0;
+    for (std::uint64_t points = open_[patch]; points != 0; points &= points - 1)
+        count += 1.0;
+    return count / sample_count;
+}
+
+Rgb VisiblePatches::value(std::uint32_t patch) const
+{
+    const double share = open_share(patch);
+    return share > 0.0 ? 1.0 / share * values_[patch] : values_[patch];
+}
+
+std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 corner) const
+{
+    const Surface shape = scene_.patch(patch).shape;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::optional<Vec3> result;
+    for (std::uint32_t n = 0; n < sample_count; ++n) {
+        const Vec3 point = sample_point(shape, n);
+        const double distance = length(point - corner);
+        if ((open_[patch] >> n & 1u) != 0 && distance < nearest) {
+            nearest = distance;
+            result = point;
+        }
+    }
+    return result;
+}
+
+bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
+{
+    const double lift = 0.01 * length(b.point - a.point); // what touches the surface is met, its own rounding is not
+    std::vector<Hit> hits;
+    scene.intersector().all_hits(chord(a.point + lift * a.normal, b.point + lift * b.normal), hits);
+    return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
+        const Vec3 normal = scene.surfaces()[hit.surface].normal();
+        return !level(normal, a.normal) && !level(normal, b.normal);
+    });
+}
+
+bool level(Vec3 a, Vec3 b)
+{
+    constexpr double smallest_cosine = 0.8660254037844386; // 30 degrees: more is a crease
+    return dot(a, b) >= smallest_cosine;
+}
+
+} // namespace multipath

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "geometry/surface.h"
+#include "scene/rgb.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace multipath {
+
+/// What of the patches can be seen: not where furniture stands on them. A patch that is covered in part is as dark as
+/// the covered part makes it, so that its value on the part in the open is larger than its mean.
+class VisiblePatches
+{
+public:
+    /// One value per patch, of light that arrives from elsewhere; the scene and the values must outlive this object.
+    VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads);
+
+    const Scene& scene() const { return scene_; }
+
+    /// [1] Share of the patch that nothing covers.
+    double open_share(std::uint32_t patch) const;
+    /// On the open part; that of the whole patch if there is none.
+    Rgb value(std::uint32_t patch) const;
+    /// The sampled point of the open part that is nearest to `corner`, if there is one.
+    std::optional<Vec3> open_point_near(std::uint32_t patch, Vec3 corner) const;
+
+private:
+    const Scene& scene_;
+    const std::vector<Rgb>& values_;
+    std::vector<std::uint64_t> open_; ///< per patch: a bit for each of its sampled points
+};
+
+/// A point in the open, with the unit normal there.
+struct OpenPoint
+{
+    Vec3 point;
+    Vec3 normal;
+};
+
+/// Does anything stand between two points of the same skin, close to each other, such as a wall on a floor? What lies
+/// level with one of them does not count.
+bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
+
+/// Do the two normals belong to one skin, or is there a crease between them?
+bool level(Vec3 a, Vec3 b);
+
+} // namespace multipath
