@@ -344,6 +344,10 @@ TEST_CASE("no power appears or vanishes, also in a scene that leaks and shows it
                 const Solution solution = solve(scene, options, silent);
                 const PowerBalance& balance = solution.balance;
                 CHECK(balance.relative_error() < 1e-12);
+                Rgb unshot;
+                for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+                    unshot += scene.area(i) * solution.unshot[i];
+                CHECK(unshot.g == doctest::Approx(balance.unshot.g).epsilon(1e-12).scale(balance.source.g));
                 CHECK(balance.escaped.r > 0.0);
                 CHECK((balance.behind.r > 0.0) == !two_sided);
                 // The forecast makes the emitted power a random variable around the true one.

@@ -4,6 +4,10 @@
 #include "cli/usage_error.h"
 #include "image/automatic_camera.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace multipath {
 
 namespace {
@@ -24,21 +28,37 @@ Shading shading_named(const std::string& name)
     return name == "smooth" ? Shading::smooth : Shading::flat;
 }
 
+Shown shown_named(const std::string& name)
+{
+    const std::array<std::pair<const char*, Shown>, 7> names = {{{"radiosity", Shown::radiosity},
+                                                                 {"direct", Shown::direct},
+                                                                 {"irradiance", Shown::irradiance},
+                                                                 {"error", Shown::error},
+                                                                 {"unshot", Shown::unshot},
+                                                                 {"patches", Shown::patches},
+                                                                 {"normals", Shown::normals}}};
+    return std::find_if(names.begin(), names.end(), [&](const auto& one) { return name == one.first; })->second;
+}
+
 Shown read_shown(const CommandLine& line)
 {
     const std::string name = line.text("show");
-    if (name == "radiosity")
-        return Shown::radiosity;
+    const Shown shown = shown_named(name);
+    if (shows_room(shown))
+        return shown;
     for (const std::string option : {"shading", "exposure", "tone-map"})
         if (line.has(option) && line.text(option) != "flat")
             throw UsageError("--" + option + " has no effect with --show " + name +
-                             "; expected --show radiosity with it");
-    if (name == "irradiance")
-        return Shown::irradiance;
-    return name == "error" ? Shown::error : Shown::patches;
+                             "; expected --show radiosity or direct with it");
+    return shown;
 }
 
 } // namespace
+
+bool shows_room(Shown shown)
+{
+    return shown == Shown::radiosity || shown == Shown::direct;
+}
 
 OptionGroup picture_option_group()
 {
@@ -48,11 +68,13 @@ OptionGroup picture_option_group()
           0,
           "WHAT",
           "radiosity",
-          "What pictures show: radiosity, the room as an eye would see it; in false colours with a legend, "
-          "irradiance or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
-          "patches, each in a colour of its own. A PFM holds the values. Meshes hold the radiosity in any case.",
+          "What pictures show: radiosity, the room as an eye would see it; direct, the same with light that was "
+          "reflected once only; in false colours with a legend, irradiance, unshot, which the run has left unsent, "
+          "or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
+          "patches, each in a colour of its own; normals, 0.5 + 0.5 n as red, green and blue. A PFM holds the "
+          "values. Meshes hold the radiosity in any case.",
           false,
-          {"radiosity", "irradiance", "error", "patches"}},
+          {"radiosity", "direct", "irradiance", "error", "unshot", "patches", "normals"}},
          {"size", 0, "WxH", "800x600", "Width and height in pixels."},
          {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
          {"shading",
@@ -87,10 +109,8 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     options.render.width = size.width;
     options.render.height = size.height;
     options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
-    if (options.shown == Shown::radiosity)
-        options.render.shading = shading_named(line.text("shading"));
-    else
-        options.render.shading = Shading::flat;
+    options.render.shading = shows_room(options.shown) ? shading_named(line.text("shading")) : Shading::flat;
+    options.render.indirect = options.shown != Shown::direct;
     options.mesh_shading = line.text("shading") == "flat" ? Shading::flat : Shading::smooth;
     if (line.text("gather-rays") != line.default_text("gather-rays") && options.render.shading != Shading::gather)
         throw UsageError("--gather-rays has no effect without --shading gather; expected both");

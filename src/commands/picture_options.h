@@ -12,7 +12,10 @@
 namespace multipath {
 
 /// What of the solution a picture shows.
-enum class Shown { radiosity, irradiance, error, patches };
+enum class Shown { radiosity, direct, irradiance, error, unshot, patches, normals };
+
+/// Is it the room as an eye might see it, to be shaded and exposed?
+bool shows_room(Shown shown);
 
 /// How the user wants pictures to look.
 struct PictureOptions

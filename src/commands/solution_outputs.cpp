@@ -9,6 +9,8 @@
 #include "image/png.h"
 #include "image/ppm.h"
 #include "image/quantity.h"
+#include "image/tone_map.h"
+#include "radiosity/direct_radiosity.h"
 
 #include <algorithm>
 #include <optional>
@@ -22,9 +24,15 @@ bool is_picture(const PlannedOutput& output)
     return output.format != OutputFormat::csv && !is_mesh(output.format);
 }
 
-Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown)
+Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown, int threads)
 {
     switch (shown) {
+    case Shown::direct:
+        return {"direct radiosity [W/m\xB2]", direct_radiosity(scene, threads)};
+    case Shown::unshot:
+        return {"unshot radiosity [W/m\xB2]", magnitudes(solution.unshot)};
+    case Shown::normals:
+        return {"normals", normal_colours(scene)};
     case Shown::irradiance:
         return {"irradiance [W/m\xB2]", irradiance(scene, solution.radiosity)};
     case Shown::error:
@@ -37,13 +45,23 @@ Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown show
     return {"radiosity [W/m\xB2]", solution.radiosity};
 }
 
+/// The light that makes a screen's numbers those of the colours.
+std::vector<Rgb> decoded(std::vector<Rgb> colours)
+{
+    for (Rgb& colour : colours)
+        colour = {srgb_decoded(colour.r), srgb_decoded(colour.g), srgb_decoded(colour.b)};
+    return colours;
+}
+
 ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const Camera& camera,
                            const PictureOptions& options)
 {
-    if (options.shown == Shown::radiosity)
+    if (shows_room(options.shown))
         return picture(scene, quantity.values, camera, options.render, options.tone);
     if (options.shown == Shown::patches)
         return flat_picture(scene, quantity.values, camera, options.render);
+    if (options.shown == Shown::normals)
+        return flat_picture(scene, decoded(quantity.values), camera, options.render);
     return false_colour(scene, quantity, camera, options.render);
 }
 
@@ -66,7 +84,8 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
 
     const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
     const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
-    const Quantity quantity = pictures ? shown_quantity(scene, solution, picture_options.shown) : Quantity{};
+    const Quantity quantity =
+        pictures ? shown_quantity(scene, solution, picture_options.shown, picture_options.render.threads) : Quantity{};
     ScreenImage screen;
     std::optional<SolvedMesh> mesh;
     for (PlannedOutput& output : outputs) {

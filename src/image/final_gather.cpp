@@ -33,6 +33,8 @@ FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, 
       indirect_light_(scene, radiosity, rays.around, threads),
       grid_(width, height)
 {
+    if (rays.around == 0)
+        return;
     parallel_blocks(static_cast<std::uint64_t>(height), threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
         VisibleHits visible(scene);

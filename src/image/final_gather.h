@@ -19,7 +19,7 @@ namespace multipath {
 struct GatherRays
 {
     int to_sources = 16;
-    int around = 64; ///< for indirect light, which neighbours share
+    int around = 64; ///< for indirect light, which neighbours share; 0 leaves it out
 };
 
 /// One picture of a scene in which the last reflection on the light's way to the eye is computed for each point on its

@@ -34,6 +34,8 @@ IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosi
 
 IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, std::vector<Item>& items) const
 {
+    if (rays_ == 0)
+        return {place, {}, 0.0};
     items.resize(rays_);
     sequence_->generate(number * rays_, items);
     // Oblique to the edges, so that regular numbers do not aim exactly at the edges of rooms.

@@ -25,7 +25,8 @@ struct IndirectSample
 class IndirectLight
 {
 public:
-    /// `radiosity`: the solution [W/m^2] per patch; `rays` for one place. The scene must outlive this object.
+    /// `radiosity`: the solution [W/m^2] per patch; `rays` for one place, 0 for darkness. The scene must outlive this
+    /// object.
     IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads);
     IndirectLight(const IndirectLight&) = delete;
     IndirectLight& operator=(const IndirectLight&) = delete;

@@ -38,6 +38,26 @@ std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosit
     return result;
 }
 
+std::vector<Rgb> magnitudes(const std::vector<Rgb>& values)
+{
+    std::vector<Rgb> result;
+    result.reserve(values.size());
+    for (const Rgb& value : values)
+        result.push_back({std::abs(value.r), std::abs(value.g), std::abs(value.b)});
+    return result;
+}
+
+std::vector<Rgb> normal_colours(const Scene& scene)
+{
+    std::vector<Rgb> colours;
+    colours.reserve(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const Vec3 n = scene.patch(i).shape.normal();
+        colours.push_back({0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z});
+    }
+    return colours;
+}
+
 std::vector<Rgb> patch_colours(std::size_t patches)
 {
     constexpr double chroma = 0.075; // a screen can show every hue of it at these lightnesses

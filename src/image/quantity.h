@@ -18,6 +18,12 @@ struct Quantity
 /// radiosity does not tell.
 std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosity);
 
+/// Without their signs.
+std::vector<Rgb> magnitudes(const std::vector<Rgb>& values);
+
+/// The unit normal of every patch as a colour: 0.5 + 0.5 n, so that x is red, y green and z blue.
+std::vector<Rgb> normal_colours(const Scene& scene);
+
 /// For every patch a colour (linear light, 0 ... 1) that has nothing to do with its neighbours'.
 std::vector<Rgb> patch_colours(std::size_t patches);
 

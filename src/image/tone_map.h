@@ -40,4 +40,7 @@ ScreenImage tone_map(const Image& image, const ToneMapOptions& options);
 double srgb_encoded(double linear);
 Rgb srgb_encoded(Rgb linear);
 
+/// Its inverse.
+double srgb_decoded(double encoded);
+
 } // namespace multipath

@@ -70,6 +70,7 @@ Solution solve_round(const Scene& scene, const Preparation& preparation, const S
     replicate.sequence = randomised_name(options.sequence);
     PatchMoments moments(scene.patch_count());
     Solution sum;
+    sum.unshot.resize(scene.patch_count());
     for (int r = 0; r < replicates; ++r) {
         const auto part = static_cast<std::uint64_t>(r);
         replicate.lines = options.lines / parts + (part < options.lines % parts ? 1 : 0);
@@ -78,6 +79,8 @@ Solution solve_round(const Scene& scene, const Preparation& preparation, const S
                                    [&](double done) { progress((r + done) / static_cast<double>(replicates)); });
         moments.add(one.radiosity);
         add(one.balance, 1.0 / replicates, sum.balance);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            sum.unshot[i] += 1.0 / replicates * one.unshot[i];
         sum.local_lines += one.local_lines;
         sum.global_lines += one.global_lines;
         sum.global_lines_cast += one.global_lines_cast;

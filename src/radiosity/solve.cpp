@@ -1,6 +1,7 @@
 #include "radiosity/solve.h"
 
 #include "radiosity/counted_reuse.h"
+#include "radiosity/distribution.h"
 #include "radiosity/first_stage.h"
 #include "radiosity/gathered_light.h"
 #include "radiosity/item_plan.h"
@@ -105,6 +106,7 @@ public:
         solution_.balance = power_balance(scene_, state_);
         require_balance(solution_.balance);
         solution_.radiosity = radiosity(scene_, state_);
+        solution_.unshot = unshot_radiosity(scene_, state_);
         solution_.all_lines = solution_.local_lines + solution_.global_lines;
         return std::move(solution_);
     }

@@ -16,6 +16,9 @@ namespace multipath {
 struct Solution
 {
     std::vector<Rgb> radiosity; ///< [W/m^2] per patch
+    /// [W/m^2] per patch: received or emitted, not yet sent on when the work ended. Of the method `reuse` what the
+    /// solution lacks or has too much.
+    std::vector<Rgb> unshot;
     PowerBalance balance;
     std::uint64_t local_lines = 0;  ///< N_l
     std::uint64_t global_lines = 0; ///< N_g, charged by (N1)

@@ -161,17 +161,28 @@ shown_error() {
 check "a PFM of the error holds the errors of the table" shown_error
 
 shown_pictures() {
-    for what in radiosity irradiance error patches; do
+    for what in radiosity direct irradiance error unshot patches normals; do
         ends 0 solve "$scene" --lines 2^14 -q --replicates 2 --show $what --size 320x240 --samples 1 -o $what.ppm || return
         [ "$(head -c 2 $what.ppm)" = P6 ] && [ "$(wc -c <$what.ppm)" -gt 230400 ] || return
     done
     ends 0 solve "$scene" --lines 2^15 -q --tolerance 50% --show error --size 320x240 --samples 1 -o rounds.ppm || return
     # The legend's paper, of grey 32, is in the last row of the pictures with a legend and of no other.
-    for what in radiosity irradiance error patches rounds; do
+    for what in radiosity direct irradiance error unshot patches normals rounds; do
         tail -c 960 $what.ppm | od -An -v -tu1 | tr -s ' ' '\n' | sort -u | tr -s '\n' ' ' >$what.row
     done
-    grep -q '^ 32 $' error.row && cmp error.row irradiance.row && cmp error.row rounds.row &&
-        ! cmp -s error.row radiosity.row && ! cmp -s error.row patches.row
+    grep -q '^ 32 $' error.row && cmp error.row irradiance.row && cmp error.row rounds.row && cmp error.row unshot.row || return
+    for what in radiosity direct patches normals; do
+        ! cmp -s error.row $what.row || return
+    done
 }
 check "quantities have a legend, the room and its patches none" shown_pictures
+
+gathered() {
+    for threads in 1 2; do
+        ends 0 solve "$scene" --lines 2^14 -q --shading gather --gather-rays 4 --size 64x48 --threads $threads -o $threads.ppm || return
+    done
+    cmp 1.ppm 2.ppm && ends 0 solve "$scene" --lines 2^14 -q --size 64x48 -o smooth.ppm && ! cmp -s 1.ppm smooth.ppm &&
+        ends 2 solve "$scene" --gather-rays 8 && says err "no effect without --shading gather"
+}
+check "a gathered picture is the same for any number of threads, and unlike an interpolated one" gathered
 finish

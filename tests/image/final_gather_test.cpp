@@ -81,3 +81,16 @@ TEST_CASE("the mean of a gathered picture is that of the plain patches")
     // 3072 pixels of 16 rays leave 0.1 %; that patches cannot follow the light between them makes 0.3 %.
     CHECK(gathered_mean == doctest::Approx(flat_mean).epsilon(0.01));
 }
+
+// Light of the sources that has been reflected once: E + rho E, whatever the patches say.
+TEST_CASE("without indirect light the furnace shows E (1 + rho)")
+{
+    const Scene scene(read_obj("scenes/furnace.obj"), 0.5);
+    RenderOptions options = gathered(12, 8);
+    options.indirect = false;
+    const std::vector<Rgb> radiosity(scene.patch_count(), {2.0, 2.0, 2.0});
+    for (const Rgb& pixel : render(scene, radiosity, {{0.2, 0.7, 0.9}, {0.6, 0.4, 0.1}}, options).pixels) {
+        CHECK(pixel.r == doctest::Approx(1.5 * 1.25).epsilon(1e-9)); // rounding
+        CHECK(pixel.b == doctest::Approx(0.5 * 1.75).epsilon(1e-9));
+    }
+}

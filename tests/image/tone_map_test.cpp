@@ -144,3 +144,9 @@ TEST_CASE("the light of a screen is what pictures encode")
     }
     CHECK(screen_light({2.0, 0.25, -1.0}, ToneOperator::linear, 1.0) == Rgb{1.0, 0.25, 0.0});
 }
+
+TEST_CASE("what is encoded is decoded again")
+{
+    for (double x = 0.0; x <= 1.0; x += 1.0 / 256.0)
+        CHECK(srgb_decoded(srgb_encoded(x)) == doctest::Approx(x).epsilon(1e-5)); // the standard's pieces meet so well
+}
