@@ -3,6 +3,7 @@
 #include "sampling/trigonometry.h"
 #include "scene/input_error.h"
 
+#include <cmath>
 #include <string>
 
 namespace multipath {
@@ -40,6 +41,14 @@ void require_camera(const Camera& camera)
 }
 
 } // namespace
+
+Camera cropped(Camera camera, int rows_before, int rows)
+{
+    constexpr double radians = 3.14159265358979323846 / 180.0; // per degree
+    const double half_height = std::tan(0.5 * camera.field_of_view * radians) * rows / rows_before;
+    camera.field_of_view = 2.0 / radians * std::atan(half_height);
+    return camera;
+}
 
 PixelRays::PixelRays(const Camera& camera, int width, int height) : eye_(camera.eye)
 {

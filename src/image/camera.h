@@ -14,6 +14,9 @@ struct Camera
     double field_of_view = 60.0; ///< [degrees] vertical, between 0 and 180
 };
 
+/// The camera whose picture of `rows` rows is the middle of the given one's picture of `rows_before` rows.
+Camera cropped(Camera camera, int rows_before, int rows);
+
 /// The rays of a camera through a picture of width x height square pixels.
 class PixelRays
 {

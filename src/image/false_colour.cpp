@@ -41,7 +41,7 @@ Legend legend_for(const std::string& title, const std::vector<double>& sorted)
 {
     if (sorted.empty())
         return {title, round_scale(0.0)};
-    const LegendScale scale = round_scale(sorted[(sorted.size() - 1) * 99 / 100]);
+    const LegendScale scale = round_scale(sorted[(sorted.size() - 1) * 95 / 100]);
     return {title, scale, sorted.back() > scale.top()};
 }
 
@@ -63,18 +63,19 @@ ScreenImage flat_picture(const Scene& scene, const std::vector<Rgb>& colours, co
 ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Camera& camera, RenderOptions options)
 {
     const int strip_height = legend_height(options.width, options.height, quantity.title);
+    const Camera view = cropped(camera, options.height, options.height - strip_height);
     options.height -= strip_height;
     std::vector<double> values;
     values.reserve(quantity.values.size());
     for (const Rgb& value : quantity.values)
         values.push_back(mean(value));
-    const Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, camera, flat(options)));
+    const Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, view, flat(options)));
 
     std::vector<Rgb> colours;
     colours.reserve(values.size());
     for (const double value : values)
         colours.push_back(std::isfinite(value) ? map_colour(value / legend.scale.top()) : Rgb{});
-    ScreenImage screen = flat_picture(scene, colours, camera, options);
+    ScreenImage screen = flat_picture(scene, colours, view, options);
     if (strip_height > 0) {
         const ScreenImage strip = legend_strip(options.width, strip_height, legend);
         screen.bytes.insert(screen.bytes.end(), strip.bytes.begin(), strip.bytes.end());

@@ -67,3 +67,15 @@ TEST_CASE("a camera that has no picture is refused")
     CHECK_THROWS_AS(PixelRays(oblique, 0, 10), InputError);
     CHECK_THROWS_AS(PixelRays(oblique, 10, 100000), InputError);
 }
+
+TEST_CASE("a cropped picture shows the middle rows of the whole one")
+{
+    const Camera camera = {{1.0, 2.0, 3.0}, {0.0, 0.5, 0.0}, {0.0, 1.0, 0.0}, 70.0};
+    const PixelRays whole(camera, 320, 240);
+    const PixelRays middle(cropped(camera, 240, 200), 320, 200);
+    for (const double x : {0.0, 100.0, 320.0})
+        for (const double y : {0.0, 37.5, 200.0}) {
+            const Vec3 difference = middle.through(x, y).direction - whole.through(x, y + 20.0).direction;
+            CHECK(length(difference) < 1e-14); // rounding
+        }
+}

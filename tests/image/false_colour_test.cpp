@@ -71,7 +71,7 @@ TEST_CASE("the colour is that of the mean of the channels")
           false_colour(scene, quantity(scene, 0.6, 0.3), inside, sized(64, 48)).bytes);
 }
 
-TEST_CASE("what fills less than a hundredth of the picture does not set the scale")
+TEST_CASE("what fills less than a twentieth of the picture does not set the scale")
 {
     const Scene scene = room_with_lamp();
     const ScreenImage image = false_colour(scene, quantity(scene, 0.6, 1e9), inside, sized(64, 48));
