@@ -32,8 +32,7 @@ double white_point(ToneOperator tone);
 /// What a screen shows of radiosity [W/m^2] at a scale [m^2/W]: linear light, 1 is white.
 Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale);
 
-/// The picture for the screen; rounded with a fixed pattern of noise below one step, so that smooth walls show no
-/// bands.
+/// The picture for the screen; rounded with a fixed pattern of thresholds, so that smooth walls show no bands.
 ScreenImage tone_map(const Image& image, const ToneMapOptions& options);
 
 /// The transfer function of IEC 61966-2-1, from linear light in [0, 1] to the encoded value in [0, 1].
