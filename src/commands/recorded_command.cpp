@@ -71,11 +71,8 @@ Facts facts_of_ppm(std::string_view bytes)
 
 Facts facts_of_png(std::string_view bytes)
 {
-    const std::string_view keyword("Comment\0", 8);
-    for (const PngChunk& chunk : png_chunks(bytes))
-        if (chunk.type == "tEXt" && starts_with(chunk.data, keyword))
-            return facts_of_comment(chunk.data.substr(keyword.size()));
-    return {};
+    const std::optional<std::string_view> comment = png_comment(bytes);
+    return comment ? facts_of_comment(*comment) : Facts{};
 }
 
 Facts facts_of_drawing(std::string_view bytes)

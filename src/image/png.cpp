@@ -5,10 +5,13 @@
 
 #include "image/checksum.h"
 #include "image/deflate.h"
+#include "image/png_chunks.h"
+#include "image/utf8.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 namespace multipath {
@@ -95,14 +98,26 @@ std::string filtered_rows(const ScreenImage& image)
     return result;
 }
 
-/// Keyword, zero, text; a line end is one line feed.
-std::string text_chunk_data(const std::string& comment)
+/// Without control characters but line feeds, which end lines in a PNG.
+std::string clean_text(std::string_view text)
 {
-    std::string data = "Comment";
-    data += '\0';
-    for (const char c : comment)
-        data += (c >= ' ' && c <= '~') || c == '\n' ? c : '?';
-    return data;
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t size = utf8_character_size(text);
+        const bool control = size == 1 && text[0] != '\n' && (text[0] < ' ' || text[0] == '\x7f');
+        result += size == 0 || control ? "?" : text.substr(0, size);
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return result;
+}
+
+/// Older readers know only the plain chunk, which has no room for more than ASCII in UTF-8.
+std::string comment_chunk(const std::string& comment)
+{
+    const std::string text = clean_text(comment);
+    const bool ascii =
+        std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    return ascii ? chunk("tEXt", std::string(plain_comment) + text) : chunk("iTXt", std::string(utf8_comment) + text);
 }
 
 } // namespace
@@ -116,7 +131,7 @@ std::string png_bytes(const ScreenImage& image, const std::string& comment)
                                big_endian(static_cast<std::uint32_t>(image.height)) + format);
     bytes += chunk("sRGB", std::string(1, '\0'));
     if (!comment.empty())
-        bytes += chunk("tEXt", text_chunk_data(comment));
+        bytes += comment_chunk(comment);
     bytes += chunk("IDAT", zlib_bytes(filtered_rows(image)));
     bytes += chunk("IEND", "");
     return bytes;

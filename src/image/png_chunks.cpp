@@ -1,6 +1,7 @@
 #include "image/png_chunks.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace multipath {
 
@@ -38,6 +39,15 @@ std::vector<PngChunk> png_chunks(std::string_view bytes)
         bytes.remove_prefix(frame_size + size);
     }
     return chunks;
+}
+
+std::optional<std::string_view> png_comment(std::string_view bytes)
+{
+    for (const PngChunk& chunk : png_chunks(bytes))
+        for (const auto& [type, start] : {std::pair{"tEXt", plain_comment}, std::pair{"iTXt", utf8_comment}})
+            if (chunk.type == type && chunk.data.substr(0, start.size()) == start)
+                return chunk.data.substr(start.size());
+    return std::nullopt;
 }
 
 } // namespace multipath

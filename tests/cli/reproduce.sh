@@ -84,13 +84,13 @@ check "other views do" same_with --lines 5000 --eye=-1,2,3 --fov 50 --shading fl
 check "lines from the box do" same_with --lines 5000 --method global --chords box --bidirectional no
 
 odd_names() {
-    cp scenes/5cubes.mtl . && for name in "my room.obj" "it's; seed: 3.obj" "-q.obj" "--quiet" '$HOME "x" <&>.obj' "a
+    cp scenes/5cubes.mtl . && for name in "my room.obj" "it's; seed: 3.obj" "-q.obj" "--quiet" '$HOME "x" <&>.obj' "Räume für €5.obj" "a
 b.obj"; do
         cp scenes/5cubes.obj "./$name" && ends 0 solve $small --lines 5000 --quiet -o odd.csv -o odd.ppm -o odd.png -- "$name" &&
             same odd.csv && same odd.ppm && same odd.png && ends 0 explain --of 4096 -o odd.svg -- "$name" && same odd.svg || return
     done
 }
-check "scenes with blanks, quotes, semicolons, dashes and line ends in their names are found again" odd_names
+check "scenes with blanks, quotes, semicolons, dashes, umlauts and line ends in their names are found again" odd_names
 
 changed_digit() {
     awk -F, -v OFS=, '$1 == 5 { $17 = $17 * 1.01 } 1' room.csv >changed.csv &&

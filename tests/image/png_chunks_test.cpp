@@ -53,3 +53,23 @@ TEST_CASE("a length beyond the end, and what is no PNG, give no chunks")
     CHECK(png_chunks("P6\n1 1\n255\nabc").empty());
     CHECK(png_chunks("").empty());
 }
+
+TEST_CASE("the comment is read as it was written, be it ASCII or not")
+{
+    for (const std::string text :
+         {"plain; and \"quoted\"\nin two lines", "\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1.obj", "a"})
+        CHECK(png_comment(png_bytes({1, 1, {1, 2, 3}}, text)) == std::optional<std::string_view>(text));
+    CHECK(png_comment(png_bytes({1, 1, {1, 2, 3}}, "bad \xff, cut \xe2\x82, bell \a")) ==
+          std::optional<std::string_view>("bad ?, cut ??, bell ?"));
+    CHECK_FALSE(png_comment(png_bytes({1, 1, {1, 2, 3}})));
+    CHECK_FALSE(png_comment("no PNG"));
+}
+
+TEST_CASE("ASCII is in the chunk that every reader knows, the rest in that for UTF-8")
+{
+    CHECK(png_chunks(png_bytes({1, 1, {1, 2, 3}}, "room")).at(2).type == "tEXt");
+    const std::string named = png_bytes({1, 1, {1, 2, 3}}, "\xc3\xa4");
+    const PngChunk chunk = png_chunks(named).at(2);
+    CHECK(chunk.type == "iTXt");
+    CHECK(chunk.data == std::string("Comment\0\0\0\0\0\xc3\xa4", 14)); // ISO/IEC 15948, 11.3.4.5
+}

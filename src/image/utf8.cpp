@@ -1,0 +1,24 @@
+#include "image/utf8.h"
+
+namespace multipath {
+
+std::size_t utf8_character_size(std::string_view text)
+{
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    if (text.empty())
+        return 0;
+    if (byte(0) < 0x80)
+        return 1;
+    const std::size_t size = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < size)
+        return 0;
+    for (std::size_t k = 1; k < size; ++k)
+        if ((byte(k) & 0xc0u) != 0x80u)
+            return 0;
+    // Longer than needed, a half of a pair of UTF-16, or beyond the last character.
+    const bool wrong = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
+                       (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
+    return wrong ? 0 : size;
+}
+
+} // namespace multipath
