@@ -4,6 +4,7 @@
 # make bench      measures speed; close other programs first
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in ten minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
+# make gallery    runs the commands of docs/gallery.md, which makes its pictures again
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
 # the commands.
@@ -41,6 +42,10 @@ results: paper
 	cp $(BUILD)/paper/*.svg $(BUILD)/paper/*.png docs/results
 	sed 's/^!\[\([^]]*\)\](/&results\//' $(BUILD)/paper/results.md > docs/results.md
 
+gallery: multipath
+	@mkdir -p docs/gallery
+	sed -n '/^```sh$$/,/^```$$/p' docs/gallery.md | grep -v '^```' | sh -ex
+
 test: $(BUILD)/unit_tests $(PROGRAM)
 	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
 
@@ -77,5 +82,5 @@ $(bench_objects): COMPILE += -Itests/bench $(addprefix -DEMBREE_VERSION=,$(embre
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
-.PHONY: demo paper results test bench clean
+.PHONY: demo paper results gallery test bench clean
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d)

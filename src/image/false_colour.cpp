@@ -41,7 +41,9 @@ Legend legend_for(const std::string& title, const std::vector<double>& sorted)
 {
     if (sorted.empty())
         return {title, round_scale(0.0)};
-    const LegendScale scale = round_scale(sorted[(sorted.size() - 1) * 95 / 100]);
+    const double most = sorted[(sorted.size() - 1) * 99 / 100];
+    const double usual = sorted[(sorted.size() - 1) * 9 / 10];
+    const LegendScale scale = round_scale(usual > 0.0 ? std::min(most, 2.0 * usual) : most);
     return {title, scale, sorted.back() > scale.top()};
 }
 

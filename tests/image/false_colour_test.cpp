@@ -71,7 +71,7 @@ TEST_CASE("the colour is that of the mean of the channels")
           false_colour(scene, quantity(scene, 0.6, 0.3), inside, sized(64, 48)).bytes);
 }
 
-TEST_CASE("what fills less than a twentieth of the picture does not set the scale")
+TEST_CASE("what fills less than a hundredth of the picture does not set the scale")
 {
     const Scene scene = room_with_lamp();
     const ScreenImage image = false_colour(scene, quantity(scene, 0.6, 1e9), inside, sized(64, 48));
@@ -121,4 +121,16 @@ TEST_CASE("each patch keeps its own colour, whatever the shading that was asked 
     for (const Rgb& colour : colours)
         of_a_patch += count_of(image, colour);
     CHECK(of_a_patch > 64 * 48 * 7 / 10);
+}
+
+// Nothing but the walls and some per cent of the picture with a hundred times as much.
+TEST_CASE("the scale ends at twice what nine tenths of the picture stay below")
+{
+    const Scene scene = room_with_lamp();
+    const Camera towards_lamp = {inside.eye, {1.7, 2.9, 1.7}, {0.0, 1.0, 0.0}, 25.0};
+    const ScreenImage image = false_colour(scene, quantity(scene, 0.5, 50.0), towards_lamp, sized(64, 48));
+    const long lamp = count_of(image, map_colour(1.0));
+    REQUIRE(lamp > 64 * 48 / 100);
+    REQUIRE(lamp < 64 * 48 / 10);
+    CHECK(count_of(image, map_colour(0.5)) > 64 * 48 * 8 / 10); // twice 0.5 is the end
 }
