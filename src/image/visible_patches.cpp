@@ -11,12 +11,20 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t samples_along = 8; // an edge: more than 64 points have no room in one number
-constexpr std::uint32_t sample_count = samples_along * samples_along;
-
-Vec3 sample_point(const Surface& shape, std::uint32_t number)
+/// How many points along an edge: 8 (more have no room in one number), or as few as so many patches leave time for. The
+/// smaller the patches, the less it is seen.
+std::uint32_t samples_along_for(std::uint64_t patches)
 {
-    return Tessellation{shape.shape, samples_along, samples_along}.cell(shape, number).centre();
+    constexpr std::uint64_t most_points = 1u << 21; // looked at in a moment
+    std::uint32_t along = 8;
+    while (along > 1 && patches * along * along > most_points)
+        along /= 2;
+    return along;
+}
+
+Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
+{
+    return Tessellation{shape.shape, along, along}.cell(shape, number).centre();
 }
 
 /// Does the ray start where something lies on the surface, or inside a solid?
@@ -40,12 +48,12 @@ bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape,
     });
 }
 
-std::uint64_t open_points(const Scene& scene, std::uint32_t patch)
+std::uint64_t open_points(const Scene& scene, std::uint32_t patch, std::uint32_t along)
 {
     const Patch place = scene.patch(patch);
     std::uint64_t open = 0;
-    for (std::uint32_t n = 0; n < sample_count; ++n)
-        if (!is_covered(scene, place.surface, place.shape, sample_point(place.shape, n)))
+    for (std::uint32_t n = 0; n < along * along; ++n)
+        if (!is_covered(scene, place.surface, place.shape, sample_point(place.shape, along, n)))
             open |= std::uint64_t{1} << n;
     return open;
 }
@@ -53,13 +61,18 @@ std::uint64_t open_points(const Scene& scene, std::uint32_t patch)
 } // namespace
 
 VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads)
-    : scene_(scene), values_(values), open_(scene.patch_count())
+    : scene_(scene),
+      values_(values),
+      samples_along_(samples_along_for(scene.patch_count())),
+      open_(scene.patch_count(), 1)
 {
+    if (samples_along_ == 1) // one point would tell all or nothing
+        return;
     constexpr std::uint32_t per_block = 64;
     parallel_blocks((scene.patch_count() + per_block - 1) / per_block, threads, [&](std::uint64_t block) {
         const auto first = static_cast<std::uint32_t>(block) * per_block;
         for (std::uint32_t i = first; i < std::min(first + per_block, scene.patch_count()); ++i)
-            open_[i] = open_points(scene, i);
+            open_[i] = open_points(scene, i, samples_along_);
     });
 }
 
@@ -68,7 +81,7 @@ double VisiblePatches::open_share(std::uint32_t patch) const
     double count = 0.0;
     for (std::uint64_t points = open_[patch]; points != 0; points &= points - 1)
         count += 1.0;
-    return count / sample_count;
+    return count / (samples_along_ * samples_along_);
 }
 
 Rgb VisiblePatches::value(std::uint32_t patch) const
@@ -82,8 +95,8 @@ std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 co
     const Surface shape = scene_.patch(patch).shape;
     double nearest = std::numeric_limits<double>::infinity();
     std::optional<Vec3> result;
-    for (std::uint32_t n = 0; n < sample_count; ++n) {
-        const Vec3 point = sample_point(shape, n);
+    for (std::uint32_t n = 0; n < samples_along_ * samples_along_; ++n) {
+        const Vec3 point = sample_point(shape, samples_along_, n);
         const double distance = length(point - corner);
         if ((open_[patch] >> n & 1u) != 0 && distance < nearest) {
             nearest = distance;

@@ -11,7 +11,8 @@
 namespace multipath {
 
 /// What of the patches can be seen: not where furniture stands on them. A patch that is covered in part is as dark as
-/// the covered part makes it, so that its value on the part in the open is larger than its mean.
+/// the covered part makes it, so that its value on the part in the open is larger than its mean. Of half a million
+/// patches and more all count as open: it would take long to find out and not be seen.
 class VisiblePatches
 {
 public:
@@ -30,6 +31,7 @@ public:
 private:
     const Scene& scene_;
     const std::vector<Rgb>& values_;
+    std::uint32_t samples_along_;     ///< an edge of a patch
     std::vector<std::uint64_t> open_; ///< per patch: a bit for each of its sampled points
 };
 

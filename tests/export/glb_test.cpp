@@ -98,7 +98,7 @@ TEST_CASE("the triangles of a GLB cover the surfaces of their material")
 {
     const Scene scene = walls_that_do_not_match().scene(1.0, true);
     const std::vector<Rgb> radiosity = some_values(scene);
-    const SmoothShading shading(scene, radiosity);
+    const SmoothShading shading(scene, radiosity, 1);
     const PatchMesh mesh = patch_mesh(scene, [&](std::uint32_t patch) { return shading.at_corners(patch); }, {});
     const GlbFile glb(glb_bytes(mesh, scene, 0.5, {}));
     for (std::size_t n = 0; n < scene.materials().size(); ++n) {

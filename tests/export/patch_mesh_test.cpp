@@ -19,7 +19,7 @@ PatchMesh flat_mesh(const Scene& scene, const std::vector<Rgb>& values)
 
 PatchMesh smooth_mesh(const Scene& scene, const std::vector<Rgb>& values)
 {
-    const SmoothShading shading(scene, values);
+    const SmoothShading shading(scene, values, 1);
     return patch_mesh(scene, [&](std::uint32_t patch) { return shading.at_corners(patch); }, {});
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("flat patches keep their own values, smooth ones share vertices inside
 
     const PatchMesh smooth = smooth_mesh(scene, values);
     CHECK(smooth.positions.size() == 5 * 4 + 4); // a grid of 4 x 3 patches, and the lamp
-    const SmoothShading shading(scene, values);
+    const SmoothShading shading(scene, values, 1);
     for (const MeshFace& face : smooth.faces)
         for (std::uint32_t k = 0; k < 4; ++k)
             REQUIRE(smooth.radiosity[face.corners[k]] == single(shading.at_corners(face.patch)[k]));

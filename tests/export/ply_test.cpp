@@ -70,7 +70,7 @@ TEST_CASE("areas and powers add up to those of the scene")
 {
     const Scene scene = walls_that_do_not_match().scene(0.3, true);
     const std::vector<Rgb> radiosity = some_values(scene);
-    const SmoothShading shading(scene, radiosity);
+    const SmoothShading shading(scene, radiosity, 1);
     const PatchMesh mesh = patch_mesh(scene, [&](std::uint32_t patch) { return shading.at_corners(patch); }, {});
     const PlyFile file = read_ply(ply_bytes(mesh, radiosity, halved, {}));
     double total = 0.0;
