@@ -125,17 +125,24 @@ int run_solve(const CommandLine& line)
         warn_of_line_count(options);
     }
     const Clock::time_point solve_start = Clock::now();
+    double seconds_to_first_lines = 0.0;
     Solution solution;
     {
         Progress progress("solving", progress_style(line));
-        solution = solve_accurately(scene, options, accuracy, [&](double done) { progress.show(done); });
+        solution = solve_accurately(scene, options, accuracy, [&](double done) {
+            if (seconds_to_first_lines == 0.0)
+                seconds_to_first_lines = seconds_since(start);
+            progress.show(done);
+        });
     }
     const double seconds_trace = seconds_since(solve_start);
     require_light(scene, solution);
     write_outputs(outputs, scene, solution, picture_options, provenance(solve_table(), line, scene));
 
-    const SolveSummary summary{scene,        options, solution, line.text("method"), sequence, seconds_since(start),
-                               seconds_trace};
+    const SolveSummary summary{scene,         options,
+                               solution,      line.text("method"),
+                               sequence,      seconds_since(start),
+                               seconds_trace, seconds_to_first_lines};
     if (line.has("json"))
         std::fputs(summary_json(summary).document().c_str(), stdout);
     if (!quiet) {

@@ -119,6 +119,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("balance_error", balance.relative_error());
     json.number("seconds", s.seconds);
     json.number("seconds_trace", s.seconds_trace);
+    json.number("seconds_to_first_lines", s.seconds_to_first_lines);
     json.number("lines_per_second", lines_per_second(s));
     json.count("threads", static_cast<std::uint64_t>(s.options.threads));
     json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));

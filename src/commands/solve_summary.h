@@ -14,10 +14,11 @@ struct SolveSummary
     const Scene& scene;
     const SolveOptions& options;
     const Solution& solution;
-    std::string method;         ///< as the user names it
-    std::string sequence;       ///< full name
-    double seconds = 0.0;       ///< from start to end, pictures included
-    double seconds_trace = 0.0; ///< of the solver alone
+    std::string method;                  ///< as the user names it
+    std::string sequence;                ///< full name
+    double seconds = 0.0;                ///< from start to end, pictures included
+    double seconds_trace = 0.0;          ///< of the solver alone
+    double seconds_to_first_lines = 0.0; ///< from start to when the first block of lines was done
 };
 
 /// Some lines for a person.

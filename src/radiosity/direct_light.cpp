@@ -51,38 +51,54 @@ double snapped(double x)
     return inset + (1.0 - 2.0 * inset) * 0.25 * std::floor(5.0 * x);
 }
 
-/// Does light go straight from one of `tries` points of the sources to one of the patch?
-bool is_lit(const Scene& scene, const Sources& sources, std::uint32_t patch, std::uint64_t tries)
+/// One look from a source at any patch.
+struct Try
 {
-    const Surface receiver_shape = scene.patch(patch).shape;
-    const Vec3 normal = receiver_shape.normal();
-    for (std::uint64_t k = 1; k <= tries; ++k) {
+    Vec3 from;
+    Vec3 source_normal;
+    std::uint32_t source_surface;
+    double a, b; ///< where on the patch
+};
+
+std::vector<Try> make_tries(const Scene& scene, std::uint64_t count)
+{
+    const Sources sources(scene);
+    std::vector<Try> tries;
+    for (std::uint64_t k = 1; k <= count; ++k) {
         const auto place = [&](std::uint64_t base) {
             const double x = radical_inverse(base, k);
             return k % 2 == 0 ? x : snapped(x);
         };
         const Patch source = scene.patch(sources.at(radical_inverse(13, k)));
-        const Vec3 to = point_on(receiver_shape, place(2), place(3));
-        const Vec3 from = point_on(source.shape, place(5), place(7));
-        const Line ray = {from, to - from};
-        if (dot(ray.direction, source.shape.normal()) > 0.0 && dot(ray.direction, normal) < 0.0 &&
-            receiver(scene, source.surface, ray) == patch)
-            return true;
+        tries.push_back(
+            {point_on(source.shape, place(5), place(7)), source.shape.normal(), source.surface, place(2), place(3)});
     }
-    return false;
+    return tries;
+}
+
+/// Does light go straight from one of the points of the sources to one of the patch?
+bool is_lit(const Scene& scene, const std::vector<Try>& tries, std::uint32_t patch)
+{
+    const Surface shape = scene.patch(patch).shape;
+    const Vec3 normal = shape.normal();
+    return std::any_of(tries.begin(), tries.end(), [&](const Try& look) {
+        const Line ray = {look.from, point_on(shape, look.a, look.b) - look.from};
+        return dot(ray.direction, look.source_normal) > 0.0 && dot(ray.direction, normal) < 0.0 &&
+               receiver(scene, look.source_surface, ray) == patch;
+    });
 }
 
 double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
 {
-    const Sources sources(scene);
-    const std::uint64_t tries = std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096);
+    const std::vector<Try> tries =
+        make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
     constexpr std::uint64_t patches_per_block = 256;
     const std::uint64_t block_count = (scene.patch_count() + patches_per_block - 1) / patches_per_block;
     std::vector<double> area(block_count, 0.0);
     parallel_blocks(block_count, threads, [&](std::uint64_t block) {
         const std::uint64_t last = std::min<std::uint64_t>((block + 1) * patches_per_block, scene.patch_count());
         for (auto i = static_cast<std::uint32_t>(block * patches_per_block); i < last; ++i)
-            if (is_lit(scene, sources, i, tries))
+            if (is_lit(scene, tries, i))
                 area[block] += scene.area(i);
     });
     double sum = 0.0;

@@ -55,13 +55,14 @@ struct CountedExchange
     ExchangeLosses losses;
 };
 
-CountedExchange count_exchange(const Scene& scene, const PairMatrix<float>& unoccluded, const GlobalLines& lines,
+CountedExchange count_exchange(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                                const Sequence& sequence, const ReusedLines& plan, double crossing_area, int threads,
                                const LineCounter& count_lines)
 {
     const PairCounts counts =
         count_pairs(scene, lines, sequence, plan.first_line_item, plan.cast, threads, count_lines);
-    return {estimate_exchange(scene, unoccluded, counts, crossing_area, threads), losses(counts, crossing_area)};
+    return {estimate_exchange(scene, unoccluded.table(), counts, crossing_area, threads),
+            losses(counts, crossing_area)};
 }
 
 /// The exchange with rows that add up to the areas of the patches.
@@ -130,7 +131,7 @@ double reuse_bytes(std::uint32_t patches)
     return bytes_per_pair * static_cast<double>(PairMatrix<float>::pair_count(patches));
 }
 
-void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const GlobalLines& lines,
+void reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                  const Sequence& sequence, const ReusedLines& plan, int threads, PowerState& state,
                  const LineCounter& count_lines)
 {
@@ -145,10 +146,10 @@ void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const 
     if (plan.rays > 0) {
         first_guess = rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, threads);
         const PairRays rays{plan.first_ray_item, plan.rays, plan.seed};
-        counted.estimate = refined_by_rays(std::move(counted.estimate), scene, unoccluded, crossing_area, first_guess,
-                                           sequence, rays, threads, count_lines);
+        counted.estimate = refined_by_rays(std::move(counted.estimate), scene, unoccluded.table(), crossing_area,
+                                           first_guess, sequence, rays, threads, count_lines);
     }
-    ClosedExchange closed_exchange = closed(scene, unoccluded, std::move(counted), crossing_area, threads);
+    ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), crossing_area, threads);
 
     const auto exchange_of_pairs = [&] {
         return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(), threads);

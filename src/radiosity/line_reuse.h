@@ -4,7 +4,7 @@
 #include "sampling/sequence.h"
 #include "transport/line_counter.h"
 #include "transport/line_sampling.h"
-#include "transport/pair_matrix.h"
+#include "transport/unoccluded_exchange.h"
 
 #include <cstdint>
 
@@ -26,7 +26,7 @@ double reuse_bytes(std::uint32_t patches);
 /// Distributes all unshot power: global lines tell which patches see each other and how well, rays look closer at the
 /// pairs that matter, and the light is found by solving for it (R1) instead of carrying it along the lines.
 /// `unoccluded`: see unoccluded_exchange.
-void reuse_lines(const Scene& scene, const PairMatrix<float>& unoccluded, const GlobalLines& lines,
+void reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                  const Sequence& sequence, const ReusedLines& plan, int threads, PowerState& state,
                  const LineCounter& count_lines);
 

@@ -74,7 +74,7 @@ public:
     }
 
     /// With a table of all pairs.
-    void reuse(const PairMatrix<float>& unoccluded)
+    void reuse(const UnoccludedExchange& unoccluded)
     {
         const std::uint64_t rays = gathers() ? std::min(local_share(1.0), options_.lines - 1) : 0;
         const std::uint64_t first_ray = first_item_ + solution_.local_lines;
@@ -194,7 +194,7 @@ Preparation prepare(const Scene& scene, const SolveOptions& options)
     if (optimum && !options.power_by_line)
         preparation.ratio = ratio_for(scene, options);
     if (options.method == Method::reuse && reuse_bytes(scene.patch_count()) <= options.memory)
-        preparation.unoccluded = std::make_shared<const PairMatrix<float>>(unoccluded_exchange(scene, options.threads));
+        preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
     return preparation;
 }
 

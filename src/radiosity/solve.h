@@ -3,7 +3,7 @@
 #include "radiosity/extended_first_shot.h"
 #include "radiosity/power_state.h"
 #include "radiosity/solve_options.h"
-#include "transport/pair_matrix.h"
+#include "transport/unoccluded_exchange.h"
 
 #include <cstdint>
 #include <functional>
@@ -37,9 +37,8 @@ using ProgressCallback = std::function<void(double done)>;
 /// What solving needs to know of a scene and is the same for every run with the same options but seed and lines.
 struct Preparation
 {
-    std::optional<double> ratio; ///< N_l / N_g of the methods that have one
-    std::shared_ptr<const PairMatrix<float>>
-        unoccluded; ///< [m^2] of the method `reuse`, if it has a table of all pairs
+    std::optional<double> ratio;                          ///< N_l / N_g of the methods that have one
+    std::shared_ptr<const UnoccludedExchange> unoccluded; ///< of `reuse`, if there is memory for a table of all pairs
 };
 
 Preparation prepare(const Scene& scene, const SolveOptions& options);
