@@ -129,8 +129,32 @@ std::vector<Line> rays_from(const std::vector<Surface>& surfaces, std::vector<st
     return rays;
 }
 
+/// Lines block by block, each in the same memory: as the solvers have them, whose lines have just been made.
+class FreshLines
+{
+public:
+    explicit FreshLines(std::vector<Line> lines) : all_(std::move(lines)), block_(block) {}
+
+    /// One run for each block.
+    void feed(Contestant& contestant) const
+    {
+        contestant.parts = all_.size() / block;
+        contestant.prepare = [this](std::size_t part) {
+            number_ = part;
+            std::copy_n(all_.begin() + static_cast<std::ptrdiff_t>(block * part), block, block_.begin());
+        };
+    }
+    const std::vector<Line>& lines() const { return block_; }
+    std::size_t first() const { return block * number_; } ///< number of the first of them
+
+private:
+    std::vector<Line> all_;
+    mutable std::vector<Line> block_;
+    mutable std::size_t number_ = 0;
+};
+
 /// Embree on each mesh of the rivals; none where it is not at hand.
-std::vector<Contestant> embrees_of(const Rivals& rivals, const std::string& unit, const std::vector<Line>& lines,
+std::vector<Contestant> embrees_of(const Rivals& rivals, const std::string& unit, const FreshLines& fresh,
                                    double (EmbreeScene::*count)(const std::vector<Line>&) const)
 {
     std::vector<Contestant> contestants;
@@ -140,43 +164,42 @@ std::vector<Contestant> embrees_of(const Rivals& rivals, const std::string& unit
         const std::vector<Surface> triangles = cut == 0 ? rivals.surfaces : as_triangles(rivals.surfaces, cut);
         const auto mesh = std::make_shared<const EmbreeScene>(triangles);
         contestants.push_back({EmbreeScene::version() + ", " + std::to_string(triangles.size()) + " triangles", unit,
-                               [mesh, &lines, count] {
-                                   use((*mesh.*count)(lines));
-                                   return static_cast<double>(lines.size());
+                               [mesh, &fresh, count] {
+                                   use((*mesh.*count)(fresh.lines()));
+                                   return static_cast<double>(block);
                                }});
     }
     return contestants;
 }
 
+/// Best kernel against each Embree, then all kernels against the first one.
 void compare_all_hits(const Rivals& rivals)
 {
-    const std::vector<Line> lines = chords_through(rivals.surfaces);
-    std::vector<Contestant> contestants = embrees_of(rivals, "lines", lines, &EmbreeScene::count_all_hits);
+    const FreshLines fresh(chords_through(rivals.surfaces));
+    std::vector<Contestant> contestants = embrees_of(rivals, "lines", fresh, &EmbreeScene::count_all_hits);
     const std::size_t embrees = contestants.size();
     std::vector<std::unique_ptr<Intersector>> intersectors;
     const auto add = [&](const FilterKernel* kernel, bool in_blocks, const std::string& rival) {
         intersectors.push_back(std::make_unique<Intersector>(rivals.surfaces, *kernel));
         const Intersector& intersector = *intersectors.back();
-        contestants.push_back({std::string(kernel->name) + (in_blocks ? ", in blocks" : ", line by line") +
-                                   (rival.empty() ? "" : " /" + rival.substr(8)),
-                               "lines",
-                               [&intersector, &lines, in_blocks] {
-                                   HitLists lists;
-                                   std::vector<Hit> hits;
-                                   for (std::size_t k = 0; k < lines.size(); k += block) {
-                                       if (in_blocks) {
-                                           intersector.all_hits(&lines[k], block, lists);
-                                           use(static_cast<double>(lists[k % block].size()));
-                                       } else {
-                                           for (std::size_t i = k; i < k + block; ++i) {
-                                               intersector.all_hits(lines[i], hits);
-                                               use(static_cast<double>(hits.size()));
-                                           }
-                                       }
-                                   }
-                                   return static_cast<double>(lines.size());
-                               },
-                               rival});
+        const auto lists = std::make_shared<HitLists>();
+        const auto run_block = [&intersector, &fresh, lists] {
+            intersector.all_hits(fresh.lines().data(), block, *lists);
+            use(static_cast<double>(lists->hit_count()));
+            return static_cast<double>(block);
+        };
+        const auto run_one_by_one = [&intersector, &fresh] {
+            std::vector<Hit> hits;
+            for (const Line& line : fresh.lines()) {
+                intersector.all_hits(line, hits);
+                use(static_cast<double>(hits.size()));
+            }
+            return static_cast<double>(block);
+        };
+        contestants.push_back(
+            {std::string(kernel->name) + (in_blocks ? ", in blocks" : ", line by line") +
+                 (rival.empty() ? "" : " /" + rival.substr(8)),
+             "lines", in_blocks ? std::function<double()>(run_block) : std::function<double()>(run_one_by_one), rival});
     };
     const std::vector<const FilterKernel*> kernels = available_kernels();
     for (std::size_t e = 0; e < embrees; ++e)
@@ -187,37 +210,47 @@ void compare_all_hits(const Rivals& rivals)
         if (kernel == kernels.front())
             add(kernel, false, embrees > 0 ? contestants[0].name : "");
     }
+    for (Contestant& contestant : contestants)
+        fresh.feed(contestant);
     compete("all hits along chords: " + rivals.name, contestants);
 }
 
 void compare_closest_hits(const Rivals& rivals)
 {
     std::vector<std::uint32_t> from;
-    const std::vector<Line> rays = rays_from(rivals.surfaces, from);
-    const Intersector intersector(rivals.surfaces);
-    std::vector<Contestant> contestants = embrees_of(rivals, "rays", rays, &EmbreeScene::count_closest_hits);
+    const FreshLines fresh(rays_from(rivals.surfaces, from));
+    std::vector<Contestant> contestants = embrees_of(rivals, "rays", fresh, &EmbreeScene::count_closest_hits);
     const std::size_t embrees = contestants.size();
-    const auto one_by_one = [&] {
-        double count = 0.0;
-        for (std::size_t k = 0; k < rays.size(); ++k)
-            count += intersector.closest_hit_from(from[k], rays[k]) ? 1.0 : 0.0;
-        use(count);
-        return static_cast<double>(rays.size());
+    std::vector<std::unique_ptr<Intersector>> intersectors;
+    const auto add = [&](const FilterKernel* kernel, const std::string& rival) {
+        intersectors.push_back(std::make_unique<Intersector>(rivals.surfaces, *kernel));
+        const Intersector& intersector = *intersectors.back();
+        const auto found = std::make_shared<FirstHits>();
+        contestants.push_back(
+            {std::string(kernel->name) + ", in blocks" + (rival.empty() ? "" : " /" + rival.substr(8)), "rays",
+             [&intersector, &fresh, &from, found] {
+                 intersector.closest_hits_from(&from[fresh.first()], fresh.lines().data(), block, *found);
+                 use(found->is_hit(0) ? 1.0 : 0.0);
+                 return static_cast<double>(block);
+             },
+             rival});
     };
-    const auto in_blocks = [&] {
-        FirstHits found;
-        for (std::size_t k = 0; k < rays.size(); k += block) {
-            intersector.closest_hits_from(&from[k], &rays[k], block, found);
-            use(found.is_hit(k % block) ? 1.0 : 0.0);
-        }
-        return static_cast<double>(rays.size());
-    };
-    for (std::size_t e = 0; e < std::max<std::size_t>(1, embrees); ++e) {
-        const std::string rival = embrees > 0 ? contestants[e].name : "";
-        const std::string against = embrees > 0 ? " /" + rival.substr(8) : "";
-        contestants.push_back({"ray by ray" + against, "rays", one_by_one, rival});
-        contestants.push_back({"in blocks" + against, "rays", in_blocks, rival});
-    }
+    const std::vector<const FilterKernel*> kernels = available_kernels();
+    for (std::size_t e = 0; e < embrees; ++e)
+        add(kernels.front(), contestants[e].name);
+    for (const FilterKernel* kernel : kernels)
+        if (kernel != kernels.front() || embrees == 0)
+            add(kernel, embrees > 0 ? contestants[0].name : "");
+    contestants.push_back(
+        {"one by one", "rays",
+         [&] {
+             for (std::size_t k = 0; k < block; ++k)
+                 use(intersectors[0]->closest_hit_from(from[fresh.first() + k], fresh.lines()[k]) ? 1.0 : 0.0);
+             return static_cast<double>(block);
+         },
+         embrees > 0 ? contestants[0].name : ""});
+    for (Contestant& contestant : contestants)
+        fresh.feed(contestant);
     compete("closest hit of diffuse rays: " + rivals.name, contestants);
 }
 

@@ -56,9 +56,16 @@ void compete(const std::string& title, std::vector<Contestant> contestants)
     std::printf("\n%s\n", title.c_str());
     for (int round = 0; round < rounds; ++round)
         for (Contestant& contestant : contestants) {
-            const double start = processor_seconds();
-            const double pieces = contestant.run();
-            contestant.rates.push_back(pieces / (processor_seconds() - start));
+            double pieces = 0.0;
+            double seconds = 0.0;
+            for (std::size_t part = 0; part < contestant.parts; ++part) {
+                if (contestant.prepare)
+                    contestant.prepare(part);
+                const double start = processor_seconds();
+                pieces += contestant.run();
+                seconds += processor_seconds() - start;
+            }
+            contestant.rates.push_back(pieces / seconds);
         }
     for (const Contestant& contestant : contestants) {
         const Spread rate = spread_of(contestant.rates);
