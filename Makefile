@@ -61,6 +61,19 @@ $(BUILD)/doctest.path: tests/find_doctest.sh
 	@CXX="$(CXX)" DOCTEST="$(DOCTEST)" sh tests/find_doctest.sh $(BUILD) > $@.new
 	@mv $@.new $@
 
+# The files of the viewer's page as string literals: {"name", "line\n" "line\n" ...}, for each.
+page_files = $(wildcard src/viewer/page/*)
+
+$(BUILD)/src/viewer/page_files.o: COMPILE += -I$(BUILD)/generated
+$(BUILD)/src/viewer/page_files.o: $(BUILD)/generated/viewer/page_files.inc
+
+$(BUILD)/generated/viewer/page_files.inc: $(page_files)
+	@mkdir -p $(@D)
+	@for file in $(page_files); do \
+	    echo "{\"$${file##*/}\","; sed 's/[\"]/\\&/g; s/.*/"&\\n"/' "$$file"; echo "},"; \
+	done > $@.new
+	@mv $@.new $@
+
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	@echo "  compile $<"

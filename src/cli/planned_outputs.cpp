@@ -18,14 +18,15 @@ struct KnownExtension
     OutputFormat format;
 };
 
-constexpr std::array<KnownExtension, 8> known_extensions = {{{".ppm", OutputFormat::ppm},
+constexpr std::array<KnownExtension, 9> known_extensions = {{{".ppm", OutputFormat::ppm},
                                                              {".pfm", OutputFormat::pfm},
                                                              {".png", OutputFormat::png},
                                                              {".csv", OutputFormat::csv},
                                                              {".svg", OutputFormat::svg},
                                                              {".ply", OutputFormat::ply},
                                                              {".glb", OutputFormat::glb},
-                                                             {".obj", OutputFormat::obj}}};
+                                                             {".obj", OutputFormat::obj},
+                                                             {".html", OutputFormat::html}}};
 
 std::string lower_case_extension(const std::string& path)
 {

@@ -4,6 +4,7 @@
 #include "image/png_chunks.h"
 #include "scene/input_error.h"
 #include "scene/text_lines.h"
+#include "viewer/viewer_page.h"
 
 #include <algorithm>
 #include <array>
@@ -154,6 +155,8 @@ RecordedFile kind_of(std::string_view bytes, const std::string& path)
         return RecordedFile::ppm;
     if (starts_with(bytes, "<svg "))
         return RecordedFile::drawing;
+    if (starts_with(bytes, viewer_page_begin))
+        return RecordedFile::page;
     if (starts_with(bytes, "<!DOCTYPE html>"))
         return RecordedFile::report;
     if (starts_with(bytes, "PF\n") || starts_with(bytes, "Pf\n"))
@@ -175,6 +178,7 @@ Facts facts_of(RecordedFile kind, std::string_view bytes)
     case RecordedFile::drawing:
         return facts_of_drawing(bytes);
     case RecordedFile::report:
+    case RecordedFile::page:
         return facts_of_report(bytes);
     case RecordedFile::ply:
         return facts_of_ply(bytes);

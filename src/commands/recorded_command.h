@@ -8,7 +8,7 @@
 namespace multipath {
 
 /// What a file is that provenance() can be read from.
-enum class RecordedFile { table, ppm, png, drawing, report, ply, glb, obj };
+enum class RecordedFile { table, ppm, png, drawing, report, page, ply, glb, obj };
 
 /// What a file says of where it comes from: the inverse of provenance().
 struct RecordedCommand
@@ -20,7 +20,7 @@ struct RecordedCommand
     std::optional<std::string> scene; ///< hash
 };
 
-/// Reads it from the bytes of a CSV, PPM, PNG, SVG, HTML report, PLY, GLB or OBJ; `path` is for messages. Throws
+/// Reads it from the bytes of a CSV, PPM, PNG, SVG, HTML, PLY, GLB or OBJ; `path` is for messages. Throws
 /// InputError for any other file, for one without a command, and for a command that is not one of `multipath`, or does
 /// not fit a shell's grammar of plain and quoted words. Whether there is such a command, and such options, is not
 /// looked at.
@@ -33,7 +33,7 @@ std::string_view drawing_record(std::string_view bytes);
 /// none.
 std::string_view glb_record(std::string_view bytes);
 
-/// How the line of a report begins and ends that holds a part of its record.
+/// How the line of a report, or of the page of a room, begins and ends that holds a part of its record.
 constexpr std::string_view report_record_begin = "<meta name=\"multipath\" content=\"";
 constexpr std::string_view report_record_end = "\">";
 

@@ -27,7 +27,7 @@ CommandTable reproduce_table()
               {{"keep", 0, "FILE", "", "Leave the new file here. Without it, nothing is left."},
                {"quiet", 'q', "", "", "Print nothing on stderr but errors."}}},
              {"Work", {threads_option()}}},
-            "FILE is what 'multipath' wrote: a CSV, SVG, PNG, PPM, PLY, GLB or OBJ, or the index.html of\n"
+            "FILE is what 'multipath' wrote: a CSV, SVG, PNG, PPM, PLY, GLB, OBJ or HTML, such as the index.html of\n"
             "'multipath paper'. The paths in its record start in the folder where its command was run: run this\n"
             "one there too.\n"
             "Exit code 0: the same result; times and dates may differ. 1: another result, or none.\n"

@@ -94,6 +94,7 @@ const char* extension_of(RecordedFile kind)
     case RecordedFile::drawing:
         return ".svg";
     case RecordedFile::report:
+    case RecordedFile::page:
         return ".html";
     case RecordedFile::ply:
         return ".ply";

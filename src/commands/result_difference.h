@@ -29,6 +29,9 @@ ResultDifference ply_difference(const std::string& then, const std::string& now)
 ResultDifference glb_difference(const std::string& then, const std::string& now);
 ResultDifference obj_difference(const std::string& then, const std::string& now);
 
+/// The data of two pages of a room; how these look is no result.
+ResultDifference page_difference(const std::string& then, const std::string& now);
+
 /// What report_html() marks as changing from run to run, and figures with seconds across, are times.
 ResultDifference report_difference(const std::string& then, const std::string& now);
 

@@ -21,7 +21,7 @@ namespace {
 
 bool is_picture(const PlannedOutput& output)
 {
-    return output.format != OutputFormat::csv && !is_mesh(output.format);
+    return output.format != OutputFormat::csv && output.format != OutputFormat::html && !is_mesh(output.format);
 }
 
 Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown, int threads)
@@ -75,8 +75,15 @@ void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const Sce
                 throw UsageError("--output: '" + output.file.name() + "' is an input; expected another file");
 }
 
+bool has_page(const std::vector<PlannedOutput>& outputs)
+{
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const PlannedOutput& output) { return output.format == OutputFormat::html; });
+}
+
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
-                   const PictureOptions& picture_options, const std::vector<std::string>& comments)
+                   const PictureOptions& picture_options, const std::vector<std::string>& comments,
+                   const std::string& page)
 {
     std::string comment;
     for (const std::string& part : comments)
@@ -102,6 +109,8 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
             output.file.write(png_bytes(screen, comment));
         else if (output.format == OutputFormat::pfm)
             output.file.write(pfm_bytes(render(scene, quantity.values, camera, picture_options.render)));
+        else if (output.format == OutputFormat::html)
+            output.file.write(page);
         else
             output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
     }

@@ -13,9 +13,13 @@ namespace multipath {
 /// Throws UsageError for an output that is a material file: an input too, but known only after reading.
 void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file);
 
+/// Is one of them a page, which takes more work than the others?
+bool has_page(const std::vector<PlannedOutput>& outputs);
+
 /// Fills every output in its format and puts all into place. The comments go into the formats that have a place for
-/// them. Throws OutputError.
+/// them; `page` are the bytes of those outputs that are one. Throws OutputError.
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
-                   const PictureOptions& picture_options, const std::vector<std::string>& comments);
+                   const PictureOptions& picture_options, const std::vector<std::string>& comments,
+                   const std::string& page);
 
 } // namespace multipath

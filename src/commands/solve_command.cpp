@@ -7,6 +7,7 @@
 #include "commands/picture_options.h"
 #include "commands/scene_options.h"
 #include "commands/solution_outputs.h"
+#include "commands/solution_page.h"
 #include "commands/solve_summary.h"
 #include "radiosity/solve.h"
 #include "sampling/sequence.h"
@@ -29,8 +30,8 @@ CommandTable solve_table()
             {{"Output",
               {{"output", 'o', "FILE", "",
                 "Where to write; by extension .ppm, .png, .pfm (pictures), .ply, .glb, .obj (meshes whose vertices "
-                "have the light as colours) or .csv (one row per patch). '-' writes a PPM to standard output. Without "
-                "it, SCENE.ppm and SCENE.png are written here.",
+                "have the light as colours), .csv (one row per patch) or .html (a page to walk through the room in a "
+                "browser). '-' writes a PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
                 true},
                {"json", 0, "", "", "Print a machine-readable summary on standard output."},
                {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
@@ -47,7 +48,8 @@ CommandTable solve_table()
             "\n"
             "  multipath solve room.obj\n"
             "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"
-            "  multipath solve room.obj -o room.glb -o room.ply\n"};
+            "  multipath solve room.obj -o room.glb -o room.ply\n"
+            "  multipath solve room.obj -o room.html\n"};
 }
 
 /// SCENE.ppm and SCENE.png in the working directory.
@@ -137,7 +139,14 @@ int run_solve(const CommandLine& line)
     }
     const double seconds_trace = seconds_since(solve_start);
     require_light(scene, solution);
-    write_outputs(outputs, scene, solution, picture_options, provenance(solve_table(), line, scene));
+    const std::vector<std::string> comments = provenance(solve_table(), line, scene);
+    std::string page;
+    if (has_page(outputs)) {
+        Progress progress("solving with fewer lines, for the page", progress_style(line));
+        page = solution_page({scene, options, line.text("method"), sequence}, solution, picture_options, comments,
+                             [&](double done) { progress.show(done); });
+    }
+    write_outputs(outputs, scene, solution, picture_options, comments, page);
 
     const SolveSummary summary{scene,         options,
                                solution,      line.text("method"),

@@ -1,6 +1,7 @@
 #include "commands/result_difference.h"
 
 #include "scene/text_lines.h"
+#include "viewer/viewer_page.h"
 
 #include <algorithm>
 
@@ -103,6 +104,15 @@ std::string without_folder(std::string report)
     return report;
 }
 
+/// The room's data, without the line that repeats the record.
+std::string room_data(const std::string& page)
+{
+    const std::size_t begin = page.find(room_data_begin);
+    const std::string data =
+        begin == std::string::npos ? "" : page.substr(begin, page.find(room_data_end, begin) - begin);
+    return emptied(data, "\n  \"record\": ", "\n");
+}
+
 } // namespace
 
 ResultDifference drawing_difference(const std::string& then, const std::string& now)
@@ -113,6 +123,11 @@ ResultDifference drawing_difference(const std::string& then, const std::string& 
 ResultDifference obj_difference(const std::string& then, const std::string& now)
 {
     return {first_difference(without_comments(then), without_comments(now))};
+}
+
+ResultDifference page_difference(const std::string& then, const std::string& now)
+{
+    return {first_difference(room_data(then), room_data(now))};
 }
 
 ResultDifference report_difference(const std::string& then, const std::string& now)
@@ -138,6 +153,8 @@ ResultDifference result_difference(RecordedFile kind, const std::string& then, c
         return drawing_difference(then, now);
     case RecordedFile::report:
         return report_difference(then, now);
+    case RecordedFile::page:
+        return page_difference(then, now);
     case RecordedFile::ply:
         return ply_difference(then, now);
     case RecordedFile::glb:

@@ -1,4 +1,4 @@
-#include "study/base64.h"
+#include "export/base64.h"
 #include "study/report.h"
 
 #include <fstream>

@@ -1,7 +1,6 @@
 #include "study/report.h"
 
 #include "scene/scratch_folder.h"
-#include "study/base64.h"
 #include "study/number_words.h"
 
 #include <doctest/doctest.h>
@@ -17,19 +16,6 @@ bool holds(const std::string& text, const std::string& part)
 }
 
 } // namespace
-
-// The test vectors of RFC 4648, section 10.
-TEST_CASE("base64 is that of RFC 4648")
-{
-    CHECK(base64("") == "");
-    CHECK(base64("f") == "Zg==");
-    CHECK(base64("fo") == "Zm8=");
-    CHECK(base64("foo") == "Zm9v");
-    CHECK(base64("foob") == "Zm9vYg==");
-    CHECK(base64("fooba") == "Zm9vYmE=");
-    CHECK(base64("foobar") == "Zm9vYmFy");
-    CHECK(base64(std::string("\xff\xfe\x00", 3)) == "//4A");
-}
 
 TEST_CASE("numbers in a report are short and have real signs")
 {

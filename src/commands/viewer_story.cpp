@@ -1,0 +1,140 @@
+#include "commands/viewer_story.h"
+
+#include "commands/story_drawing.h"
+#include "scene/input_error.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 20; ///< to reach the global lines within a second
+constexpr const char* of_reuse =
+    " The method reuse only counts such lines and solves for the light afterwards: these are the lines of --method "
+    "extended.";
+
+std::uint32_t receiver(std::uint32_t where)
+{
+    return Segment::is_patch(where) ? where : Scene::no_patch;
+}
+
+std::vector<ViewerLine> told(const GlobalStory& story)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(story);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < story.lines.size(); ++n) {
+        ViewerLine line{drawn[n], {}};
+        for (const Stretch& stretch : story.lines[n].stretches)
+            for (const Transfer& transfer : stretch.transfers)
+                line.transfers.push_back({stretch.after, transfer.from, receiver(transfer.to), transfer.forecast,
+                                          transfer.held, transfer.sent()});
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+std::vector<ViewerLine> told(const Scene& scene, const ShotStory& story)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, story);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < story.rays.size(); ++n) {
+        const ShotRay& ray = story.rays[n];
+        lines.push_back({drawn[n], {{0, ray.shooter, receiver(ray.where), {}, ray.power, ray.power}}});
+    }
+    return lines;
+}
+
+std::vector<ViewerLine> told(const Scene& scene, const ParticleStory& story)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, story);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < story.particles.size(); ++n) {
+        ViewerLine line{drawn[n], {}};
+        // Between two of its steps the particle moves within a patch, which is a stretch of the drawing too.
+        std::size_t stretch = 0;
+        for (const ToldStep& told : story.particles[n].steps) {
+            line.transfers.push_back(
+                {stretch, told.step.from, receiver(told.step.where), {}, told.step.power, told.counted});
+            stretch += 2;
+        }
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+ViewerChapter shots(const ToldRun& run, const ToldRange& range)
+{
+    const ShotStory story = tell_shot_pass(run.scene, run.options, 0, range);
+    return {"First shot",
+            "Rays carry the light of the sources to the patches that they see, each the same power. What a patch "
+            "reflects of it is unshot until it is sent on. The first " +
+                grouped(story.rays.size()) + " of " + grouped(story.shot_passes.front().lines) + " rays.",
+            told(run.scene, story)};
+}
+
+ViewerChapter global_lines(const ToldRun& run, const ToldRange& range)
+{
+    const GlobalStory story = tell_global_pass(run.scene, run.options, range);
+    const std::string before =
+        story.local_lines > 0 ? ", after " + grouped(story.local_lines) + " rays of the first shot" : "";
+    return {"Global lines",
+            "A line crosses the whole scene. Where it leaves one patch and meets another, the two exchange power: each "
+            "sends its forecast, a share of what was unshot, and all that it has received and reflected since. The "
+            "first " +
+                grouped(story.lines.size()) + " of " + grouped(story.lines_cast) + " lines" + before + ".",
+            told(story)};
+}
+
+ViewerChapter particles(const ToldRun& run, const ToldRange& range)
+{
+    const ParticleStory story = tell_particles(run.scene, run.options, range);
+    return {"Particles",
+            "Particles leave the sources and are reflected from patch to patch, until they are absorbed or leave the "
+            "scene. The first " +
+                grouped(story.particles.size()) + " of " + grouped(story.particles_in_all) + " particles.",
+            told(run.scene, story)};
+}
+
+/// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
+void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const ToldRange&)>& tell)
+{
+    for (const std::uint64_t count : {100, 10, 1}) {
+        try {
+            chapters.push_back(tell({0, count}));
+            return;
+        } catch (const InputError&) {
+            continue; // the stage has fewer lines
+        }
+    }
+}
+
+} // namespace
+
+std::vector<ViewerChapter> viewer_story(const ToldRun& run)
+{
+    const Method method = run.options.method;
+    SolveOptions options = run.options;
+    options.lines = std::min(options.lines, most_lines_of_run);
+    if (method == Method::reuse) {
+        options.method = Method::extended;
+        options.ratio.reset(); // it means something else there
+    }
+    const ToldRun walk{run.scene, options, run.method, run.sequence};
+    std::vector<ViewerChapter> chapters;
+    if (method == Method::local) {
+        append(chapters, [&](const ToldRange& range) { return particles(walk, range); });
+        return chapters;
+    }
+    if (method != Method::global)
+        append(chapters, [&](const ToldRange& range) { return shots(walk, range); });
+    append(chapters, [&](const ToldRange& range) { return global_lines(walk, range); });
+    if (method == Method::reuse)
+        for (ViewerChapter& chapter : chapters)
+            chapter.note += of_reuse;
+    return chapters;
+}
+
+} // namespace multipath

@@ -1,0 +1,94 @@
+'use strict';
+// A pinhole camera that can be carried about. It orbits around its target or turns on the spot; up stays up.
+
+const steepest = 0.996; // cosine of the view against up, so that the view never turns over
+
+class Camera {
+  constructor(first, size) {
+    this.first = first;
+    this.size = size; // of the room, which tells how far a step is
+    this.reset();
+  }
+
+  reset() {
+    this.eye = this.first.eye.slice();
+    this.target = this.first.target.slice();
+    this.up = normalized(this.first.up);
+  }
+
+  forward() { return normalized(minus(this.target, this.eye)); }
+  right() { return normalized(cross(this.forward(), this.up)); }
+  distance() { return length(minus(this.target, this.eye)); }
+
+  // A direction turned by angles to the left and up.
+  aimed(direction, left, up) {
+    const level = turned(direction, this.up, left);
+    const raised = turned(level, normalized(cross(level, this.up)), up);
+    return Math.abs(dot(raised, this.up)) < steepest ? raised : level;
+  }
+
+  // Moves on a sphere around the target, with the whole scene following the finger.
+  orbit(left, up) {
+    const distance = this.distance();
+    this.eye = minus(this.target, times(distance, this.aimed(this.forward(), left, up)));
+  }
+
+  look(left, up) {
+    const distance = this.distance();
+    this.target = plus(this.eye, times(distance, this.aimed(this.forward(), left, up)));
+  }
+
+  move(step) {
+    this.eye = plus(this.eye, step);
+    this.target = plus(this.target, step);
+  }
+
+  // In parts of the room's size; ahead is level, as feet are.
+  walk(ahead, aside, upwards) {
+    const level = normalized(cross(this.up, this.right()));
+    const step = plus(times(ahead, level), plus(times(aside, this.right()), times(upwards, this.up)));
+    this.move(times(this.size, step));
+  }
+
+  // In parts of the picture's height, at the distance of the target.
+  shift(x, y) {
+    const height = 2 * this.distance() * Math.tan(0.5 * this.angle(1));
+    const up = cross(this.right(), this.forward());
+    this.move(plus(times(-x * height, this.right()), times(y * height, up)));
+  }
+
+  // Nearer by a factor below 1; a target that is reached is pushed on, so that one can go through a room.
+  approach(factor) {
+    const wanted = factor * this.distance(), least = 0.02 * this.size;
+    const distance = clamped(wanted, least, 20 * this.size);
+    this.eye = minus(this.target, times(distance, this.forward()));
+    if (wanted < least)
+      this.move(times(least - wanted, this.forward()));
+  }
+
+  // The vertical field of view [radians]. The one given is for pictures of 4 : 3; narrow ones show as much from left to
+  // right as their distortion allows.
+  angle(aspect) {
+    const half = Math.tan(this.first.field_of_view * Math.PI / 360);
+    const widened = Math.min(half * Math.max(1, 4 / 3 / aspect), Math.max(half, 1));
+    return 2 * Math.atan(widened);
+  }
+
+  // The ray through a place of a picture, in pixels from its top left corner.
+  ray(x, y, width, height) {
+    const pixel = 2 * Math.tan(0.5 * this.angle(width / height)) / height;
+    const forward = this.forward(), right = this.right(), up = cross(right, forward);
+    const aside = times((x - 0.5 * width) * pixel, right), upwards = times((0.5 * height - y) * pixel, up);
+    return normalized(plus(forward, plus(aside, upwards)));
+  }
+
+  // From places in the room to clip coordinates.
+  matrix(aspect) {
+    const f = this.forward(), r = this.right(), u = cross(r, f), e = this.eye;
+    const view = [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0, -dot(r, e), -dot(u, e), dot(f, e), 1];
+    const scale = 1 / Math.tan(0.5 * this.angle(aspect));
+    const near = 0.002 * this.size, far = 25 * this.size;
+    const depth = (far + near) / (near - far), shift = 2 * far * near / (near - far);
+    return matrix_product([scale / aspect, 0, 0, 0, 0, scale, 0, 0, 0, 0, depth, -1, 0, 0, shift, 0], view);
+  }
+}

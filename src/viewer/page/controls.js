@@ -1,0 +1,142 @@
+'use strict';
+// Mouse, fingers and keys move the camera, pick patches and stand for buttons of the panel.
+
+const radians_per_pixel = 0.005;
+const click_distance = 5; // [pixels] a finger trembles
+const walking_speed = 0.22; // of the room's size per second
+
+class Controls {
+  constructor(viewer, canvas, panel, story_panel) {
+    Object.assign(this, { viewer, canvas, panel, story_panel });
+    this.pointers = new Map(); // where each finger is
+    this.travelled = 0;
+    this.held = new Set(); // keys of walking
+    canvas.addEventListener('pointerdown', event => this.press(event));
+    canvas.addEventListener('pointermove', event => this.drag(event));
+    canvas.addEventListener('pointerup', event => this.release(event, true));
+    canvas.addEventListener('pointercancel', event => this.release(event, false));
+    canvas.addEventListener('contextmenu', event => event.preventDefault());
+    canvas.addEventListener('wheel', event => this.wheel(event), { passive: false });
+    window.addEventListener('keydown', event => this.key(event));
+    window.addEventListener('keyup', event => this.held.delete(event.key.toLowerCase()));
+    window.addEventListener('blur', () => this.held.clear());
+  }
+
+  press(event) {
+    this.canvas.setPointerCapture(event.pointerId);
+    if (this.pointers.size === 0)
+      this.travelled = 0;
+    this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  }
+
+  drag(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before)
+      return;
+    const now = [event.clientX, event.clientY], dx = now[0] - before[0], dy = now[1] - before[1];
+    this.travelled += Math.hypot(dx, dy);
+    if (this.pointers.size === 2)
+      this.pinch(event.pointerId, before, now);
+    else if (event.buttons & 6 || event.shiftKey)
+      this.shift(dx, dy);
+    else
+      this.turn(dx, dy);
+    this.pointers.set(event.pointerId, now);
+  }
+
+  release(event, may_pick) {
+    const pressed = this.pointers.delete(event.pointerId);
+    if (pressed && may_pick && this.pointers.size === 0 && event.button === 0 && this.travelled < click_distance)
+      this.viewer.change({ selected: this.viewer.patch_at(event.clientX, event.clientY) });
+  }
+
+  // Two fingers: their distance brings nearer, what they do together shifts.
+  pinch(id, before, now) {
+    const other = [...this.pointers].find(([pointer]) => pointer !== id)[1];
+    const distance = a => Math.max(10, Math.hypot(a[0] - other[0], a[1] - other[1]));
+    this.viewer.camera.approach(distance(before) / distance(now));
+    this.shift(0.5 * (now[0] - before[0]), 0.5 * (now[1] - before[1]));
+  }
+
+  shift(dx, dy) {
+    this.viewer.camera.shift(dx / this.canvas.clientHeight, dy / this.canvas.clientHeight);
+    this.viewer.request_draw();
+  }
+
+  turn(dx, dy) {
+    const { camera, state } = this.viewer, left = -dx * radians_per_pixel, up = -dy * radians_per_pixel;
+    if (state.motion === 'orbit') camera.orbit(left, up); else camera.look(-left, -up);
+    this.viewer.request_draw();
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    const lines = event.deltaMode === 1 ? 30 : 1;
+    this.viewer.camera.approach(Math.exp(clamped(event.deltaY * lines, -200, 200) * 0.0015));
+    this.viewer.request_draw();
+  }
+
+  key(event) {
+    const typed = event.target.closest('input, select, textarea, dialog');
+    if (event.ctrlKey || event.metaKey || event.altKey || typed && !(typed.type === 'checkbox' || typed.type === 'radio'))
+      return;
+    const on_canvas = event.target === this.canvas || event.target === document.body;
+    const key = event.key.toLowerCase();
+    if ('wasdqe'.includes(key) && key.length === 1)
+      this.hold(key);
+    else if (on_canvas && key.startsWith('arrow'))
+      this.turn(...{ arrowleft: [-20, 0], arrowright: [20, 0], arrowup: [0, -20], arrowdown: [0, 20] }[key]);
+    else if (on_canvas && key === 'enter')
+      this.viewer.pick_middle();
+    else if (!this.shortcut(key))
+      return;
+    event.preventDefault();
+  }
+
+  // Keys that stand for a button; false for others.
+  shortcut(key) {
+    const { viewer, panel, story_panel } = this, { state, quantities } = viewer;
+    const shortcuts = {
+      v: () => viewer.change({ motion: state.motion === 'orbit' ? 'walk' : 'orbit' }),
+      r: () => viewer.go_home(),
+      f: () => viewer.change({ shading: state.shading === 'smooth' ? 'flat' : 'smooth' }),
+      m: () => viewer.change({ mesh: !state.mesh }),
+      t: () => viewer.change({ quantity: (state.quantity + 1) % quantities.list.length }),
+      '+': () => viewer.change({ exposure: clamped(state.exposure + 0.5, -6, 6) }),
+      '=': () => viewer.change({ exposure: clamped(state.exposure + 0.5, -6, 6) }),
+      '-': () => viewer.change({ exposure: clamped(state.exposure - 0.5, -6, 6) }),
+      '[': () => viewer.change({ stage: Math.max(0, state.stage - 1) }),
+      ']': () => viewer.change({ stage: Math.min(quantities.last_stage, state.stage + 1) }),
+      p: () => { story_panel.open(true); story_panel.play(story_panel.timer === null); },
+      ',': () => { story_panel.open(true); story_panel.step(-1); },
+      '.': () => { story_panel.open(true); story_panel.step(1); },
+      h: () => panel.fold(!panel.folded),
+      '?': () => panel.help(),
+    };
+    if (!Object.hasOwn(shortcuts, key))
+      return false;
+    shortcuts[key]();
+    return true;
+  }
+
+  // Walks for as long as a key is down.
+  hold(key) {
+    const moving = this.held.size > 0;
+    this.held.add(key);
+    if (!moving) {
+      this.moment = performance.now();
+      requestAnimationFrame(now => this.stride(now));
+    }
+  }
+
+  stride(now) {
+    if (this.held.size === 0)
+      return;
+    const seconds = clamped((now - this.moment) / 1000, 0.004, 0.1);
+    this.moment = now;
+    const way = (plus_key, minus_key) => walking_speed * seconds * (this.held.has(plus_key) - this.held.has(minus_key));
+    this.viewer.camera.walk(way('w', 's'), way('d', 'a'), way('e', 'q'));
+    this.viewer.request_draw();
+    requestAnimationFrame(later => this.stride(later));
+  }
+}

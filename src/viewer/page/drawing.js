@@ -1,0 +1,231 @@
+'use strict';
+// Draws the room: one buffer of surfaces, drawn at once, whose pixels look up values in textures; and marks over it.
+
+const texels_per_row = 2048; // as wide as every WebGL 2 allows
+
+class Drawing {
+  // Throws an Error with a sentence for people where there is no WebGL 2.
+  constructor(canvas, room) {
+    this.canvas = canvas;
+    this.room = room;
+    this.gl = canvas.getContext('webgl2', { antialias: true, alpha: false });
+    if (!this.gl)
+      throw new Error('This browser cannot draw the room: it has no WebGL 2, or it is switched off.');
+    this.room_program = this.program(room_vertex_shader, room_fragment_shader);
+    this.mark_program = this.program(mark_vertex_shader, mark_fragment_shader);
+    this.make_surfaces();
+    this.mark_array = this.gl.createVertexArray();
+    this.mark_buffer = this.gl.createBuffer();
+    this.mark_count = 0;
+    this.textures = new Map(); // by the values that they hold
+    this.arrived = this.texture('colours', new Float32Array(3));
+  }
+
+  program(vertex, fragment) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
+      throw new Error('This browser cannot draw the room: ' + gl.getProgramInfoLog(program));
+    const uniforms = {};
+    for (let k = 0; k < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++k) {
+      const { name } = gl.getActiveUniform(program, k);
+      uniforms[name] = gl.getUniformLocation(program, name);
+    }
+    return { program, uniforms, attribute: name => gl.getAttribLocation(program, name) };
+  }
+
+  // Three or four corners per surface; the numbers for the shader stand at each of them.
+  make_surfaces() {
+    const gl = this.gl, room = this.room, words = 9; // 3 + 2 numbers, 4 counts
+    const corner_total = 4 * room.surface_count;
+    const numbers = new Float32Array(words * corner_total), counts = new Uint32Array(numbers.buffer);
+    const indices = new Uint32Array(6 * room.surface_count);
+    let n = 0, used = 0;
+    for (let s = 0; s < room.surface_count; ++s) {
+      const first = n, [cells_u, cells_v] = room.cells_of(s);
+      for (const [u, v] of room.corners(s)) {
+        numbers.set([...room.point(s, u, v), u, v], words * n);
+        counts.set([cells_u, room.triangles[s] ? 0 : cells_v, room.first_patch[s], room.first_corner[s]], words * n + 5);
+        ++n;
+      }
+      const fan = room.triangles[s] ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
+      indices.set(fan.map(k => first + k), used);
+      used += fan.length;
+    }
+    this.index_count = used;
+    this.surface_array = gl.createVertexArray();
+    gl.bindVertexArray(this.surface_array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, numbers.subarray(0, words * n), gl.STATIC_DRAW);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices.subarray(0, used), gl.STATIC_DRAW);
+    const [position, corner, numbers_at] = ['position', 'corner', 'numbers'].map(this.room_program.attribute);
+    gl.enableVertexAttribArray(position);
+    gl.vertexAttribPointer(position, 3, gl.FLOAT, false, 4 * words, 0);
+    gl.enableVertexAttribArray(corner);
+    gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 4 * words, 12);
+    gl.enableVertexAttribArray(numbers_at);
+    gl.vertexAttribIPointer(numbers_at, 4, gl.UNSIGNED_INT, 4 * words, 20);
+    gl.bindVertexArray(null);
+  }
+
+  // A texture of values in rows, filled up to whole rows.
+  texture(kind, list) {
+    const gl = this.gl, result = gl.createTexture();
+    const [channels, internal, format, type] = {
+      colours: [3, gl.RGB32F, gl.RGB, gl.FLOAT],
+      light: [1, gl.RGB9_E5, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV],
+      means: [1, gl.R32F, gl.RED, gl.FLOAT],
+    }[kind];
+    const count = list.length / channels, width = Math.min(texels_per_row, count), height = Math.ceil(count / width);
+    const filled = new list.constructor(channels * width * height);
+    filled.set(list);
+    if (kind === 'means')
+      for (let k = 0; k < filled.length; ++k)
+        if (!Number.isFinite(filled[k]))
+          filled[k] = -1; // the shader's sign for no value
+    gl.bindTexture(gl.TEXTURE_2D, result);
+    gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, filled);
+    this.nearest(gl.NEAREST);
+    return result;
+  }
+
+  nearest(filter) {
+    const gl = this.gl;
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  }
+
+  texture_of(values) {
+    if (!this.textures.has(values))
+      this.textures.set(values, this.texture(values.kind, values.list));
+    return this.textures.get(values);
+  }
+
+  set_colour_map(bytes) {
+    const gl = this.gl;
+    this.colour_map = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.colour_map);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, bytes);
+    this.nearest(gl.LINEAR);
+  }
+
+  // Three numbers per patch.
+  set_arrived(list) {
+    this.gl.deleteTexture(this.arrived);
+    this.arrived = this.texture('colours', list);
+  }
+
+  // Marks: { from, to, width, colour }.
+  set_marks(marks) {
+    const gl = this.gl, words = 11;
+    const numbers = new Float32Array(words * marks.length);
+    marks.forEach((mark, n) => numbers.set([...mark.from, ...mark.to, ...mark.colour, mark.width], words * n));
+    this.mark_count = marks.length;
+    gl.bindVertexArray(this.mark_array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.mark_buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
+    let offset = 0;
+    for (const [name, size] of [['from', 3], ['to', 3], ['ink', 4], ['width', 1]]) {
+      const attribute = this.mark_program.attribute(name);
+      gl.enableVertexAttribArray(attribute);
+      gl.vertexAttribPointer(attribute, size, gl.FLOAT, false, 4 * words, offset);
+      gl.vertexAttribDivisor(attribute, 1);
+      offset += 4 * size;
+    }
+    gl.bindVertexArray(null);
+  }
+
+  // Fits the picture to its place on the page.
+  fit() {
+    const density = window.devicePixelRatio || 1;
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * density));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * density));
+    if (this.canvas.width !== width || this.canvas.height !== height)
+      Object.assign(this.canvas, { width, height });
+  }
+
+  // look: { values, scale, tone, smooth, borders, arrived_scale, background }
+  draw(camera, look) {
+    const gl = this.gl;
+    this.fit();
+    const { width, height } = this.canvas;
+    const to_clip = camera.matrix(width / height);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(...look.background, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LESS);
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
+    if (this.room.two_sided) gl.disable(gl.CULL_FACE); else gl.enable(gl.CULL_FACE);
+    this.draw_room(to_clip, look);
+    if (this.mark_count > 0)
+      this.draw_marks(to_clip, width, height);
+  }
+
+  draw_room(to_clip, look) {
+    const gl = this.gl, { program, uniforms } = this.room_program, { values } = look;
+    gl.useProgram(program);
+    const textures = {
+      patch_values: this.texture_of(values.patches),
+      corner_values: look.smooth && values.corners ? this.texture_of(values.corners) : this.texture_of(values.patches),
+      arrived: this.arrived, colour_map: this.colour_map };
+    Object.entries(textures).forEach(([name, texture], unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(uniforms[name], unit);
+    });
+    gl.activeTexture(gl.TEXTURE0 + 4); // where textures are filled
+    gl.uniformMatrix4fv(uniforms.to_clip, false, to_clip);
+    gl.uniform1ui(uniforms.backs_patch, this.room.cell_count);
+    gl.uniform1ui(uniforms.backs_corner, this.room.corner_count);
+    gl.uniform1f(uniforms.patch_scale, look.scale * values.patches.unit);
+    gl.uniform1f(uniforms.corner_scale, look.scale * (values.corners ? values.corners.unit : 1));
+    gl.uniform1f(uniforms.arrived_scale, look.arrived_scale);
+    gl.uniform1i(uniforms.tone, look.tone);
+    gl.uniform1i(uniforms.smooth_shading, look.smooth && values.corners ? 1 : 0);
+    gl.uniform1i(uniforms.false_colours, values.light ? 0 : 1);
+    gl.uniform1i(uniforms.borders, look.borders ? 1 : 0);
+    gl.uniform3f(uniforms.nothing, 0.13, 0.13, 0.14);
+    gl.bindVertexArray(this.surface_array);
+    gl.drawElements(gl.TRIANGLES, this.index_count, gl.UNSIGNED_INT, 0);
+    gl.bindVertexArray(null);
+  }
+
+  // What is hidden by the room is seen through it faintly.
+  draw_marks(to_clip, width, height) {
+    const gl = this.gl, { program, uniforms } = this.mark_program;
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(uniforms.to_clip, false, to_clip);
+    gl.uniform2f(uniforms.pixels, width, height);
+    gl.uniform1f(uniforms.density, window.devicePixelRatio || 1);
+    gl.disable(gl.CULL_FACE);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+    gl.bindVertexArray(this.mark_array);
+    for (const [test, opacity] of [[gl.GREATER, 0.25], [gl.LEQUAL, 1]]) {
+      gl.depthFunc(test);
+      gl.uniform1f(uniforms.opacity, opacity);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.mark_count);
+    }
+    gl.bindVertexArray(null);
+  }
+
+  // The picture as it is now, drawn again: bytes of red, green, blue and opacity, from the bottom row up.
+  pixels(camera, look) {
+    this.draw(camera, look);
+    const { width, height } = this.canvas, bytes = new Uint8Array(4 * width * height);
+    this.gl.readPixels(0, 0, width, height, this.gl.RGBA, this.gl.UNSIGNED_BYTE, bytes);
+    return { width, height, bytes };
+  }
+}

@@ -1,0 +1,114 @@
+'use strict';
+// The controls beside the room: they show the viewer's state and change it.
+
+const element = id => document.getElementById(id);
+
+// A new element with a text, in a parent.
+function append_element(parent, name, text) {
+  const child = document.createElement(name);
+  child.textContent = text;
+  parent.append(child);
+  return child;
+}
+
+const grouped = count => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
+
+class Panel {
+  constructor(viewer, data) {
+    this.viewer = viewer;
+    element('name').textContent = data.scene.replace(/^.*\//, '').replace(/\.obj$/i, '');
+    for (const fact of [data.scene, `${grouped(data.patches)} patches`, ...data.record])
+      append_element(element('record'), 'li', fact);
+    viewer.quantities.list.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
+    for (const name of Object.keys(data.tone.scales))
+      append_element(element('tone'), 'option', name === 'aces' ? 'film (ACES)' : name).value = name;
+    element('lines').max = viewer.quantities.last_stage;
+    element('lines-row').hidden = viewer.quantities.last_stage === 0;
+    this.listen();
+    this.fold(window.matchMedia('(max-width: 640px)').matches);
+  }
+
+  listen() {
+    const viewer = this.viewer;
+    const on = (id, event, act) => element(id).addEventListener(event, act);
+    on('quantity', 'change', event => viewer.change({ quantity: Number(event.target.value) }));
+    for (const choice of document.getElementsByName('shading'))
+      choice.addEventListener('change', () => viewer.change({ shading: choice.value }));
+    for (const choice of document.getElementsByName('motion'))
+      choice.addEventListener('change', () => viewer.change({ motion: choice.value }));
+    on('mesh', 'change', event => viewer.change({ mesh: event.target.checked }));
+    on('exposure', 'input', event => viewer.change({ exposure: Number(event.target.value) }));
+    on('tone', 'change', event => viewer.change({ tone: event.target.value }));
+    on('lines', 'input', event => viewer.change({ stage: Number(event.target.value) }));
+    on('home', 'click', () => viewer.go_home());
+    on('fold', 'click', () => this.fold(!this.folded));
+    on('help-button', 'click', () => this.help());
+  }
+
+  fold(folded) {
+    this.folded = folded;
+    document.body.classList.toggle('folded', folded);
+    element('controls').hidden = folded;
+    element('fold').textContent = folded ? 'Controls' : 'Hide';
+    element('fold').setAttribute('aria-expanded', String(!folded));
+    this.viewer.request_draw();
+  }
+
+  help() { element('help').showModal(); }
+
+  // Shows the state; called after every change.
+  refresh(state) {
+    const { quantities } = this.viewer;
+    element('quantity').value = state.quantity;
+    for (const name of ['shading', 'motion'])
+      for (const choice of document.getElementsByName(name))
+        choice.checked = choice.value === state[name];
+    element('mesh').checked = state.mesh;
+    element('exposure').value = state.exposure;
+    element('exposure-text').textContent = `${state.exposure > 0 ? '+' : ''}${number_text(state.exposure)} stops`;
+    element('tone').value = state.tone;
+    element('lines').value = state.stage;
+    element('lines').disabled = state.quantity !== 0;
+    const lines = `${grouped(quantities.stages[state.stage].lines)} lines`;
+    element('lines-text').textContent = lines;
+    element('lines').setAttribute('aria-valuetext', lines);
+    document.body.classList.toggle('false-colours', !quantities.list[state.quantity].light);
+    this.show_legend(quantities.list[state.quantity]);
+    this.show_patch(state.selected);
+  }
+
+  show_legend({ title, unit, legend }) {
+    element('legend').hidden = !legend;
+    if (!legend)
+      return;
+    element('legend-title').textContent = `${title} [${unit}]`;
+    const context = element('legend-bar').getContext('2d'), map = this.viewer.quantities.colour_map;
+    const bar = context.createImageData(256, 1);
+    for (let x = 0; x < 256; ++x)
+      bar.data.set([map[3 * x], map[3 * x + 1], map[3 * x + 2], 255], 4 * x);
+    context.putImageData(bar, 0, 0);
+    element('legend-numbers').replaceChildren();
+    for (const number of legend.numbers)
+      append_element(element('legend-numbers'), 'span', number);
+  }
+
+  show_patch(patch) {
+    element('patch-none').hidden = patch !== null;
+    element('patch-rows').replaceChildren();
+    if (patch === null)
+      return;
+    const { room, quantities } = this.viewer;
+    const material = room.material_of(patch);
+    const back = room.is_back(patch) ? ', its back' : '';
+    const rows = [['Number', String(patch)], ['Surface', room.surface_name(room.surface_of(patch)) + back],
+                  ['Material', material.name], ['Reflectance ρ', colour_text(material.reflectance)],
+                  ['Emittance E', colour_text(room.emittance(patch)) + ' W/m²']];
+    for (const { title, unit, patches } of quantities.list)
+      rows.push([title, colour_text(patches.at(patch)) + ' ' + unit]);
+    for (const [name, value] of rows) {
+      const row = append_element(element('patch-rows'), 'tr', '');
+      append_element(row, 'th', name).scope = 'row';
+      append_element(row, 'td', value);
+    }
+  }
+}

@@ -1,0 +1,68 @@
+'use strict';
+// What can be shown: values of patches, as light or in false colours, and the radiosity of stages with fewer lines.
+
+// Red, green and blue of a colour with a shared exponent (RGB9_E5).
+function shared_exponent_colour(word) {
+  const scale = 2 ** ((word >>> 27) - 24);
+  return [(word & 511) * scale, (word >>> 9 & 511) * scale, (word >>> 18 & 511) * scale];
+}
+
+// Values that a texture can be made of, unpacked when they are first needed.
+class Values {
+  constructor(kind, text, unit) {
+    this.kind = kind; // 'colours': three numbers each; 'light': one word each; 'means': one number each
+    this.text = text;
+    this.unit = unit;
+  }
+
+  get list() {
+    if (!this.unpacked)
+      this.unpacked = this.kind === 'light' ? counts_of(this.text) : numbers_of(this.text);
+    return this.unpacked;
+  }
+
+  // As a list of one or three numbers.
+  at(n) {
+    if (this.kind === 'colours')
+      return Array.from(this.list.subarray(3 * n, 3 * n + 3));
+    if (this.kind === 'light')
+      return times(this.unit, shared_exponent_colour(this.list[n]));
+    return [this.list[n]];
+  }
+}
+
+// Light: of patches and, smooth, of their corners.
+const light_of = data => ({
+  light: true,
+  patches: data.values ? new Values('colours', data.values, 1) : new Values('light', data.light, data.light_unit),
+  corners: new Values('light', data.corners, data.corners_unit),
+});
+
+class Quantities {
+  constructor(data) {
+    this.list = data.quantities.map(quantity => ({
+      key: quantity.key, title: quantity.title, unit: quantity.unit, legend: quantity.legend,
+      ...(quantity.means ? { light: false, patches: new Values('means', quantity.means, 1) } : light_of(quantity)),
+    }));
+    this.stages = data.stages.map(stage => ({ lines: stage.lines, ...light_of(stage) }));
+    this.stages.push({ lines: data.lines, ...this.list[0] });
+    this.colour_map = bytes_of(data.colour_map);
+  }
+
+  get last_stage() { return this.stages.length - 1; }
+
+  // What to draw for a choice of quantity and stage; stages are of the radiosity, the first quantity.
+  drawn(quantity, stage) { return quantity === 0 ? this.stages[stage] : this.list[quantity]; }
+}
+
+// A number as people read it.
+function number_text(x) {
+  if (!Number.isFinite(x))
+    return 'none';
+  const magnitude = Math.abs(x);
+  const text = magnitude !== 0 && (magnitude < 1e-3 || magnitude >= 1e6) ? x.toExponential(2) : String(Number(x.toPrecision(4)));
+  return text.replace('e+', 'e').replace(/-/g, '−');
+}
+
+// One number where the channels agree.
+const colour_text = c => c.every(x => x === c[0]) ? number_text(c[0]) : c.map(number_text).join(', ');

@@ -1,0 +1,127 @@
+'use strict';
+// The room: its surfaces, and how they are cut into patches. The page holds surfaces only; patches are looked up from a
+// place (u, v) on them, with the numbers that the program gives them (src/scene/tessellation.h).
+
+// The bytes of a base64 text.
+function bytes_of(text) {
+  const characters = atob(text);
+  const bytes = new Uint8Array(characters.length);
+  for (let k = 0; k < bytes.length; ++k)
+    bytes[k] = characters.charCodeAt(k);
+  return bytes;
+}
+const counts_of = text => new Uint32Array(bytes_of(text).buffer);
+const numbers_of = text => new Float32Array(bytes_of(text).buffer);
+
+class Room {
+  constructor(data) {
+    this.materials = data.materials;
+    this.groups = data.groups;
+    this.two_sided = data.two_sided;
+    this.patch_count = data.patches;
+    this.triangles = bytes_of(data.surfaces.triangles);
+    this.geometry = numbers_of(data.surfaces.geometry);
+    this.cells = counts_of(data.surfaces.cells);
+    this.material = counts_of(data.surfaces.materials);
+    this.group = counts_of(data.surfaces.groups);
+    this.line = counts_of(data.surfaces.lines);
+    this.surface_count = this.triangles.length;
+    this.number_patches();
+    this.find_size();
+  }
+
+  // Patches are numbered surface by surface, and so are the corners of patches; backs come after all fronts.
+  number_patches() {
+    this.first_patch = new Uint32Array(this.surface_count + 1);
+    this.first_corner = new Uint32Array(this.surface_count + 1);
+    for (let s = 0; s < this.surface_count; ++s) {
+      const [n, m] = this.cells_of(s);
+      this.first_patch[s + 1] = this.first_patch[s] + n * m;
+      this.first_corner[s + 1] = this.first_corner[s] + (this.triangles[s] ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1));
+    }
+    this.cell_count = this.first_patch[this.surface_count];
+    this.corner_count = this.first_corner[this.surface_count];
+  }
+
+  find_size() {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (let s = 0; s < this.surface_count; ++s)
+      for (const point of this.outline(s))
+        for (let k = 0; k < 3; ++k) {
+          low[k] = Math.min(low[k], point[k]);
+          high[k] = Math.max(high[k], point[k]);
+        }
+    this.size = length(minus(high, low));
+  }
+
+  cells_of(s) { return [this.cells[2 * s], this.cells[2 * s + 1]]; }
+  vector(s, k) { return Array.from(this.geometry.subarray(9 * s + 3 * k, 9 * s + 3 * k + 3)); }
+  origin(s) { return this.vector(s, 0); }
+  edge_u(s) { return this.vector(s, 1); }
+  edge_v(s) { return this.vector(s, 2); }
+  point(s, u, v) { return plus(this.origin(s), plus(times(u, this.edge_u(s)), times(v, this.edge_v(s)))); }
+
+  // The corners (u, v) of a surface, counter-clockwise.
+  corners(s) { return this.triangles[s] ? [[0, 0], [1, 0], [0, 1]] : [[0, 0], [1, 0], [1, 1], [0, 1]]; }
+  outline(s) { return this.corners(s).map(([u, v]) => this.point(s, u, v)); }
+
+  // The patch at a place of a surface; null on the back of a one-sided one.
+  patch_at(s, u, v, front) {
+    if (!front && !this.two_sided)
+      return null;
+    const [n, m] = this.cells_of(s);
+    const index = (x, cells) => clamped(Math.floor(x * cells), 0, cells - 1);
+    const i = index(u, n);
+    let cell;
+    if (this.triangles[s]) {
+      // Column i holds 2 (n - i) - 1 triangles: upright and upside-down ones in turn.
+      const last = n - 1 - i, j = Math.min(index(v, n), last);
+      const upper = j < last && u * n - i + (v * n - j) > 1;
+      cell = i * (2 * n - i) + 2 * j + (upper ? 1 : 0);
+    } else {
+      cell = i * m + index(v, m);
+    }
+    return (front ? 0 : this.cell_count) + this.first_patch[s] + cell;
+  }
+
+  is_back(patch) { return patch >= this.cell_count; }
+
+  surface_of(patch) {
+    const cell = patch % this.cell_count;
+    let low = 0, high = this.surface_count;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.first_patch[middle] <= cell) low = middle; else high = middle;
+    }
+    return low;
+  }
+
+  material_of(patch) { return this.materials[this.material[this.surface_of(patch)]]; }
+  emittance(patch) { return this.is_back(patch) ? [0, 0, 0] : this.material_of(patch).emittance; }
+
+  area(patch) {
+    const s = this.surface_of(patch), [n, m] = this.cells_of(s);
+    return length(cross(this.edge_u(s), this.edge_v(s))) * (this.triangles[s] ? 0.5 : 1) / (n * m);
+  }
+
+  // The corners of a patch in space.
+  patch_outline(patch) {
+    const s = this.surface_of(patch), [n, m] = this.cells_of(s);
+    const cell = patch % this.cell_count - this.first_patch[s];
+    if (!this.triangles[s]) {
+      const i = Math.floor(cell / m), j = cell % m;
+      return [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([x, y]) => this.point(s, x / n, y / m));
+    }
+    let i = 0;
+    while ((i + 1) * (2 * n - i - 1) <= cell)
+      ++i;
+    const place = cell - i * (2 * n - i), j = place >> 1;
+    const places = place % 2 ? [[i + 1, j + 1], [i, j + 1], [i + 1, j]] : [[i, j], [i + 1, j], [i, j + 1]];
+    return places.map(([x, y]) => this.point(s, x / n, y / n));
+  }
+
+  // "table_top (line 12)", as the program names surfaces.
+  surface_name(s) {
+    return `${this.groups[this.group[s]] || this.materials[this.material[s]].name} (line ${this.line[s]})`;
+  }
+}

@@ -1,0 +1,138 @@
+'use strict';
+// Joins the room, the camera, the drawing and the controls. Started at the end of this file.
+
+const tone_numbers = { reinhard: 0, aces: 1, linear: 2, percentile: 2 };
+
+class Viewer {
+  constructor(data, canvas) {
+    this.canvas = canvas;
+    this.room = new Room(data);
+    this.quantities = new Quantities(data);
+    this.story = new Story(data.story, this.room);
+    this.camera = new Camera(data.camera, this.room.size);
+    this.drawing = new Drawing(canvas, this.room);
+    this.drawing.set_colour_map(this.quantities.colour_map);
+    this.scales = data.tone.scales;
+    this.state = {
+      quantity: data.shown, stage: this.quantities.last_stage, shading: data.shading, mesh: false, motion: 'orbit',
+      exposure: clamped(data.tone.exposure, -6, 6), tone: data.tone.first, selected: null };
+    this.panel = new Panel(this, data);
+    this.story_panel = new StoryPanel(this);
+    this.controls = new Controls(this, canvas, this.panel, this.story_panel);
+    new ResizeObserver(() => this.request_draw()).observe(canvas);
+    window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.request_draw());
+    this.change({});
+  }
+
+  change(part) {
+    const selected = this.state.selected;
+    Object.assign(this.state, part);
+    this.panel.refresh(this.state);
+    if (this.state.selected !== selected)
+      this.show_marks();
+    this.request_draw();
+  }
+
+  go_home() {
+    this.camera.reset();
+    this.request_draw();
+  }
+
+  // Draws before the browser shows its next frame, however often it is asked for.
+  request_draw() {
+    if (this.requested)
+      return;
+    this.requested = true;
+    requestAnimationFrame(() => {
+      this.requested = false;
+      this.drawing.draw(this.camera, this.look());
+    });
+  }
+
+  // How the room is to be drawn now. The story is told in light, with the solved room dim behind it.
+  look() {
+    const { state, story } = this, quantity = story.active ? 0 : state.quantity;
+    const values = this.quantities.drawn(quantity, state.stage);
+    const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
+    return {
+      values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth' && !story.active,
+      scale: values.light ? this.scales[state.tone] * 2 ** state.exposure : 1 / values.legend.top,
+      arrived_scale: story.active ? story.scale * 2 ** state.exposure : 0, background };
+  }
+
+  show_story() {
+    document.body.classList.toggle('telling', this.story.active);
+    if (this.story.active)
+      this.drawing.set_arrived(this.story.arrived());
+    this.show_marks();
+  }
+
+  // The lines of the story, and the outline of the selected patch.
+  show_marks() {
+    const marks = this.story.active ? this.story.marks() : [];
+    if (this.state.selected !== null) {
+      const corners = this.room.patch_outline(this.state.selected);
+      corners.forEach((from, k) =>
+        marks.push({ from, to: corners[(k + 1) % corners.length], width: 3, colour: [0.15, 0.75, 1, 1] }));
+    }
+    this.drawing.set_marks(marks);
+    this.request_draw();
+  }
+
+  // What is seen at a place of the page; null where it is nothing.
+  hit_at(x, y) {
+    const box = this.canvas.getBoundingClientRect();
+    const direction = this.camera.ray(x - box.left, y - box.top, box.width, box.height);
+    return nearest_hit(this.room, this.camera.eye, direction);
+  }
+  patch_at(x, y) {
+    const hit = this.hit_at(x, y);
+    return hit ? hit.patch : null;
+  }
+
+  pick_middle() {
+    const box = this.canvas.getBoundingClientRect();
+    this.change({ selected: this.patch_at(box.left + box.width / 2, box.top + box.height / 2) });
+  }
+
+  // Of the picture as it is: mean of red, green and blue (0 ... 255), and the share of pixels unlike the most frequent.
+  statistics() {
+    const { width, height, bytes } = this.drawing.pixels(this.camera, this.look());
+    const sum = [0, 0, 0], counts = new Map();
+    for (let k = 0; k < bytes.length; k += 4) {
+      for (let channel = 0; channel < 3; ++channel)
+        sum[channel] += bytes[k + channel];
+      const kind = (bytes[k] >> 3) << 10 | (bytes[k + 1] >> 3) << 5 | bytes[k + 2] >> 3;
+      counts.set(kind, (counts.get(kind) || 0) + 1);
+    }
+    const pixels = width * height;
+    return { width, height, mean: sum.map(x => x / pixels), varied: 1 - Math.max(...counts.values()) / pixels };
+  }
+}
+
+// For scripts and tests, such as those of the program itself; see docs/viewer.md.
+function script_interface(viewer) {
+  return {
+    ready: null, // [ms] from the opening of the page to its first picture
+    room: viewer.room,
+    get state() { return { ...viewer.state, line: viewer.story.line, chapter: viewer.story.chapter }; },
+    change: part => viewer.change(part),
+    patch_at: (x, y) => viewer.patch_at(x, y),
+    hit_at: (x, y) => viewer.hit_at(x, y),
+    values: patch => Object.fromEntries(viewer.quantities.list.map(({ key, patches }) => [key, patches.at(patch)])),
+    arrived: () => viewer.story.arrived(),
+    statistics: () => viewer.statistics(),
+    camera: viewer.camera,
+  };
+}
+
+try {
+  const viewer = new Viewer(JSON.parse(element('room').textContent), element('view'));
+  window.multipath = script_interface(viewer);
+  requestAnimationFrame(() => requestAnimationFrame(() => { window.multipath.ready = performance.now(); }));
+} catch (error) {
+  element('failure').textContent = error.message;
+  element('failure').hidden = false;
+  element('hint').hidden = true;
+  throw error;
+}
