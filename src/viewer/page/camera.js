@@ -85,7 +85,8 @@ class Camera {
   // From places in the room to clip coordinates.
   matrix(aspect) {
     const f = this.forward(), r = this.right(), u = cross(r, f), e = this.eye;
-    const view = [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0, -dot(r, e), -dot(u, e), dot(f, e), 1];
+    const view = [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0,
+                  -dot(r, e), -dot(u, e), dot(f, e), 1];
     const scale = 1 / Math.tan(0.5 * this.angle(aspect));
     const near = 0.002 * this.size, far = 25 * this.size;
     const depth = (far + near) / (near - far), shift = 2 * far * near / (near - far);

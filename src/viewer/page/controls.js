@@ -78,7 +78,8 @@ class Controls {
 
   key(event) {
     const typed = event.target.closest('input, select, textarea, dialog');
-    if (event.ctrlKey || event.metaKey || event.altKey || typed && !(typed.type === 'checkbox' || typed.type === 'radio'))
+    const takes_keys = typed && typed.type !== 'checkbox' && typed.type !== 'radio';
+    if (event.ctrlKey || event.metaKey || event.altKey || takes_keys)
       return;
     const on_canvas = event.target === this.canvas || event.target === document.body;
     const key = event.key.toLowerCase();

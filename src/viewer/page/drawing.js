@@ -51,7 +51,8 @@ class Drawing {
       const first = n, [cells_u, cells_v] = room.cells_of(s);
       for (const [u, v] of room.corners(s)) {
         numbers.set([...room.point(s, u, v), u, v], words * n);
-        counts.set([cells_u, room.triangles[s] ? 0 : cells_v, room.first_patch[s], room.first_corner[s]], words * n + 5);
+        counts.set([cells_u, room.triangles[s] ? 0 : cells_v], words * n + 5);
+        counts.set([room.first_patch[s], room.first_corner[s]], words * n + 7);
         ++n;
       }
       const fan = room.triangles[s] ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];

@@ -60,7 +60,8 @@ function number_text(x) {
   if (!Number.isFinite(x))
     return 'none';
   const magnitude = Math.abs(x);
-  const text = magnitude !== 0 && (magnitude < 1e-3 || magnitude >= 1e6) ? x.toExponential(2) : String(Number(x.toPrecision(4)));
+  const extreme = magnitude !== 0 && (magnitude < 1e-3 || magnitude >= 1e6);
+  const text = extreme ? x.toExponential(2) : String(Number(x.toPrecision(4)));
   return text.replace('e+', 'e').replace(/-/g, '−');
 }
 

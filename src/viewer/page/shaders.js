@@ -146,7 +146,8 @@ void main() {
   float half_width = 0.5 * width * density + 1.0;
   bool at_end = (gl_VertexID & 1) == 1;
   vec4 place = at_end ? b : a;
-  vec2 offset = half_width * (along * (at_end ? 1.0 : -1.0) + vec2(-along.y, along.x) * (gl_VertexID < 2 ? 1.0 : -1.0));
+  vec2 aside = vec2(-along.y, along.x) * (gl_VertexID < 2 ? 1.0 : -1.0);
+  vec2 offset = half_width * (along * (at_end ? 1.0 : -1.0) + aside);
   colour = ink;
   middle_line = vec3(begin_pixel, half_width);
   end = end_pixel;

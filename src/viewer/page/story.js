@@ -1,6 +1,13 @@
 'use strict';
 // Single lines of the method, one after the other: what they meet, and the power that goes along them.
 
+// Colours and opacities of stretches that carry power and of those that do not, of the current line and of those before.
+const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.62, 0.68, 0.78, 0.9];
+const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.07];
+
+// Three channels of what is written as one number where they agree.
+const channels = power => power.length === 3 ? power : [power[0], power[0], power[0]];
+
 class Story {
   constructor(chapters, room) {
     this.chapters = chapters;
@@ -23,9 +30,8 @@ class Story {
 
   // [W/m^2] by which a transfer raises the radiosity of the patch where it arrives.
   gain(transfer) {
-    const channel = k => transfer.counted.length === 3 ? transfer.counted[k] : transfer.counted[0];
     const rho = this.room.material_of(transfer.to).reflectance, area = this.room.area(transfer.to);
-    return [0, 1, 2].map(k => rho[k] * channel(k) / area);
+    return channels(transfer.counted).map((power, k) => rho[k] * power / area);
   }
 
   // What a usual gain is multiplied with to be seen well.
@@ -60,8 +66,8 @@ class Story {
       const point = k => line.points.slice(3 * k, 3 * k + 3);
       for (let k = 0; k + 1 < line.points.length / 3; ++k) {
         const bold = line.bold[k] === '1';
-        const colour = now ? (bold ? [1, 0.62, 0.1, 1] : [0.62, 0.68, 0.78, 0.9]) : [0.7, 0.75, 0.85, bold ? 0.22 : 0.07];
-        marks.push({ from: point(k), to: point(k + 1), width: now ? (bold ? 3.5 : 1.5) : 1, colour });
+        const ink = now ? (bold ? line_ink : empty_ink) : (bold ? past_ink : past_empty_ink);
+        marks.push({ from: point(k), to: point(k + 1), width: now ? (bold ? 3.5 : 1.5) : 1, colour: ink });
       }
       for (let k = 0; now && k < line.meetings.length; k += 3) {
         const place = line.meetings.slice(k, k + 3);

@@ -17,13 +17,13 @@ class StoryPanel {
   add_choice(title, chapter) {
     const label = append_element(element('chapters'), 'label', '');
     const input = append_element(label, 'input', '');
-    Object.assign(input, { type: 'radio', name: 'chapter', value: chapter, checked: chapter === this.viewer.story.chapter });
+    const checked = chapter === this.viewer.story.chapter;
+    Object.assign(input, { type: 'radio', name: 'chapter', value: chapter, checked });
     append_element(label, 'span', title);
     input.addEventListener('change', () => this.choose(chapter));
   }
 
   listen() {
-    const { story } = this.viewer;
     element('story').addEventListener('toggle', () => this.open(element('story').open));
     element('next-line').addEventListener('click', () => this.step(1));
     element('previous-line').addEventListener('click', () => this.step(-1));
@@ -94,8 +94,9 @@ class StoryPanel {
   show_transfers(line) {
     const transfers = line ? line.transfers : [];
     element('transfers').hidden = transfers.length === 0;
-    element('transfer-none').textContent = line && transfers.length === 0
-      ? (line.meetings.length === 0 ? 'This line meets nothing.' : 'This line joins no patches: it carries no power.') : '';
+    const meets = line && line.meetings.length > 0;
+    element('transfer-none').textContent = !line || transfers.length > 0 ? ''
+      : meets ? 'This line joins no patches: it carries no power.' : 'This line meets nothing.';
     element('transfer-rows').replaceChildren();
     for (const transfer of transfers) {
       const row = append_element(element('transfer-rows'), 'tr', '');
@@ -103,8 +104,7 @@ class StoryPanel {
       this.add_patch(row, transfer.to);
       append_element(row, 'td', colour_text(transfer.forecast));
       append_element(row, 'td', colour_text(transfer.held));
-      const sent = [0, 1, 2].map(k => (transfer.forecast[k] ?? transfer.forecast[0]) + (transfer.held[k] ?? transfer.held[0]));
-      append_element(row, 'td', colour_text(sent));
+      append_element(row, 'td', colour_text(plus(channels(transfer.forecast), channels(transfer.held))));
     }
   }
 

@@ -121,6 +121,7 @@ function script_interface(viewer) {
     hit_at: (x, y) => viewer.hit_at(x, y),
     values: patch => Object.fromEntries(viewer.quantities.list.map(({ key, patches }) => [key, patches.at(patch)])),
     arrived: () => viewer.story.arrived(),
+    picture: () => viewer.drawing.pixels(viewer.camera, viewer.look()),
     statistics: () => viewer.statistics(),
     camera: viewer.camera,
   };
