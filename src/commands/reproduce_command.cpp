@@ -27,9 +27,9 @@ CommandTable reproduce_table()
               {{"keep", 0, "FILE", "", "Leave the new file here. Without it, nothing is left."},
                {"quiet", 'q', "", "", "Print nothing on stderr but errors."}}},
              {"Work", {threads_option()}}},
-            "FILE is what 'multipath' wrote: a CSV, SVG, PNG, PPM, PLY, GLB, OBJ or HTML, such as the index.html of\n"
-            "'multipath paper'. The paths in its record start in the folder where its command was run: run this\n"
-            "one there too.\n"
+            "FILE is what 'multipath' wrote: a CSV, SVG, PNG, PPM, PLY, GLB, OBJ or HTML, such as the\n"
+            "index.html of 'multipath paper'. The paths in its record start in the folder where its command\n"
+            "was run: run this one there too.\n"
             "Exit code 0: the same result; times and dates may differ. 1: another result, or none.\n"
             "\n"
             "  multipath explain scenes/5cubes.obj -o lines.svg && multipath reproduce lines.svg\n"};

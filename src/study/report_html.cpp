@@ -1,4 +1,5 @@
 #include "export/base64.h"
+#include "export/html_text.h"
 #include "study/report.h"
 
 #include <fstream>
@@ -31,18 +32,6 @@ details { margin-top: .2rem; font-size: .85rem; } summary { cursor: pointer; }
 @media print { details { display: none; } body { max-width: none; } }
 )";
 
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '&'   ? std::string("&amp;")
-                  : c == '<' ? std::string("&lt;")
-                  : c == '>' ? std::string("&gt;")
-                  : c == '"' ? std::string("&quot;")
-                             : std::string(1, c);
-    return result;
-}
-
 /// Replaces pairs of a mark, or of an opening and a closing one, by tags.
 std::string tagged(const std::string& text, const std::string& open, const std::string& close, const std::string& tag,
                    const std::string& end_tag)
@@ -62,7 +51,7 @@ std::string tagged(const std::string& text, const std::string& open, const std::
 
 std::string marked_up(const std::string& text)
 {
-    const std::string code = tagged(escaped(text), "`", "`", "<code>", "</code>");
+    const std::string code = tagged(html_escaped(text), "`", "`", "<code>", "</code>");
     return tagged(tagged(code, "*", "*", "<em>", "</em>"), "{{", "}}", "<span class=\"run\">", "</span>");
 }
 
@@ -107,9 +96,9 @@ public:
         const bool three_pictures = figures.figures.size() == 3 && ends_with(figures.figures[0].file, ".png");
         std::string html = std::string("<div class=\"figures") + (three_pictures ? " three" : "") + "\">\n";
         for (const ReportFigure& figure : figures.figures)
-            html += "<figure id=\"" + escaped(figure.file) + "\">\n" + drawing(figure) + "<figcaption>" +
-                    marked_up(figure.caption) + "<details><summary>command</summary><code>" + escaped(figure.command) +
-                    "</code></details></figcaption>\n</figure>\n";
+            html += "<figure id=\"" + html_escaped(figure.file) + "\">\n" + drawing(figure) + "<figcaption>" +
+                    marked_up(figure.caption) + "<details><summary>command</summary><code>" +
+                    html_escaped(figure.command) + "</code></details></figcaption>\n</figure>\n";
         return html + "</div>\n";
     }
 
@@ -126,7 +115,8 @@ private:
         const std::string bytes = file_bytes(folder_ + "/" + figure.file);
         if (ends_with(figure.file, ".svg"))
             return bytes;
-        return "<img alt=\"" + escaped(figure.caption) + "\" src=\"data:image/png;base64," + base64(bytes) + "\">\n";
+        return "<img alt=\"" + html_escaped(figure.caption) + "\" src=\"data:image/png;base64," + base64(bytes) +
+               "\">\n";
     }
 
     std::string folder_;
@@ -137,7 +127,7 @@ std::string metadata(const std::vector<std::string>& comments)
 {
     std::string text;
     for (const std::string& comment : comments)
-        text += "  <meta name=\"multipath\" content=\"" + escaped(comment) + "\">\n";
+        text += "  <meta name=\"multipath\" content=\"" + html_escaped(comment) + "\">\n";
     return text;
 }
 
@@ -151,7 +141,7 @@ std::string report_html(const Report& report, const std::string& folder, const s
             title = heading->text;
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n  <meta charset=\"utf-8\">\n"
                        "  <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-                       metadata(comments) + "  <title>" + escaped(title) + "</title>\n  <style>" + style +
+                       metadata(comments) + "  <title>" + html_escaped(title) + "</title>\n  <style>" + style +
                        "</style>\n</head>\n<body>\n";
     for (const ReportBlock& block : report)
         html += std::visit(HtmlWriter(folder), block);

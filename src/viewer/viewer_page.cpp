@@ -3,7 +3,7 @@
 
 #include "viewer/viewer_page.h"
 
-#include "export/svg_element.h"
+#include "export/html_text.h"
 #include "viewer/page_files.h"
 #include "viewer/room_json.h"
 
@@ -28,9 +28,9 @@ std::string_view value_of(std::string_view line, std::string_view attribute)
 /// The title, and one line of the head for each part of the record, as a report has them.
 std::string head_of(const Scene& scene, const ViewerContent& content)
 {
-    std::string text = "<title>" + svg_escaped(scene.path()) + " - multipath</title>\n";
+    std::string text = "<title>" + html_escaped(scene.path()) + " - multipath</title>\n";
     for (const std::string& fact : content.record)
-        text += "<meta name=\"multipath\" content=\"" + svg_escaped(fact) + "\">\n";
+        text += "<meta name=\"multipath\" content=\"" + html_escaped(fact) + "\">\n";
     return text;
 }
 

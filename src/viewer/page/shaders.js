@@ -120,7 +120,7 @@ void main() {
   colour = vec4(shown, 1.0);
 }`;
 
-// Marks: straight pieces of lines with round ends, as wide on the screen wherever they are; a point is one of no length.
+// Marks: straight pieces of lines with round ends, as wide on the screen wherever they are. A point has no length.
 const mark_vertex_shader = `#version 300 es
 precision highp float;
 uniform mat4 to_clip;

@@ -1,7 +1,7 @@
 'use strict';
 // Single lines of the method, one after the other: what they meet, and the power that goes along them.
 
-// Colours and opacities of stretches that carry power and of those that do not, of the current line and of those before.
+// Colours and opacities of stretches that carry power and of those that do not, now and before.
 const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.62, 0.68, 0.78, 0.9];
 const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.07];
 

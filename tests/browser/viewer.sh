@@ -1,0 +1,140 @@
+# The page of a solved room in a real browser, without a network and without a graphics card. The program's own pictures
+# say what must be seen: the same camera, the same patches, the same colours.
+# usage: viewer.sh PROGRAM ROOT [SCREENSHOT]     in an empty folder; CHROMIUM names the browser (chromium)
+. "$2/tests/cli/check.sh"
+screenshot=${3:-viewer.png}
+chromium=${CHROMIUM:-chromium}
+
+# usage: browse OPTIONS... URL
+browse() {
+    timeout 120 "$chromium" --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader \
+        --hide-scrollbars --allow-file-access-from-files --host-resolver-rules="MAP * ~NOTFOUND" \
+        --enable-logging=stderr "$@" 2>browser.log
+}
+
+# Opens a page in a frame of 800 x 600 pixels, which the room fills when the controls are hidden, and lets a script of
+# this folder look at it; its findings are the lines of `seen`.
+# usage: look PAGE SCRIPT
+look() {
+    cat >look.html <<HTML
+<!DOCTYPE html><meta charset="utf-8"><pre id="result">the page did not load</pre>
+<iframe id="frame" src="$1.html" style="width:800px;height:600px;border:0"></iframe>
+<img id="drawn" src="$1.png" alt="" hidden>
+<script src="$root/tests/browser/viewer_looks.js"></script>
+<script>look_with($2);</script>
+HTML
+    browse --virtual-time-budget=20000 --window-size=900,700 --dump-dom "file://$PWD/look.html" >dom.html
+    cat browser.log >>console.log
+    sed -n 's/.*<pre id="result">//; /^[a-z_]* .*/p' dom.html >seen
+    grep -q '^end ' seen || { head -c 1000 dom.html; tail -n 5 browser.log; return 1; }
+}
+
+# usage: value NAME       the rest of a finding's line
+value() { sed -n "s/^$1 //p" seen; }
+
+# usage: holds AWK_CONDITION, which may name findings with one number each
+holds() {
+    awk -v condition="$1" '{ v[$1] = $2 } END { exit !('"$(printf '%s' "$1" | sed 's/[a-z_][a-z_]*/v["&"]/g')"') }' seen && return
+    echo "not so: $1"
+    cat seen
+    return 1
+}
+
+# One sample in the middle of every pixel, and patches in flat colours: what a click must find.
+# usage: solved NAME SCENE OPTIONS...
+solved() {
+    name=$1 scene=$2
+    shift 2
+    "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --quiet -o "$name.html" -o "$name.png" &&
+        "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --samples 1 --shading flat --quiet -o "$name.pfm"
+}
+check "rooms are solved" solved 5cubes 5cubes
+check "so are triangles" solved sphere sphere --eye 0.2,0.3,0.1 --target 1,-0.4,0.3
+check "and both sides of surfaces" solved sided cornell --two-sided
+
+# The page's findings `at X Y R G B`, radiosities of patches found at pixels, against the pixels of a PFM of 800 x 600.
+# Radiosities of two patches are hardly ever the same, so the patch is the right one. The page holds coordinates with 24
+# bits: a pixel in a thousand may lie on the border of two patches.
+same_patches() {
+    look "$1" patches_found || return
+    tail -c $((800 * 600 * 12)) "$1.pfm" | od -An -v -t f4 -w12 | awk -v name="$1" '
+        FNR == NR { if ($1 == "at") wanted[(599 - $3) * 800 + $2 + 1] = $4 " " $5 " " $6; next }
+        FNR in wanted {
+            split(wanted[FNR], b, " "); ++looked
+            for (k = 1; k <= 3; ++k) { d = b[k] - $k; if (d < 0) d = -d; if (d > 1e-6 * (1 + $k)) { ++wrong; break } }
+        }
+        END { print name ": " looked " patches, " wrong + 0 " wrong"; exit !(looked > 1500 && wrong <= looked / 500) }' seen -
+}
+check "a click finds the patch that the program sees there" same_patches 5cubes
+check "on triangles too" same_patches sphere
+check "and on both sides of surfaces" same_patches sided
+
+# Edges are smoothed in another way, and there is some noise below a step of the screen.
+same_picture() { look "$1" picture_compared && holds 'mean_difference < 1.5 && far_off < 0.02'; }
+check "the page shows the picture that the program draws" same_picture 5cubes
+check "of triangles too" same_picture sphere
+check "and of both sides of surfaces" same_picture sided
+
+visible() { look 5cubes first_view && holds 'varied > 0.5 && white > 0.001 && black < 0.05 && red_left > 10 && blue_right > 10'; }
+check "the room is drawn: not black, the lamp white, walls that colour what is near" visible
+
+clicked() { look 5cubes click_on_patch && holds 'selected == expected && shown == expected && changed > 0 && after_drag == expected'; }
+check "a click shows the patch in the panel and marks it; a drag does not" clicked
+
+stages() { look 5cubes stages_shown && holds 'stages > 2 && first_error > 2 * last_error && last_error > 0 && final_error == 0'; }
+check "the slider of lines shows the noise die" stages
+
+story() {
+    look 5cubes story_told && holds 'lines == 100 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
+        holds 'power_first > 0 && power_later > power_first && power_again == power_first && chapter_first > 0'
+}
+check "the lines of the method can be stepped through, and power arrives" story
+
+shown() { look 5cubes quantities_shown && holds 'unlike > 20 && legend == 1 && numbers > 2 && gone == 0 && brighter > 10 && borders > 0'; }
+check "other quantities, the exposure and the borders of patches change the picture" shown
+
+# In virtual time the browser shows a frame or two: a step is all there is of a walk.
+moved() { look 5cubes keys_pressed && holds 'walked > 0.0005 && orbited > 0.01 && kept < 0.000001 && nearer < 1 && home == 0 && help == 1 && folded == 1'; }
+check "keys, wheel and drags move the camera" moved
+
+accessible() { look 5cubes names_of_controls && holds 'controls > 12 && nameless == 0 && hidden_focus == 0'; }
+check "every control has a name and can be reached by keyboard" accessible
+
+alone() { [ "$(value resources)" = 0 ] && ! grep -Eq '(src|href)="(https?:)?//' ./*.html; }
+check "the page loads nothing else" alone
+
+narrow() {
+    sed 's/width:800px/width:380px/' look.html >narrow.html && browse --virtual-time-budget=20000 --dump-dom "file://$PWD/narrow.html" >dom.html &&
+        grep -qx 'wide 0' dom.html && grep -qx 'hidden_focus 0' dom.html || { grep -a wide dom.html; return 1; }
+}
+check "on a telephone it is not wider than the screen" narrow
+
+blind() {
+    browse --disable-3d-apis --virtual-time-budget=5000 --dump-dom "file://$PWD/5cubes.html" >dom.html
+    grep -q 'This browser cannot draw the room: it has no WebGL 2' dom.html
+}
+check "without WebGL the page says so" blind
+
+no_errors() { ! grep -E 'CONSOLE.*(rror|Refused|WebGL)' console.log; }
+check "the console shows no error" no_errors
+
+# In real time: how long until the first picture is drawn and read back. A machine without a graphics card, and with other
+# work, is slow: only what is beyond all patience fails.
+quick() {
+    solved 4chairs 4chairs && look 4chairs first_view || return
+    sed "s/look_with(.*)/time_opening()/" look.html >timed.html && browse --screenshot=timed.png "file://$PWD/timed.html"
+    sed -n 's/.*CONSOLE.*"opened in \([0-9]*\) ms.*/\1/p' browser.log >opened
+    [ "$(cat opened)" -lt 20000 ]
+}
+check "the room can be looked at soon after its page is opened" quick
+echo "4chairs: first picture after $(cat opened) ms"
+
+# usage: pictured FILE OPTIONS...
+pictured() {
+    file=$1
+    shift
+    browse --window-size=1200,800 --virtual-time-budget=5000 "$@" --screenshot="$file" "file://$PWD/4chairs.html" && [ "$(wc -c <"$file")" -gt 50000 ]
+}
+check "a screenshot is kept" pictured "$screenshot" --blink-settings=preferredColorScheme=1
+check "and one in dark colours" pictured "${screenshot%.png}-dark.png" --blink-settings=preferredColorScheme=0
+finish
