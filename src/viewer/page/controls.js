@@ -23,6 +23,7 @@ class Controls {
   }
 
   press(event) {
+    element('hint').hidden = true; // it has been understood
     this.canvas.setPointerCapture(event.pointerId);
     if (this.pointers.size === 0)
       this.travelled = 0;

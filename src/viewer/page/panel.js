@@ -102,9 +102,9 @@ class Panel {
     const back = room.is_back(patch) ? ', its back' : '';
     const rows = [['Number', String(patch)], ['Surface', room.surface_name(room.surface_of(patch)) + back],
                   ['Material', material.name], ['Reflectance ρ', colour_text(material.reflectance)],
-                  ['Emittance E', colour_text(room.emittance(patch)) + ' W/m²']];
+                  ['Emittance E [W/m²]', colour_text(room.emittance(patch))]];
     for (const { title, unit, patches } of quantities.list)
-      rows.push([title, colour_text(patches.at(patch)) + ' ' + unit]);
+      rows.push([`${title} [${unit}]`, colour_text(patches.at(patch))]);
     for (const [name, value] of rows) {
       const row = append_element(element('patch-rows'), 'tr', '');
       append_element(row, 'th', name).scope = 'row';

@@ -55,15 +55,18 @@ class Quantities {
   drawn(quantity, stage) { return quantity === 0 ? this.stages[stage] : this.list[quantity]; }
 }
 
-// A number as people read it.
-function number_text(x) {
+// A number as people read it, with so many digits.
+function number_text(x, digits = 4) {
   if (!Number.isFinite(x))
     return 'none';
   const magnitude = Math.abs(x);
   const extreme = magnitude !== 0 && (magnitude < 1e-3 || magnitude >= 1e6);
-  const text = extreme ? x.toExponential(2) : String(Number(x.toPrecision(4)));
+  const text = extreme ? x.toExponential(2) : String(Number(x.toPrecision(digits)));
   return text.replace('e+', 'e').replace(/-/g, '−');
 }
 
 // One number where the channels agree.
-const colour_text = c => c.every(x => x === c[0]) ? number_text(c[0]) : c.map(number_text).join(', ');
+function colour_text(c, digits) {
+  const numbers = c.map(x => number_text(x, digits));
+  return numbers.every(x => x === numbers[0]) ? numbers[0] : numbers.join(', ');
+}

@@ -114,7 +114,7 @@ void main() {
     shown = encoded(curve(min(light, vec3(1e4)))) + noise() / 255.0;
   }
   if (borders) {
-    vec3 ink = vec3(dot(shown, vec3(0.299, 0.587, 0.114)) > 0.45 ? 0.0 : 1.0);
+    vec3 ink = vec3(dot(shown, vec3(0.299, 0.587, 0.114)) > 0.15 ? 0.0 : 1.0);
     shown = mix(shown, ink, 0.4 * border(p, triangle));
   }
   colour = vec4(shown, 1.0);

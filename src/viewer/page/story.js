@@ -8,6 +8,18 @@ const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.0
 // Three channels of what is written as one number where they agree.
 const channels = power => power.length === 3 ? power : [power[0], power[0], power[0]];
 
+// The unit in which the power that usually goes along a line is a number above one.
+function usual_unit(chapter) {
+  const means = [];
+  for (const { transfers } of chapter.lines)
+    for (const { counted } of transfers)
+      means.push(dot(channels(counted), [1 / 3, 1 / 3, 1 / 3]));
+  means.sort((a, b) => a - b);
+  const usual = means[means.length >> 1] || 1;
+  const units = [['W', 1], ['mW', 1e-3], ['µW', 1e-6], ['nW', 1e-9]].map(([name, watts]) => ({ name, watts }));
+  return units.find(({ watts }) => usual >= watts) || units[3];
+}
+
 class Story {
   constructor(chapters, room) {
     this.chapters = chapters;
@@ -16,10 +28,12 @@ class Story {
     this.chapter = chapters.length > 0 ? chapters.length - 1 : 0;
     this.line = 0; // lines that have been told; 0: none yet
     this.scales = chapters.map(chapter => this.glow_scale(chapter));
+    this.units = chapters.map(usual_unit);
   }
 
   get lines() { return this.chapters.length > 0 ? this.chapters[this.chapter].lines : []; }
   get current() { return this.line > 0 ? this.lines[this.line - 1] : null; }
+  get unit() { return this.units[this.chapter]; }
   get scale() { return this.scales[this.chapter] || 1; }
 
   choose(chapter) {

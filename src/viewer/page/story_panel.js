@@ -97,14 +97,16 @@ class StoryPanel {
     const meets = line && line.meetings.length > 0;
     element('transfer-none').textContent = !line || transfers.length > 0 ? ''
       : meets ? 'This line joins no patches: it carries no power.' : 'This line meets nothing.';
+    const unit = this.viewer.story.unit;
+    element('power-unit').textContent = unit.name;
     element('transfer-rows').replaceChildren();
     for (const transfer of transfers) {
       const row = append_element(element('transfer-rows'), 'tr', '');
       this.add_patch(row, transfer.from);
       this.add_patch(row, transfer.to);
-      append_element(row, 'td', colour_text(transfer.forecast));
-      append_element(row, 'td', colour_text(transfer.held));
-      append_element(row, 'td', colour_text(plus(channels(transfer.forecast), channels(transfer.held))));
+      const forecast = channels(transfer.forecast), held = channels(transfer.held);
+      for (const power of [forecast, held, plus(forecast, held)])
+        append_element(row, 'td', colour_text(times(1 / unit.watts, power), 3));
     }
   }
 

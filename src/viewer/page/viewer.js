@@ -55,7 +55,7 @@ class Viewer {
     const values = this.quantities.drawn(quantity, state.stage);
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
-      values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth' && !story.active,
+      values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth',
       scale: values.light ? this.scales[state.tone] * 2 ** state.exposure : 1 / values.legend.top,
       arrived_scale: story.active ? story.scale * 2 ** state.exposure : 0, background };
   }
