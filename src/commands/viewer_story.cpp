@@ -101,7 +101,7 @@ ViewerChapter particles(const ToldRun& run, const ToldRange& range)
 /// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
 void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const ToldRange&)>& tell)
 {
-    for (const std::uint64_t count : {100, 10, 1}) {
+    for (const std::uint64_t count : {100u, 10u, 1u}) {
         try {
             chapters.push_back(tell({0, count}));
             return;

@@ -2,6 +2,7 @@
 
 #include "test_scenes.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 
 using namespace multipath;

@@ -2,6 +2,8 @@
 
 #include "test_scenes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace multipath;

@@ -4,6 +4,7 @@
 #include "viewer/page_files.h"
 #include "viewer/typed_array.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 #include <limits>
 #include <stdexcept>
