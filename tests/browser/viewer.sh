@@ -48,9 +48,10 @@ solved() {
     "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --quiet -o "$name.html" -o "$name.png" &&
         "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --samples 1 --shading flat --quiet -o "$name.pfm"
 }
+# Triangles with much noise, so that neighbours differ; a wall seen from its dark back beside the room behind it.
 check "rooms are solved" solved 5cubes 5cubes
-check "so are triangles" solved sphere sphere --eye 0.2,0.3,0.1 --target 1,-0.4,0.3
-check "and both sides of surfaces" solved sided cornell --two-sided
+check "so are triangles" solved sphere sphere --method global --eye 0.2,0.3,0.1 --target 1,-0.4,0.3
+check "and both sides of surfaces" solved sided cornell --two-sided --eye=-0.5,0.4,1.2
 
 # The page's findings `at X Y R G B`, radiosities of patches found at pixels, against the pixels of a PFM of 800 x 600.
 # Radiosities of two patches are hardly ever the same, so the patch is the right one. The page holds coordinates with 24
@@ -63,14 +64,14 @@ same_patches() {
             split(wanted[FNR], b, " "); ++looked
             for (k = 1; k <= 3; ++k) { d = b[k] - $k; if (d < 0) d = -d; if (d > 1e-6 * (1 + $k)) { ++wrong; break } }
         }
-        END { print name ": " looked " patches, " wrong + 0 " wrong"; exit !(looked > 1500 && wrong <= looked / 500) }' seen -
+        END { print name ": " looked " patches, " wrong + 0 " wrong"; exit !(looked > 400 && wrong <= looked / 500) }' seen -
 }
 check "a click finds the patch that the program sees there" same_patches 5cubes
 check "on triangles too" same_patches sphere
 check "and on both sides of surfaces" same_patches sided
 
 # Edges are smoothed in another way, and there is some noise below a step of the screen.
-same_picture() { look "$1" picture_compared && holds 'mean_difference < 1.5 && far_off < 0.02'; }
+same_picture() { look "$1" picture_compared && holds 'mean_difference < 0.6 && far_off < 0.01'; }
 check "the page shows the picture that the program draws" same_picture 5cubes
 check "of triangles too" same_picture sphere
 check "and of both sides of surfaces" same_picture sided

@@ -2,6 +2,7 @@
 // Draws the room: one buffer of surfaces, drawn at once, whose pixels look up values in textures; and marks over it.
 
 const texels_per_row = 2048; // as wide as every WebGL 2 allows
+const no_corner = 0xffffffff;
 
 class Drawing {
   // Throws an Error with a sentence for people where there is no WebGL 2.
@@ -52,7 +53,7 @@ class Drawing {
       for (const [u, v] of room.corners(s)) {
         numbers.set([...room.point(s, u, v), u, v], words * n);
         counts.set([cells_u, room.triangles[s] ? 0 : cells_v], words * n + 5);
-        counts.set([room.first_patch[s], room.first_corner[s]], words * n + 7);
+        counts.set([room.first_patch[s], room.is_source(s) ? no_corner : room.first_corner[s]], words * n + 7);
         ++n;
       }
       const fan = room.triangles[s] ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];

@@ -8,7 +8,8 @@ precision highp float;
 uniform mat4 to_clip;
 in vec3 position;
 in vec2 corner;
-in uvec4 numbers;   // cells along u and v (0: a triangle), number of the first patch and of the first corner
+in uvec4 numbers;   // cells along u and v (0: a triangle), number of the first patch and of the first corner; the last
+                    // is the largest of all for sources, which pictures never show smooth
 out vec2 place;
 flat out uvec4 surface;
 void main() {
@@ -107,8 +108,9 @@ void main() {
     float value = texel(patch_values, number).r;
     shown = value < 0.0 ? nothing : texture(colour_map, vec2(clamp(value * patch_scale, 0.0, 1.0), 0.5)).rgb;
   } else {
-    vec3 light = smooth_shading ? corner_scale * between_corners(p, i, j, triangle, upper)
-                                : patch_scale * texel(patch_values, number);
+    bool between = smooth_shading && surface.w != 0xffffffffu;
+    vec3 light = between ? corner_scale * between_corners(p, i, j, triangle, upper)
+                         : patch_scale * texel(patch_values, number);
     if (arrived_scale > 0.0)
       light = 0.1 * light + arrived_scale * texel(arrived, number);
     shown = encoded(curve(min(light, vec3(1e4)))) + noise() / 255.0;
