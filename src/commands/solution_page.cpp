@@ -3,6 +3,7 @@
 #include "commands/viewer_stages.h"
 #include "commands/viewer_story.h"
 #include "image/quantity.h"
+#include "radiosity/direct_radiosity.h"
 #include "viewer/viewer_page.h"
 
 namespace multipath {
@@ -18,10 +19,11 @@ std::vector<Rgb> patch_areas(const Scene& scene)
 }
 
 /// What people may choose to see; the radiosity first.
-std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solution)
+std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solution, int threads)
 {
     std::vector<ViewerQuantity> result = {
         {"radiosity", "Radiosity", "W/m²", ViewerColours::light, solution.radiosity},
+        {"direct", "Direct light", "W/m²", ViewerColours::light, direct_radiosity(scene, threads)},
         {"irradiance", "Irradiance", "W/m²", ViewerColours::scale, irradiance(scene, solution.radiosity)},
         {"area", "Patch size", "m²", ViewerColours::scale, patch_areas(scene)}};
     if (!solution.standard_error.empty())
@@ -32,7 +34,10 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
 /// The quantity that pictures would show, or the radiosity.
 std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, Shown shown)
 {
-    const std::string key = shown == Shown::irradiance ? "irradiance" : shown == Shown::error ? "error" : "radiosity";
+    const std::string key = shown == Shown::direct       ? "direct"
+                            : shown == Shown::irradiance ? "irradiance"
+                            : shown == Shown::error      ? "error"
+                                                         : "radiosity";
     for (std::size_t k = 0; k < quantities.size(); ++k)
         if (quantities[k].key == key)
             return k;
@@ -49,7 +54,7 @@ std::string solution_page(const ToldRun& run, const Solution& solution, const Pi
     content.camera = camera_for(run.scene, picture_options);
     content.render = picture_options.render;
     content.tone = picture_options.tone;
-    content.quantities = quantities(run.scene, solution);
+    content.quantities = quantities(run.scene, solution, run.options.threads);
     content.shown = shown_first(content.quantities, picture_options.shown);
     content.lines = solution.local_lines + solution.global_lines;
     content.stages =

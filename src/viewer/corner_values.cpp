@@ -1,25 +1,65 @@
 #include "viewer/corner_values.h"
 
-#include "image/corner_lattice.h"
 #include "image/smooth_shading.h"
+
+#include <array>
 
 namespace multipath {
 
-std::vector<Rgb> corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch)
+namespace {
+
+/// A triangle's rows get shorter.
+std::size_t grid_number(const Tessellation& tessellation, GridPoint point)
 {
-    const SmoothShading shading(scene, values_per_patch);
-    std::vector<Rgb> corners;
-    for (const bool front : {true, false}) {
-        if (!front && !scene.two_sided())
-            break;
-        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            const CornerLattice lattice(scene.tessellation(surface));
-            for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-                for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
-                    corners.push_back(shading.at({0.0, surface, lattice.u(i), lattice.v(j), front}));
+    const std::size_t row = point.j;
+    const std::size_t missing = tessellation.shape == Shape::triangle && row > 0 ? row * (row - 1) / 2 : 0;
+    return row * (tessellation.cells_u + std::size_t{1}) - missing + point.i;
+}
+
+std::size_t grid_size(const Tessellation& tessellation)
+{
+    const std::uint32_t last = tessellation.shape == Shape::triangle ? 0 : tessellation.cells_u;
+    return grid_number(tessellation, {last, tessellation.cells_v}) + 1;
+}
+
+/// Takes the patches of one side of a surface.
+void append_side(const Scene& scene, std::uint32_t surface, std::uint32_t first_patch, const SmoothShading& shading,
+                 CornerValues& result)
+{
+    const Tessellation& tessellation = scene.tessellation(surface);
+    const bool source = scene.materials()[scene.file().material[surface]].emittance != Rgb{};
+    const std::size_t first = result.shared.size();
+    result.shared.resize(first + grid_size(tessellation));
+    std::vector<bool> known(grid_size(tessellation), false);
+    for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+        const CellCorners corners = tessellation.corners(cell);
+        const std::array<Rgb, 4> values = shading.at_corners(first_patch + cell);
+        for (std::uint32_t k = 0; k < corners.count; ++k) {
+            const std::size_t number = grid_number(tessellation, corners.points[k]);
+            if (!known[number]) {
+                known[number] = true;
+                result.shared[first + number] = values[k];
+            } else if (!source && result.shared[first + number] != values[k]) {
+                result.places.push_back(4 * (first_patch + cell) + k);
+                result.own.push_back(values[k]);
+            }
         }
     }
-    return corners;
+}
+
+} // namespace
+
+CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+{
+    const SmoothShading shading(scene, values_per_patch, threads);
+    CornerValues result;
+    const auto surfaces = static_cast<std::uint32_t>(scene.surfaces().size());
+    for (std::uint32_t surface = 0; surface < surfaces; ++surface)
+        append_side(scene, surface, scene.first_patch(surface), shading, result);
+    if (scene.two_sided())
+        for (std::uint32_t surface = 0; surface < surfaces; ++surface)
+            append_side(scene, surface, scene.patch_count() / 2 + scene.first_patch(surface), shading, result);
+    return result;
 }
 
 } // namespace multipath

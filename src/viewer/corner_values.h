@@ -2,12 +2,22 @@
 
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace multipath {
 
-/// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading): surface by surface in the
-/// order of CornerLattice, the fronts first, then, with two sides, the backs.
-std::vector<Rgb> corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch);
+/// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading). Most patches agree on the
+/// value at a point of their surface's grid; those that do not, as on both sides of a wall that stands there, have one
+/// of their own.
+struct CornerValues
+{
+    std::vector<Rgb> shared;           ///< at every grid point, surface by surface, fronts first; row by row with j
+    std::vector<std::uint32_t> places; ///< 4 * patch + number of its corner, in the order of Scene::corners()
+    std::vector<Rgb> own;              ///< at these places
+};
+
+/// Sources have none of their own: they are never shown smooth.
+CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
 } // namespace multipath

@@ -131,7 +131,7 @@ JsonObject legend_json(const std::vector<double>& values)
     return json;
 }
 
-/// Coarse light, as good as a screen: of patches or of their corners.
+/// Coarse light, as good as a screen.
 void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>& values)
 {
     const PackedLight packed = packed_light(values);
@@ -139,8 +139,17 @@ void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>&
     json.number(key + "_unit", packed.unit);
 }
 
+/// At the corners of the patches; own values stand behind the shared ones, so that they have one unit.
+void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& values, int threads)
+{
+    CornerValues corners = corner_values(scene, values, threads);
+    corners.shared.insert(corners.shared.end(), corners.own.begin(), corners.own.end());
+    add_light(json, "corners", corners.shared);
+    json.text("own_places", packed_counts(corners.places));
+}
+
 /// The values of the first quantity are the result itself, and given in full.
-JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, bool first)
+JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, bool first, int threads)
 {
     JsonObject json;
     json.text("key", quantity.key);
@@ -151,7 +160,7 @@ JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, boo
             json.text("values", packed_colours(quantity.values));
         else
             add_light(json, "light", quantity.values);
-        add_light(json, "corners", corner_values(scene, quantity.values));
+        add_corners(json, scene, quantity.values, threads);
         return json;
     }
     std::vector<double> means;
@@ -169,7 +178,7 @@ std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& con
         JsonObject json;
         json.count("lines", stage.lines);
         add_light(json, "light", stage.radiosity);
-        add_light(json, "corners", corner_values(scene, stage.radiosity));
+        add_corners(json, scene, stage.radiosity, content.render.threads);
         result.push_back(json);
     }
     return result;
@@ -181,7 +190,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
 {
     std::vector<JsonObject> quantities;
     for (const ViewerQuantity& quantity : content.quantities)
-        quantities.push_back(quantity_json(scene, quantity, quantities.empty()));
+        quantities.push_back(quantity_json(scene, quantity, quantities.empty(), content.render.threads));
     std::vector<JsonObject> chapters;
     for (const ViewerChapter& chapter : content.chapters)
         chapters.push_back(story_json(chapter));

@@ -91,7 +91,7 @@ story() {
 }
 check "the lines of the method can be stepped through, and power arrives" story
 
-shown() { look 5cubes quantities_shown && holds 'unlike > 20 && legend == 1 && numbers > 2 && gone == 0 && brighter > 10 && borders > 0'; }
+shown() { look 5cubes quantities_shown && holds 'direct < 0 - 5 && unlike > 20 && legend == 1 && numbers > 2 && gone == 0 && brighter > 10 && borders > 0'; }
 check "other quantities, the exposure and the borders of patches change the picture" shown
 
 # In virtual time the browser shows a frame or two: a step is all there is of a walk.

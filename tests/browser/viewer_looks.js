@@ -153,6 +153,8 @@ async function story_told() {
 function quantities_shown() {
   const before = pixels(), light = multipath.statistics().mean[1];
   choose('quantity', 1, 'change');
+  find('direct', multipath.statistics().mean[1] - light);
+  choose('quantity', 2, 'change');
   find('unlike', difference(before, pixels()).mean);
   find('legend', by_id('legend').hidden ? 0 : 1);
   find('numbers', by_id('legend-numbers').childElementCount);

@@ -2,7 +2,6 @@
 // Draws the room: one buffer of surfaces, drawn at once, whose pixels look up values in textures; and marks over it.
 
 const texels_per_row = 2048; // as wide as every WebGL 2 allows
-const no_corner = 0xffffffff;
 
 class Drawing {
   // Throws an Error with a sentence for people where there is no WebGL 2.
@@ -53,7 +52,7 @@ class Drawing {
       for (const [u, v] of room.corners(s)) {
         numbers.set([...room.point(s, u, v), u, v], words * n);
         counts.set([cells_u, room.triangles[s] ? 0 : cells_v], words * n + 5);
-        counts.set([room.first_patch[s], room.is_source(s) ? no_corner : room.first_corner[s]], words * n + 7);
+        counts.set([room.first_patch[s], room.is_source(s) ? 1 : 0], words * n + 7);
         ++n;
       }
       const fan = room.triangles[s] ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
@@ -189,7 +188,6 @@ class Drawing {
     gl.activeTexture(gl.TEXTURE0 + 4); // where textures are filled
     gl.uniformMatrix4fv(uniforms.to_clip, false, to_clip);
     gl.uniform1ui(uniforms.backs_patch, this.room.cell_count);
-    gl.uniform1ui(uniforms.backs_corner, this.room.corner_count);
     gl.uniform1f(uniforms.patch_scale, look.scale * values.patches.unit);
     gl.uniform1f(uniforms.corner_scale, look.scale * (values.corners ? values.corners.unit : 1));
     gl.uniform1f(uniforms.arrived_scale, look.arrived_scale);

@@ -31,20 +31,40 @@ class Values {
   }
 }
 
+// Light at the corners of patches: what they share, and behind it what some have of their own.
+class CornerLight extends Values {
+  constructor(data, room) {
+    super('light', data.corners, data.corners_unit);
+    this.places = data.own_places;
+    this.room = room;
+  }
+
+  get list() {
+    if (!this.unpacked) {
+      const words = counts_of(this.text), places = counts_of(this.places), shared = words.length - places.length;
+      this.unpacked = this.room.patch_corners(words);
+      places.forEach((place, k) => { this.unpacked[place] = words[shared + k]; });
+    }
+    return this.unpacked;
+  }
+}
+
 // Light: of patches and, smooth, of their corners.
-const light_of = data => ({
+const light_of = (data, room) => ({
   light: true,
   patches: data.values ? new Values('colours', data.values, 1) : new Values('light', data.light, data.light_unit),
-  corners: new Values('light', data.corners, data.corners_unit),
+  corners: new CornerLight(data, room),
 });
 
+const means_of = data => ({ light: false, patches: new Values('means', data.means, 1) });
+
 class Quantities {
-  constructor(data) {
+  constructor(data, room) {
     this.list = data.quantities.map(quantity => ({
       key: quantity.key, title: quantity.title, unit: quantity.unit, legend: quantity.legend,
-      ...(quantity.means ? { light: false, patches: new Values('means', quantity.means, 1) } : light_of(quantity)),
+      ...(quantity.means ? means_of(quantity) : light_of(quantity, room)),
     }));
-    this.stages = data.stages.map(stage => ({ lines: stage.lines, ...light_of(stage) }));
+    this.stages = data.stages.map(stage => ({ lines: stage.lines, ...light_of(stage, room) }));
     this.stages.push({ lines: data.lines, ...this.list[0] });
     this.colour_map = bytes_of(data.colour_map);
   }

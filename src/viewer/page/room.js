@@ -30,17 +30,18 @@ class Room {
     this.find_size();
   }
 
-  // Patches are numbered surface by surface, and so are the corners of patches; backs come after all fronts.
+  // Patches are numbered surface by surface, and so are the points of the grids that cut them; backs come after all
+  // fronts.
   number_patches() {
     this.first_patch = new Uint32Array(this.surface_count + 1);
-    this.first_corner = new Uint32Array(this.surface_count + 1);
+    this.first_point = new Uint32Array(this.surface_count + 1);
     for (let s = 0; s < this.surface_count; ++s) {
       const [n, m] = this.cells_of(s);
       this.first_patch[s + 1] = this.first_patch[s] + n * m;
-      this.first_corner[s + 1] = this.first_corner[s] + (this.triangles[s] ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1));
+      this.first_point[s + 1] = this.first_point[s] + (this.triangles[s] ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1));
     }
     this.cell_count = this.first_patch[this.surface_count];
-    this.corner_count = this.first_corner[this.surface_count];
+    this.point_count = this.first_point[this.surface_count];
   }
 
   find_size() {
@@ -105,20 +106,44 @@ class Room {
     return length(cross(this.edge_u(s), this.edge_v(s))) * (this.triangles[s] ? 0.5 : 1) / (n * m);
   }
 
+  // The corners of a cell on the grid of its surface, in the order of the program: counter-clockwise.
+  cell_corners(s, cell) {
+    const [n, m] = this.cells_of(s);
+    if (!this.triangles[s]) {
+      const i = Math.floor(cell / m), j = cell % m;
+      return [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
+    }
+    let i = Math.max(0, Math.floor(n - Math.sqrt(n * n - cell)) - 1); // the column or one before it
+    while ((i + 1) * (2 * n - i - 1) <= cell)
+      ++i;
+    const place = cell - i * (2 * n - i), j = place >> 1;
+    return place % 2 ? [[i + 1, j + 1], [i, j + 1], [i + 1, j]] : [[i, j], [i + 1, j], [i, j + 1]];
+  }
+
   // The corners of a patch in space.
   patch_outline(patch) {
     const s = this.surface_of(patch), [n, m] = this.cells_of(s);
     const cell = patch % this.cell_count - this.first_patch[s];
-    if (!this.triangles[s]) {
-      const i = Math.floor(cell / m), j = cell % m;
-      return [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([x, y]) => this.point(s, x / n, y / m));
-    }
-    let i = 0;
-    while ((i + 1) * (2 * n - i - 1) <= cell)
-      ++i;
-    const place = cell - i * (2 * n - i), j = place >> 1;
-    const places = place % 2 ? [[i + 1, j + 1], [i, j + 1], [i + 1, j]] : [[i, j], [i + 1, j], [i, j + 1]];
-    return places.map(([x, y]) => this.point(s, x / n, y / n));
+    return this.cell_corners(s, cell).map(([i, j]) => this.point(s, i / n, j / m));
+  }
+
+  // Four places per patch for what its corners have, given what they share at the points of the grids. A triangle
+  // leaves one place empty.
+  patch_corners(shared) {
+    const result = new Uint32Array(4 * this.patch_count);
+    for (let back = 0; back < (this.two_sided ? 2 : 1); ++back)
+      for (let s = 0; s < this.surface_count; ++s) {
+        const first_point = back * this.point_count + this.first_point[s], n = this.cells[2 * s];
+        const cells = this.first_patch[s + 1] - this.first_patch[s];
+        for (let cell = 0; cell < cells; ++cell) {
+          const place = 4 * (back * this.cell_count + this.first_patch[s] + cell);
+          this.cell_corners(s, cell).forEach(([i, j], k) => {
+            const missing = this.triangles[s] ? j * (j - 1) / 2 : 0; // a triangle's rows get shorter
+            result[place + k] = shared[first_point + j * (n + 1) - missing + i];
+          });
+        }
+      }
+    return result;
   }
 
   // "table_top (line 12)", as the program names surfaces.

@@ -8,8 +8,7 @@ precision highp float;
 uniform mat4 to_clip;
 in vec3 position;
 in vec2 corner;
-in uvec4 numbers;   // cells along u and v (0: a triangle), number of the first patch and of the first corner; the last
-                    // is the largest of all for sources, which pictures never show smooth
+in uvec4 numbers;   // cells along u and v (0: a triangle), the first patch, 1 for sources, which are never smooth
 out vec2 place;
 flat out uvec4 surface;
 void main() {
@@ -23,11 +22,10 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D patch_values;   // one texel per patch, row by row
-uniform sampler2D corner_values;
+uniform sampler2D corner_values;  // four per patch
 uniform sampler2D arrived;        // of the story
 uniform sampler2D colour_map;
 uniform uint backs_patch;         // by how much numbers of backs are higher
-uniform uint backs_corner;
 uniform float patch_scale;        // from texels to the tone curve, or to the colour map
 uniform float corner_scale;
 uniform float arrived_scale;      // 0: no story
@@ -47,25 +45,15 @@ vec3 texel(sampler2D values, uint n) {
 
 uint index_of(float x, uint cells) { return uint(clamp(floor(x), 0.0, float(cells - 1u))); }
 
-// Row j of a lattice of corners; a triangle's rows get shorter.
-uint corner_number(uint i, uint j, uint cells, bool triangle) {
-  return j * (cells + 1u) - (triangle && j > 0u ? j * (j - 1u) / 2u : 0u) + i;
-}
-
-vec3 between_corners(vec2 p, uint i, uint j, bool triangle, bool upper) {
-  uint first = surface.w + (gl_FrontFacing ? 0u : backs_corner);
-  vec3 right_low = texel(corner_values, first + corner_number(i + 1u, j, surface.x, triangle));
-  vec3 left_high = texel(corner_values, first + corner_number(i, j + 1u, surface.x, triangle));
-  vec2 f = clamp(p - vec2(float(i), float(j)), 0.0, 1.0);
-  if (triangle && upper) {
-    vec3 right_high = texel(corner_values, first + corner_number(i + 1u, j + 1u, surface.x, triangle));
-    return (f.x + f.y - 1.0) * right_high + (1.0 - f.x) * left_high + (1.0 - f.y) * right_low;
-  }
-  vec3 left_low = texel(corner_values, first + corner_number(i, j, surface.x, triangle));
+// Bilinear, or barycentric on a triangle; the four places of a patch hold its corners counter-clockwise.
+vec3 between_corners(uint number, vec2 f, bool triangle, bool upper) {
+  vec3 first = texel(corner_values, 4u * number), second = texel(corner_values, 4u * number + 1u);
+  vec3 third = texel(corner_values, 4u * number + 2u);
+  if (triangle && upper)
+    return (f.x + f.y - 1.0) * first + (1.0 - f.x) * second + (1.0 - f.y) * third;
   if (triangle)
-    return (1.0 - f.x - f.y) * left_low + f.x * right_low + f.y * left_high;
-  vec3 right_high = texel(corner_values, first + corner_number(i + 1u, j + 1u, surface.x, triangle));
-  return mix(mix(left_low, right_low, f.x), mix(left_high, right_high, f.x), f.y);
+    return (1.0 - f.x - f.y) * first + f.x * second + f.y * third;
+  return mix(mix(first, second, f.x), mix(texel(corner_values, 4u * number + 3u), third, f.x), f.y);
 }
 
 vec3 curve(vec3 x) {
@@ -108,9 +96,9 @@ void main() {
     float value = texel(patch_values, number).r;
     shown = value < 0.0 ? nothing : texture(colour_map, vec2(clamp(value * patch_scale, 0.0, 1.0), 0.5)).rgb;
   } else {
-    bool between = smooth_shading && surface.w != 0xffffffffu;
-    vec3 light = between ? corner_scale * between_corners(p, i, j, triangle, upper)
-                         : patch_scale * texel(patch_values, number);
+    vec2 within = clamp(p - vec2(float(i), float(j)), 0.0, 1.0);
+    vec3 light = smooth_shading && surface.w == 0u ? corner_scale * between_corners(number, within, triangle, upper)
+                                                   : patch_scale * texel(patch_values, number);
     if (arrived_scale > 0.0)
       light = 0.1 * light + arrived_scale * texel(arrived, number);
     shown = encoded(curve(min(light, vec3(1e4)))) + noise() / 255.0;

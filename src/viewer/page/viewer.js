@@ -7,7 +7,7 @@ class Viewer {
   constructor(data, canvas) {
     this.canvas = canvas;
     this.room = new Room(data);
-    this.quantities = new Quantities(data);
+    this.quantities = new Quantities(data, this.room);
     this.story = new Story(data.story, this.room);
     this.camera = new Camera(data.camera, this.room.size);
     this.drawing = new Drawing(canvas, this.room);
