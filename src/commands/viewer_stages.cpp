@@ -9,8 +9,8 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t fewest_lines = 1u << 8;
-constexpr std::uint64_t most_values = 500000; ///< patches of all stages: some eleven bytes of the page each
+constexpr int first_power = 8;                ///< of two: the fewest lines
+constexpr std::uint64_t most_values = 300000; ///< patches of all stages: some eleven bytes of the page each
 
 /// Nothing where the method cannot work with so few lines.
 std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
@@ -28,11 +28,11 @@ std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparati
 
 std::vector<std::uint64_t> stage_lines(std::uint64_t lines, std::uint32_t patches)
 {
-    const std::uint64_t most = std::clamp<std::uint64_t>(most_values / patches, 2, 20);
+    const std::uint64_t most = std::clamp<std::uint64_t>(most_values / patches, 1, 20);
     for (int step = 2;; step += 2) {
         std::vector<std::uint64_t> result;
-        for (std::uint64_t n = fewest_lines; n < lines; n <<= step)
-            result.push_back(n);
+        for (int power = first_power; power < 64 && std::uint64_t{1} << power < lines; power += step)
+            result.push_back(std::uint64_t{1} << power);
         if (result.size() <= most)
             return result;
     }
