@@ -132,12 +132,13 @@ FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<st
         for (; frame < frames.size() && !place; ++frame)
             place = place_in(frames[frame], p);
         if (!place) {
-            place = place_in(axes_of(p), p);
+            const Axes own = axes_of(p);
+            place = place_in(own, p);
             if (!place) {
                 result.others.push_back(surface);
                 continue;
             }
-            frames.push_back(axes_of(p));
+            frames.push_back(own);
             frame = frames.size();
         }
         places.push_back({frame - 1, place->axis, place->rectangle, surface});
