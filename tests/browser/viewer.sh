@@ -94,7 +94,7 @@ check "the lines of the method can be stepped through, and power arrives" story
 shown() { look 5cubes quantities_shown && holds 'direct < 0 - 5 && unlike > 20 && legend == 1 && numbers > 2 && gone == 0 && brighter > 10 && borders > 0'; }
 check "other quantities, the exposure and the borders of patches change the picture" shown
 
-# In virtual time the browser shows a frame or two: a step is all there is of a walk.
+# How many frames the browser shows is its own affair: what is asked for is the step that a tap makes.
 moved() { look 5cubes keys_pressed && holds 'walked > 0.0005 && orbited > 0.01 && kept < 0.000001 && nearer < 1 && home == 0 && help == 1 && folded == 1'; }
 check "keys, wheel and drags move the camera" moved
 

@@ -178,8 +178,6 @@ async function keys_pressed() {
   find('nearer', distance() / far);
   const eye = camera.eye.slice();
   press('w');
-  for (let n = 0; n < 100 && apart(camera.eye, eye) === 0; ++n)
-    await pause();
   lift('w');
   find('walked', apart(camera.eye, eye));
   press('r');

@@ -121,12 +121,13 @@ class Controls {
     return true;
   }
 
-  // Walks for as long as a key is down.
+  // Walks for as long as a key is down; a first step comes at once, so that a tap moves too.
   hold(key) {
     const moving = this.held.size > 0;
     this.held.add(key);
     if (!moving) {
       this.moment = performance.now();
+      this.step(1 / 60);
       requestAnimationFrame(now => this.stride(now));
     }
   }
@@ -134,11 +135,14 @@ class Controls {
   stride(now) {
     if (this.held.size === 0)
       return;
-    const seconds = clamped((now - this.moment) / 1000, 0.004, 0.1);
+    this.step(clamped((now - this.moment) / 1000, 0.004, 0.1));
     this.moment = now;
+    requestAnimationFrame(later => this.stride(later));
+  }
+
+  step(seconds) {
     const way = (plus_key, minus_key) => walking_speed * seconds * (this.held.has(plus_key) - this.held.has(minus_key));
     this.viewer.camera.walk(way('w', 's'), way('d', 'a'), way('e', 'q'));
     this.viewer.request_draw();
-    requestAnimationFrame(later => this.stride(later));
   }
 }
