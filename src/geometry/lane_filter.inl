@@ -1,7 +1,9 @@
-// The filters for one instruction set. To be included once by the file of each instruction set, after
-//   KERNEL_CODE   what functions must carry: the instruction set, for these functions alone, and to be expanded in
-//   place KERNEL_ENTRY  the same for functions that are called Lanes         that many floats side by side, with the
-//   functions used below
+// The filters for one instruction set. To be included once by the file of each instruction set, after it has defined
+//
+// * KERNEL_CODE: what functions must carry, the instruction set for these functions alone, to be expanded in place;
+// * KERNEL_ENTRY: the same for functions that are called;
+// * Lanes: that many floats side by side, with the functions used below.
+//
 // All is static, so that no code for a special processor can be taken for that of the rest of the program.
 //
 // lane_filter_plain.cpp is the version to read first: one lane, ordinary arithmetic.

@@ -12,7 +12,7 @@ namespace multipath {
 /// division, and u a and v a are linear in the line's Plücker coordinates:
 ///     u a = dot(u_moment, moment) + dot(u_direction, direction).
 /// The crossing lies within the ends of the line where |h| <= |a| half_length, h the distance of the line's middle from
-/// the plane. surface_block.cpp derives how much slack these tests need to lose nothing.
+/// the plane. block_filling.cpp derives how much slack these tests need to lose nothing.
 struct alignas(64) SurfaceBlock
 {
     static constexpr unsigned lanes = 16;
