@@ -174,7 +174,7 @@ TEST_CASE("in a closed scene of equal radiosity every patch receives that radios
         const auto sequence = make_sequence("random", key);
         const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 200000);
         spend(scene, 0.0, shots, state);
-        shoot(scene, *sequence, 0, shots, 2, state, [](std::uint64_t) {});
+        shoot(scene, *sequence, 0, shots, {2}, state);
         CHECK(state.escaped.g == 0.0);
         CHECK(state.behind.g == 0.0);
         const double power_per_ray = scene.source_power().g / 200000;

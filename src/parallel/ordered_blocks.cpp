@@ -27,18 +27,25 @@ void run_workers(int threads, const std::function<void()>& worker)
         thread.join();
 }
 
+using PauseWish = std::function<bool()>;
+
 /// The state that the threads of one ordered_blocks call share.
 class OrderedRun
 {
 public:
     using BlockFunction = std::function<void(std::uint64_t, int)>;
 
-    OrderedRun(std::uint64_t block_count, int slots, const BlockFunction& produce, const BlockFunction& consume)
-        : block_count_(block_count),
+    OrderedRun(std::uint64_t first, std::uint64_t end, int slots, const BlockFunction& produce,
+               const BlockFunction& consume, const PauseWish& wants_pause)
+        : first_(first),
           slots_(static_cast<std::uint64_t>(slots)),
           produce_(produce),
           consume_(consume),
-          produced_(slots_, false)
+          wants_pause_(wants_pause),
+          end_(end),
+          produced_(slots_, false),
+          started_(first),
+          consumed_(first)
     {
     }
 
@@ -46,10 +53,12 @@ public:
     {
         std::unique_lock<std::mutex> lock(mutex_);
         try {
-            while (!failure_ && consumed_ < block_count_) {
+            while (!failure_ && consumed_ < end_) {
                 if (!consuming_ && produced_[slot(consumed_)])
                     consume_next(lock);
-                else if (started_ < block_count_ && started_ < consumed_ + slots_)
+                else if (started_ > first_ && started_ < end_ && wants_pause_())
+                    end_ = started_;
+                else if (started_ < end_ && started_ < consumed_ + slots_)
                     produce_next(lock);
                 else
                     changed_.wait(lock);
@@ -63,10 +72,12 @@ public:
         changed_.notify_all();
     }
 
-    void rethrow_failure() const
+    /// The first block not done.
+    std::uint64_t next() const
     {
         if (failure_)
             std::rethrow_exception(failure_);
+        return consumed_;
     }
 
 private:
@@ -95,16 +106,18 @@ private:
         changed_.notify_all();
     }
 
-    const std::uint64_t block_count_;
+    const std::uint64_t first_;
     const std::uint64_t slots_;
     const BlockFunction& produce_;
     const BlockFunction& consume_;
+    const PauseWish& wants_pause_;
 
     std::mutex mutex_; ///< guards all below
     std::condition_variable changed_;
+    std::uint64_t end_;          ///< comes forward to what was started where a pause is wanted
     std::vector<bool> produced_; ///< per slot: filled and not yet consumed
-    std::uint64_t started_ = 0;
-    std::uint64_t consumed_ = 0;
+    std::uint64_t started_;
+    std::uint64_t consumed_;
     bool consuming_ = false;
     std::exception_ptr failure_;
 };
@@ -116,20 +129,46 @@ int slot_count(int threads)
     return threads <= 1 ? 1 : 4 * threads;
 }
 
+namespace {
+
+/// Blocks first ... end - 1, or fewer where a pause is wanted, but at least one. Returns the first not done.
+std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads,
+                         const std::function<void(std::uint64_t, int)>& produce,
+                         const std::function<void(std::uint64_t, int)>& consume, const PauseWish& wants_pause)
+{
+    if (threads <= 1) {
+        std::uint64_t block = first;
+        while (block < end && !(block > first && wants_pause())) {
+            produce(block, 0);
+            consume(block, 0);
+            ++block;
+        }
+        return block;
+    }
+    OrderedRun run(first, end, slot_count(threads), produce, consume, wants_pause);
+    run_workers(threads, [&] { run.work(); });
+    return run.next();
+}
+
+} // namespace
+
 void ordered_blocks(std::uint64_t block_count, int threads,
                     const std::function<void(std::uint64_t block, int slot)>& produce,
                     const std::function<void(std::uint64_t block, int slot)>& consume)
 {
-    if (threads <= 1) {
-        for (std::uint64_t block = 0; block < block_count; ++block) {
-            produce(block, 0);
-            consume(block, 0);
-        }
-        return;
+    run_blocks(0, block_count, threads, produce, consume, [] { return false; });
+}
+
+void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
+                      const std::function<void(std::uint64_t block, int slot)>& produce,
+                      const std::function<void(std::uint64_t block, int slot)>& consume)
+{
+    const PauseWish wants_pause = [&] { return run.checkpoint && run.checkpoint->wants_pause(); };
+    while (next < end && !run.stopped()) {
+        next = run_blocks(next, end, run.threads, produce, consume, wants_pause);
+        if (wants_pause())
+            run.checkpoint->pause();
     }
-    OrderedRun run(block_count, slot_count(threads), produce, consume);
-    run_workers(threads, [&] { run.work(); });
-    run.rethrow_failure();
 }
 
 void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "parallel/run_control.h"
+
 #include <cstdint>
 #include <functional>
 
@@ -15,6 +17,13 @@ void parallel_blocks(std::uint64_t block_count, int threads, const std::function
 void ordered_blocks(std::uint64_t block_count, int threads,
                     const std::function<void(std::uint64_t block, int slot)>& produce,
                     const std::function<void(std::uint64_t block, int slot)>& consume);
+
+/// As ordered_blocks, from block `next` on, which goes forward with the work. Whenever the checkpoint wants it, all that
+/// was begun is finished and there is a pause, in which `next` and what the blocks changed are whole: a part of the
+/// checkpoint must hold them. Stops short of `end` where a pause ends the work.
+void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
+                      const std::function<void(std::uint64_t block, int slot)>& produce,
+                      const std::function<void(std::uint64_t block, int slot)>& consume);
 
 /// How many buffers ordered_blocks uses with so many threads.
 int slot_count(int threads);

@@ -9,26 +9,37 @@
 
 namespace multipath {
 
-void reuse_counted_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
-                         std::uint64_t first_item, std::uint64_t lines_cast, std::size_t byte_limit, int threads,
-                         PowerState& state, const LineCounter& count_lines_done)
+std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
+                                  std::uint64_t first_item, std::uint64_t lines_cast, std::size_t byte_limit,
+                                  const RunControl& run, PowerState& state)
 {
     // Rounds of fewer lines than patches would cost more to solve than to trace.
     const std::size_t least_bytes = std::size_t{256} * scene.patch_count();
-    const std::vector<Rgb> source = unshot_radiosity(scene, state);
     const std::vector<Rgb> rho = reflectances(scene);
-    for (std::uint64_t done = 0; done < lines_cast;) {
+    std::vector<Rgb> source = unshot_radiosity(scene, state);
+    std::uint64_t done = 0;
+    const Checkpoint::Part part(run.checkpoint, "counted lines", [&](Archive& archive) {
+        archive.list<double>("source", source);
+        archive.value<std::uint64_t>("done", done);
+        if (done > lines_cast)
+            throw ArchiveError("the state is damaged: no such lines");
+    });
+    while (done < lines_cast && !run.stopped()) {
         const CountedLines counted = count_lines(scene, lines, sequence, first_item + done, lines_cast - done,
-                                                 std::max(byte_limit, least_bytes), threads, count_lines_done);
-        done += counted.lines_cast;
+                                                 std::max(byte_limit, least_bytes), run);
+        if (counted.lines_cast == 0 || (run.stopped() && run.is_share()))
+            break;
+        const std::uint64_t planned = run.stopped() ? lines_cast - done : counted.lines_cast;
         const double crossing_area = 1.0 / lines.expected_crossings(1.0, counted.lines_cast); // (G1)
-        const SparseExchange exchange(counted.counts, crossing_area, threads);
+        const SparseExchange exchange(counted.counts, crossing_area, run.threads);
         constexpr double tolerance = 1e-6; // far below the noise of counts
         const ExchangeSolution solution =
-            solve_exchange(exchange, rho, source, source, tolerance, 500, threads); // (R1)
-        const double share = static_cast<double>(counted.lines_cast) / static_cast<double>(lines_cast);
-        distribute(scene, exchange, solution.radiosity, share, threads, state);
+            solve_exchange(exchange, rho, source, source, tolerance, 500, run.threads); // (R1)
+        const double share = static_cast<double>(planned) / static_cast<double>(lines_cast);
+        distribute(scene, exchange, solution.radiosity, share, run.threads, state);
+        done += counted.lines_cast;
     }
+    return done;
 }
 
 } // namespace multipath

@@ -115,7 +115,7 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t rays, int thr
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
     const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
     spend(scene, 0.0, shots, state);
-    shoot(scene, *sequence, 0, shots, threads, state, [](std::uint64_t) {});
+    shoot(scene, *sequence, 0, shots, {threads}, state);
 
     double received = 0.0;  // [W]
     double reflected = 0.0; // [W]

@@ -26,32 +26,43 @@ double rounding_offset(std::uint64_t seed, std::size_t pass)
 class Passes
 {
 public:
-    Passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const ExtendedShotOptions& options,
-           int threads)
-        : scene_(scene), sequence_(sequence), next_item_(first_item), options_(options), threads_(threads)
+    Passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const ExtendedShotOptions& options)
+        : scene_(scene), sequence_(sequence), next_item_(first_item), options_(options)
     {
     }
 
     /// Repeats passes; power_by_line(excess, passes so far) says how much a ray carries.
     template <class PowerByLine>
-    std::vector<ShotPass> run(PowerState& state, const LineCounter& count_lines, const PassObserver& observe,
+    std::vector<ShotPass> run(PowerState& state, const RunControl& control, const PassObserver& observe,
                               const PowerByLine& power_by_line)
     {
         std::vector<ShotPass> passes;
-        while (passes.size() < static_cast<std::size_t>(options_.most_steps)) {
-            const double excess = power_above(scene_, state, options_.threshold);
-            const double power = excess > 0.0 ? power_by_line(excess, passes) : 0.0;
-            if (!(power > 0.0))
-                break;
-            const std::vector<Shot> shots =
-                plan_shots(scene_, state, {options_.threshold, power, rounding_offset(options_.seed, passes.size())});
-            const std::uint64_t lines = ray_count(shots);
-            if (lines == 0)
-                break;
-            spend(scene_, options_.threshold, shots, state);
+        std::vector<Shot> shots; // of the pass under way
+        double excess = 0.0;
+        const Checkpoint::Part part(control.checkpoint, "shot passes", [&](Archive& archive) {
+            archive.value<std::uint64_t>("next item", next_item_);
+            archive.value<double>("excess", excess);
+            visit(archive, passes);
+            visit(archive, scene_, shots);
+        });
+        for (bool under_way = part.resumed();; under_way = false) {
+            if (!under_way) {
+                if (passes.size() >= static_cast<std::size_t>(options_.most_steps) || control.stopped())
+                    break;
+                excess = power_above(scene_, state, options_.threshold);
+                const double power = excess > 0.0 ? power_by_line(excess, passes) : 0.0;
+                if (!(power > 0.0))
+                    break;
+                shots = plan_shots(scene_, state,
+                                   {options_.threshold, power, rounding_offset(options_.seed, passes.size())});
+                if (ray_count(shots) == 0)
+                    break;
+                spend(scene_, options_.threshold, shots, state);
+            }
             if (observe)
                 observe(next_item_, shots, state);
-            shoot(scene_, sequence_, next_item_, shots, threads_, state, count_lines);
+            shoot(scene_, sequence_, next_item_, shots, control, state);
+            const std::uint64_t lines = ray_count(shots);
             next_item_ += lines;
             passes.push_back({lines, excess, power_balance(scene_, state)});
         }
@@ -63,7 +74,6 @@ private:
     const Sequence& sequence_;
     std::uint64_t next_item_;
     const ExtendedShotOptions& options_;
-    int threads_;
 };
 
 std::uint64_t lines_of(const std::vector<ShotPass>& passes)
@@ -81,30 +91,65 @@ double power_from(const std::vector<ShotPass>& passes, std::size_t k)
     return power;
 }
 
-} // namespace
-
-std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                     const ExtendedShotOptions& options, int threads, PowerState& state,
-                                     const LineCounter& count_lines, const PassObserver& observe)
+/// How the power of the sources is distributed over the passes, told by a small share of the lines.
+std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                const ExtendedShotOptions& options, const RunControl& run, PowerState state)
 {
-    Passes passes(scene, sequence, first_item, options, threads);
-    if (options.power_by_line)
-        return passes.run(state, count_lines, observe, [&](double, const auto&) { return *options.power_by_line; });
-
-    if (options.most_steps == 1)
-        return passes.run(state, count_lines, observe, [&](double excess, const auto&) {
-            return options.lines > 0 ? excess / static_cast<double>(options.lines) : 0.0;
-        });
-
     constexpr double pilot_share = 1.0 / 16;
     const double pilot_lines = pilot_share * static_cast<double>(options.lines);
     const double pilot_power = power_above(scene, state, options.threshold) / std::max(1.0, pilot_lines);
-    PowerState pilot_state = state;
-    const std::vector<ShotPass> pilot =
-        Passes(scene, sequence, first_item, options, threads)
-            .run(
-                pilot_state, [](std::uint64_t) {}, {}, [&](double, const auto&) { return pilot_power; });
-    return passes.run(state, count_lines, observe, [&](double excess, const std::vector<ShotPass>& done) {
+    const Checkpoint::Part part(run.checkpoint, "pilot", [&](Archive& archive) { state.visit(archive); });
+    return Passes(scene, sequence, first_item, options)
+        .run(state, {run.threads, {}, run.checkpoint}, {}, [&](double, const auto&) { return pilot_power; });
+}
+
+} // namespace
+
+void visit(Archive& archive, std::vector<ShotPass>& passes)
+{
+    std::vector<std::uint64_t> lines;
+    std::vector<double> power;
+    std::vector<PowerBalance> balances;
+    for (const ShotPass& pass : passes) {
+        lines.push_back(pass.lines);
+        power.push_back(pass.power);
+        balances.push_back(pass.balance);
+    }
+    archive.growing_list<std::uint64_t>("pass lines", lines);
+    power.resize(lines.size());
+    balances.resize(lines.size());
+    archive.list<double>("pass power", power);
+    archive.list<double>("pass balances", balances);
+    passes.clear();
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        passes.push_back({lines[k], power[k], balances[k]});
+}
+
+std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                     const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
+                                     const PassObserver& observe)
+{
+    Passes passes(scene, sequence, first_item, options);
+    if (options.power_by_line)
+        return passes.run(state, run, observe, [&](double, const auto&) { return *options.power_by_line; });
+
+    if (options.most_steps == 1)
+        return passes.run(state, run, observe, [&](double excess, const auto&) {
+            return options.lines > 0 ? excess / static_cast<double>(options.lines) : 0.0;
+        });
+
+    std::vector<ShotPass> pilot;
+    std::uint64_t pilot_done = 0;
+    const Checkpoint::Part part(run.checkpoint, "extended first shot", [&](Archive& archive) {
+        archive.value<std::uint64_t>("pilot done", pilot_done);
+        visit(archive, pilot);
+    });
+    if (pilot_done == 0)
+        pilot = run_pilot(scene, sequence, first_item, options, run, state);
+    if (run.stopped())
+        return {};
+    pilot_done = 1;
+    return passes.run(state, run, observe, [&](double excess, const std::vector<ShotPass>& done) {
         const std::uint64_t used = std::min(options.lines, lines_of(done));
         const auto left = static_cast<double>(options.lines - used);
         const std::size_t k = done.size();

@@ -34,9 +34,13 @@ using PassObserver =
     std::function<void(std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state)>;
 
 /// The extended first shot (S2): every patch whose unshot radiosity exceeds the threshold shoots the excess, pass by
-/// pass, until a pass has no ray left to shoot or the steps are used up. Takes the items from first_item on.
+/// pass, until a pass has no ray left to shoot or the steps are used up. Takes the items from first_item on. A
+/// checkpoint must hold the state besides what this function makes it hold.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                     const ExtendedShotOptions& options, int threads, PowerState& state,
-                                     const LineCounter& count_lines, const PassObserver& observe = {});
+                                     const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
+                                     const PassObserver& observe = {});
+
+/// For a checkpoint.
+void visit(Archive& archive, std::vector<ShotPass>& passes);
 
 } // namespace multipath

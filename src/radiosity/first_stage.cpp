@@ -31,7 +31,7 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
 }
 
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines,
+                                  const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe)
 {
     if (!shoots_first(options))
@@ -47,7 +47,7 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
             "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
         shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
-    return shoot_extended(scene, sequence, first_item, shot, options.threads, state, count_lines, observe); // (S1) (S2)
+    return shoot_extended(scene, sequence, first_item, shot, run, state, observe); // (S1) (S2)
 }
 
 } // namespace multipath

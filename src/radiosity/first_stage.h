@@ -14,7 +14,7 @@ double ratio_for(const Scene& scene, const SolveOptions& options);
 /// What comes before the global lines: the passes of the (extended) first shot as the options want them, none for the
 /// methods without. Takes the items from first_item on. Throws InputError for more rays by power_by_line than lines.
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  const SolveOptions& options, PowerState& state, const LineCounter& count_lines,
+                                  const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe = {});
 
 } // namespace multipath

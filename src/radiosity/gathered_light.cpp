@@ -56,41 +56,63 @@ std::size_t lights_to_gather(const Scene& scene, std::size_t lights, std::uint64
         std::min<std::uint64_t>(std::min(2 * rays, most_pairs) / scene.patch_count(), lights));
 }
 
-void gather_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
-                 std::uint64_t first_item, std::uint64_t rays, int threads, GatheredLight& light,
-                 const LineCounter& count_lines)
+/// What gathering from some lights has found so far.
+struct Gathering
 {
-    const GatherPairs pairs = find_gather_pairs(scene, lights, threads);
+    std::uint64_t looks_done = 0; ///< of two
+    std::uint64_t lines = 0;      ///< rays cast by them
+    std::vector<double> deserved; ///< rays of the look under way
+    std::vector<Sight> sights;
+
+    explicit Gathering(std::size_t pairs) : deserved(pairs), sights(pairs) {}
+
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("looks done", looks_done);
+        archive.value<std::uint64_t>("rays", lines);
+        archive.list<double>("deserved", deserved);
+        archive.list<double>("sights", sights);
+    }
+};
+
+void gather_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
+                 std::uint64_t first_item, std::uint64_t rays, const RunControl& run, GatheredLight& light)
+{
+    const GatherPairs pairs = find_gather_pairs(scene, lights, run.threads);
     const auto pair_count = static_cast<double>(pairs.pairs.size());
     if (rays == 0 || pairs.pairs.empty())
         return;
     const auto all_rays = static_cast<double>(rays);
     const double first_rays = all_rays >= 8.0 * pair_count ? 0.25 * all_rays : all_rays;
     const double offset = offset_from(sequence.item(first_item));
-
-    std::vector<Sight> sights(pairs.pairs.size());
     const std::vector<double> first = first_allotment(scene, pairs, first_rays);
     const std::vector<Look> looks = choose_looks(scene, pairs, first);
-    light.lines =
-        cast_shadow_rays(scene, pairs, looks, {first, offset, first_item}, sequence, threads, sights, count_lines);
-    if (first_rays < all_rays) {
-        const double rest = all_rays - static_cast<double>(light.lines);
-        ShadowRays second = {second_allotment(scene, pairs, first, sights, rest, threads), offset,
-                             first_item + light.lines};
-        light.lines += cast_shadow_rays(scene, pairs, looks, second, sequence, threads, sights, count_lines);
+
+    Gathering gathering(pairs.pairs.size());
+    const Checkpoint::Part part(run.checkpoint, "gathering", [&](Archive& archive) { gathering.visit(archive); });
+    const std::uint64_t looks_planned = first_rays < all_rays ? 2 : 1;
+    for (bool under_way = part.resumed(); gathering.looks_done < looks_planned && !run.stopped(); under_way = false) {
+        const double rest = all_rays - static_cast<double>(gathering.lines);
+        if (!under_way)
+            gathering.deserved = gathering.looks_done == 0
+                                     ? first
+                                     : second_allotment(scene, pairs, first, gathering.sights, rest, run.threads);
+        const ShadowRays look = {gathering.deserved, offset, first_item + gathering.lines};
+        gathering.lines += cast_shadow_rays(scene, pairs, looks, look, sequence, run, gathering.sights);
+        ++gathering.looks_done;
     }
+    light.lines = gathering.lines;
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
         for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k) {
             const double rarity = std::min(first[k], 1.0); // the ray of one such pair counts for those without
-            const double exchange = static_cast<double>(pairs.pairs[k].exchange) * sights[k].share() / rarity;
+            const double exchange = static_cast<double>(pairs.pairs[k].exchange) * gathering.sights[k].share() / rarity;
             light.incident[patch] += exchange * surface_emittance(scene, lights[pairs.pairs[k].light]);
         }
 }
 
 /// Adds the light of surfaces that are shot.
 void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
-                std::uint64_t first_item, std::uint64_t rays, int threads, GatheredLight& light,
-                const LineCounter& count_lines)
+                std::uint64_t first_item, std::uint64_t rays, const RunControl& run, GatheredLight& light)
 {
     PowerState state = PowerState::empty(scene);
     for (const std::uint32_t surface : lights) {
@@ -103,7 +125,8 @@ void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, co
         return;
     const ShotRule rule = {0.0, power / static_cast<double>(rays), offset_from(sequence.item(first_item))};
     const std::vector<Shot> shots = plan_shots(scene, state, rule);
-    shoot(scene, sequence, first_item, shots, threads, state, count_lines);
+    const Checkpoint::Part part(run.checkpoint, "shot lights", [&](Archive& archive) { state.visit(archive); });
+    shoot(scene, sequence, first_item, shots, run, state);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         light.incident[i] += state.incident[i];
     light.lines += ray_count(shots);
@@ -113,7 +136,7 @@ void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, co
 } // namespace
 
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  std::uint64_t rays, int threads, const LineCounter& count_lines)
+                                  std::uint64_t rays, const RunControl& run)
 {
     GatheredLight light;
     light.incident.resize(scene.patch_count());
@@ -124,10 +147,18 @@ GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, 
     const double gathered_share = mean(emitted_power(scene, gathered)) / mean(emitted_power(scene, lights));
     const auto gathering_rays = static_cast<std::uint64_t>(gathered_share * static_cast<double>(rays) + 0.5);
 
-    gather_from(gathered, scene, sequence, first_item, gathering_rays, threads, light, count_lines);
-    shoot_from(shot, scene, sequence, first_item + light.lines, rays - std::min(rays, light.lines), threads, light,
-               count_lines);
-
+    std::uint64_t gathering_done = 0;
+    const Checkpoint::Part part(run.checkpoint, "direct light", [&](Archive& archive) {
+        archive.value<std::uint64_t>("gathering done", gathering_done);
+        archive.value<std::uint64_t>("rays", light.lines);
+        archive.list<double>("incident", light.incident);
+    });
+    if (gathering_done == 0)
+        gather_from(gathered, scene, sequence, first_item, gathering_rays, run, light);
+    if (!run.stopped()) {
+        gathering_done = 1;
+        shoot_from(shot, scene, sequence, first_item + light.lines, rays - std::min(rays, light.lines), run, light);
+    }
     light.escaped = scene.source_power() - light.behind;
     for (const Rgb& incident : light.incident)
         light.escaped = light.escaped - incident;

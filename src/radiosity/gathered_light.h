@@ -1,8 +1,8 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
-#include "transport/line_counter.h"
 
 #include <cstdint>
 #include <vector>
@@ -26,6 +26,6 @@ struct GatheredLight
 /// than a ray for every other patch are shot (S1). The sequence is the only source of chance: the result is right on
 /// the average over its randomisations, but for the bias of a ratio of two sums of a pair's few rays.
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  std::uint64_t rays, int threads, const LineCounter& count_lines);
+                                  std::uint64_t rays, const RunControl& run);
 
 } // namespace multipath

@@ -62,7 +62,7 @@ GlobalStory begin(const Scene& scene, const Sequence& sequence, const GlobalLine
 {
     const ItemPlan all_items = plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines));
     GlobalStory story;
-    story.shot_passes = shoot_first(scene, sequence, all_items.first_shot, options, state, [](std::uint64_t) {});
+    story.shot_passes = shoot_first(scene, sequence, all_items.first_shot, options, {options.threads}, state);
     for (const ShotPass& pass : story.shot_passes)
         story.local_lines += pass.lines;
     story.lines_charged = options.lines - std::min(options.lines, story.local_lines);

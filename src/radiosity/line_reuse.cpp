@@ -48,22 +48,33 @@ Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& loss
     return radiosity;
 }
 
-/// What the global lines alone tell.
+/// What the lines tell so far, first the global ones, then also the rays.
 struct CountedExchange
 {
+    std::uint64_t lines = 0; ///< global ones cast; 0 before all are counted
     ExchangeEstimate estimate;
     ExchangeLosses losses;
-};
+    Field first_guess; ///< [W/m^2] of the light
 
-CountedExchange count_exchange(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
-                               const Sequence& sequence, const ReusedLines& plan, double crossing_area, int threads,
-                               const LineCounter& count_lines)
-{
-    const PairCounts counts =
-        count_pairs(scene, lines, sequence, plan.first_line_item, plan.cast, threads, count_lines);
-    return {estimate_exchange(scene, unoccluded.table(), counts, crossing_area, threads),
-            losses(counts, crossing_area)};
-}
+    explicit CountedExchange(std::uint32_t patches)
+        : estimate{PairMatrix<float>(patches), PairMatrix<float>(patches)},
+          losses{std::vector<double>(patches), std::vector<double>(patches)},
+          first_guess(patches)
+    {
+    }
+
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("lines", lines);
+        if (lines == 0)
+            return;
+        estimate.exchange.visit<float>(archive, "exchange");
+        estimate.variance.visit<float>(archive, "variance");
+        archive.list<double>("escaping", losses.escaping);
+        archive.list<double>("behind", losses.behind);
+        archive.list<double>("first guess", first_guess);
+    }
+};
 
 /// The exchange with rows that add up to the areas of the patches.
 struct ClosedExchange
@@ -131,37 +142,49 @@ double reuse_bytes(std::uint32_t patches)
     return bytes_per_pair * static_cast<double>(PairMatrix<float>::pair_count(patches));
 }
 
-void reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
-                 const Sequence& sequence, const ReusedLines& plan, int threads, PowerState& state,
-                 const LineCounter& count_lines)
+std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
+                          const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state)
 {
     if (plan.cast == 0)
-        return;
-    const double crossing_area = 1.0 / lines.expected_crossings(1.0, plan.cast); // (G1)
+        return 0;
     const Field source = unshot_radiosity(scene, state);
     const Field rho = reflectances(scene);
-    CountedExchange counted =
-        count_exchange(scene, unoccluded, lines, sequence, plan, crossing_area, threads, count_lines);
-    Field first_guess = source;
-    if (plan.rays > 0) {
-        first_guess = rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, threads);
-        const PairRays rays{plan.first_ray_item, plan.rays, plan.seed};
-        counted.estimate = refined_by_rays(std::move(counted.estimate), scene, unoccluded.table(), crossing_area,
-                                           first_guess, sequence, rays, threads, count_lines);
+    CountedExchange counted(scene.patch_count());
+    const Checkpoint::Part part(run.checkpoint, "line reuse", [&](Archive& archive) { counted.visit(archive); });
+    const auto crossing_area = [&] { return 1.0 / lines.expected_crossings(1.0, counted.lines); }; // (G1)
+    if (counted.lines == 0) {
+        const PairCounts counts = count_pairs(scene, lines, sequence, plan.first_line_item, plan.cast, run);
+        if (counts.lines == 0 || (run.stopped() && run.is_share()))
+            return counts.lines;
+        counted.lines = counts.lines;
+        counted.estimate = estimate_exchange(scene, unoccluded.table(), counts, crossing_area(), run.threads);
+        counted.losses = losses(counts, crossing_area());
+        counted.first_guess =
+            plan.rays > 0 ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads) : source;
     }
-    ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), crossing_area, threads);
+    const std::uint64_t lines_cast = counted.lines;
+    if (plan.rays > 0 && !run.stopped())
+        refine_by_rays(counted.estimate, scene, unoccluded.table(), crossing_area(), counted.first_guess, sequence,
+                       {plan.first_ray_item, plan.rays, plan.seed}, run);
+    if (run.stopped() && run.is_share())
+        return lines_cast;
+    const Field first_guess = counted.first_guess;
+    ClosedExchange closed_exchange =
+        closed(scene, unoccluded.table(), std::move(counted), crossing_area(), run.threads);
 
     const auto exchange_of_pairs = [&] {
-        return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(), threads);
+        return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(),
+                                               run.threads);
     };
     std::unique_ptr<DenseExchange> exchange = exchange_of_pairs();
-    ExchangeSolution solution = solve(*exchange, rho, source, first_guess, threads);
+    ExchangeSolution solution = solve(*exchange, rho, source, first_guess, run.threads);
     if (!solution.converged) {
         clamp_to_positive(closed_exchange.pairs);
         exchange = exchange_of_pairs();
-        solution = solve(*exchange, rho, source, source, threads);
+        solution = solve(*exchange, rho, source, source, run.threads);
     }
-    distribute(scene, *exchange, solution.radiosity, 1.0, threads, state);
+    distribute(scene, *exchange, solution.radiosity, 1.0, run.threads, state);
+    return lines_cast;
 }
 
 } // namespace multipath

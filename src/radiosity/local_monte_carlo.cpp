@@ -1,6 +1,7 @@
 #include "radiosity/local_monte_carlo.h"
 
 #include "parallel/ordered_blocks.h"
+#include "radiosity/shooting.h"
 #include "transport/intersection_list.h"
 
 #include <algorithm>
@@ -37,6 +38,11 @@ public:
         if (count_ > 4 * recent_.incident.size() + 65536) // seldom enough to cost nothing
             flush(total);
     }
+    void visit(Archive& archive) ///< for a checkpoint
+    {
+        recent_.visit(archive);
+        archive.value<std::uint64_t>("deposits", count_);
+    }
     void flush(PowerState& total)
     {
         for (std::size_t i = 0; i < recent_.incident.size(); ++i) {
@@ -52,25 +58,36 @@ public:
 private:
     PowerState empty_;
     PowerState recent_;
-    std::size_t count_ = 0;
+    std::uint64_t count_ = 0;
 };
 
 } // namespace
 
-std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options, int threads,
-                             PowerState& state, const LineCounter& count_lines)
+std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
+                             const RunControl& run, PowerState& state)
 {
-    const Particles particles = plan_particles(scene, state, options.lines, options.seed);
-    spend(scene, 0.0, particles.shots(), state);
+    std::vector<Shot> shots;
+    PartialSums sums(PowerState::empty(scene));
+    std::uint64_t segments = 0;
+    std::uint64_t next_block = 0;
+    const Checkpoint::Part part(run.checkpoint, "particles", [&](Archive& archive) {
+        archive.value<std::uint64_t>("next block", next_block);
+        archive.value<std::uint64_t>("segments", segments);
+        sums.visit(archive);
+        visit(archive, scene, shots);
+    });
+    if (!part.resumed()) {
+        shots = plan_particles(scene, state, options.lines, options.seed).shots();
+        spend(scene, 0.0, shots, state);
+    }
+    const Particles particles(scene, shots, options.seed);
 
     struct Block
     {
         std::vector<Item> items;
         ParticlePaths paths;
     };
-    std::vector<Block> blocks(static_cast<std::size_t>(slot_count(threads)));
-    PartialSums sums(PowerState::empty(scene));
-    std::uint64_t segments = 0;
+    std::vector<Block> blocks(static_cast<std::size_t>(slot_count(run.threads)));
     const auto trace = [&](std::uint64_t number, int slot) {
         Block& block = blocks[static_cast<std::size_t>(slot)];
         const std::uint64_t first = number * particles_per_block;
@@ -82,10 +99,12 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         const Block& block = blocks[static_cast<std::size_t>(slot)];
         sums.deposit_all(scene, block.paths.steps, options.estimator, state);
         segments += block.paths.steps.size();
-        count_lines(block.paths.steps.size());
+        run.count_lines(block.paths.steps.size());
     };
-    ordered_blocks((particles.count() + particles_per_block - 1) / particles_per_block, threads, trace, deposit_all);
+    const std::uint64_t block_count = (particles.count() + particles_per_block - 1) / particles_per_block;
+    resumable_blocks(next_block, block_count, run, trace, deposit_all);
     sums.flush(state);
+    keep_unsent(shots, std::min(particles.count(), next_block * particles_per_block), state);
     return segments;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "radiosity/particles.h"
 #include "sampling/sequence.h"
 
@@ -17,8 +18,9 @@ struct LocalOptions
 
 /// Phi_T local Monte Carlo (L1): particles of equal power leave the sources, are reflected with the probability rho,
 /// and go on from a uniform point of the patch that they hit. Returns the segments cast. Unshot power then holds what
-/// Russian roulette created (negative) or destroyed, which is zero in expectation.
-std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options, int threads,
-                             PowerState& state, const LineCounter& count_lines);
+/// Russian roulette created (negative) or destroyed, which is zero in expectation; and, if the run is stopped, that of
+/// the particles that did not leave. A checkpoint must hold the state besides what this function makes it hold.
+std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
+                             const RunControl& run, PowerState& state);
 
 } // namespace multipath

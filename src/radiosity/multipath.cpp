@@ -15,14 +15,20 @@ constexpr std::size_t segments_ahead =
 
 } // namespace
 
-void cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, const GlobalPass& pass,
-                       int threads, PowerState& state, const LineCounter& count_lines)
+std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
+                                const GlobalPass& pass, const RunControl& run, PowerState& state)
 {
     if (pass.lines_cast == 0)
-        return;
+        return 0;
     PowerWalk walk(scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state); // (G1)
     WalkTally total;
-    std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    std::uint64_t next_block = 0;
+    const Checkpoint::Part part(run.checkpoint, "global pass", [&](Archive& archive) {
+        archive.value<std::uint64_t>("next block", next_block);
+        archive.value<double>("tally", total);
+        walk.visit(archive);
+    });
+    std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
     const auto trace = [&](std::uint64_t number, int slot) {
         blocks[static_cast<std::size_t>(slot)].trace(scene, lines, sequence, pass.first_item, pass.lines_cast, number);
     };
@@ -35,10 +41,12 @@ void cast_global_lines(const Scene& scene, const GlobalLines& lines, const Seque
             walk.follow(block.segments[k], tally);
         }
         total += tally;
-        count_lines(block.lines.lines());
+        run.count_lines(block.lines.lines());
     };
-    ordered_blocks(LineBlock::blocks_for(pass.lines_cast), threads, trace, exchange_in_order);
-    walk.finish(total, state);
+    resumable_blocks(next_block, LineBlock::blocks_for(pass.lines_cast), run, trace, exchange_in_order);
+    const std::uint64_t cast = std::min(pass.lines_cast, next_block * LineBlock::most_lines);
+    walk.finish(total, static_cast<double>(pass.lines_cast) / static_cast<double>(cast), state);
+    return cast;
 }
 
 } // namespace multipath

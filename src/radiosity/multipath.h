@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "radiosity/power_state.h"
 #include "radiosity/shooting.h"
 #include "sampling/sequence.h"
@@ -18,8 +19,9 @@ struct GlobalPass
 };
 
 /// The global pass: distributes the unshot power of all patches with global lines. Traced by all threads, exchanged in
-/// the order of the lines, so the result does not depend on the number of threads.
-void cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, const GlobalPass& pass,
-                       int threads, PowerState& state, const LineCounter& count_lines);
+/// the order of the lines, so the result does not depend on the number of threads. Returns how many lines were cast:
+/// fewer if the run is stopped, and then what they brought stands for all.
+std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
+                                const GlobalPass& pass, const RunControl& run, PowerState& state);
 
 } // namespace multipath

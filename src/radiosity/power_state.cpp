@@ -33,6 +33,25 @@ PowerState PowerState::empty(const Scene& scene)
     return state;
 }
 
+void PowerState::visit(Archive& archive)
+{
+    archive.list<double>("incident", incident);
+    archive.list<double>("unshot", unshot);
+    archive.value<double>("emitted", emitted);
+    archive.value<double>("escaped", escaped);
+    archive.value<double>("behind", behind);
+}
+
+void add(const PowerBalance& part, double share, PowerBalance& sum)
+{
+    sum.emitted += share * part.emitted;
+    sum.absorbed += share * part.absorbed;
+    sum.unshot += share * part.unshot;
+    sum.escaped += share * part.escaped;
+    sum.behind += share * part.behind;
+    sum.source += share * part.source;
+}
+
 PowerBalance power_balance(const Scene& scene, const PowerState& state)
 {
     PowerBalance balance;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parallel/archive.h"
 #include "scene/scene.h"
 
 #include <vector>
@@ -29,12 +30,17 @@ struct PowerState
     /// All zero, to be added to another.
     static PowerState empty(const Scene& scene);
 
+    void visit(Archive& archive); ///< for a checkpoint
+
     std::vector<Rgb> incident; ///< [W] per patch, arrived so far
     std::vector<Rgb> unshot;   ///< [W] per patch, emitted or reflected, not yet sent on
     Rgb emitted;               ///< [W] see PowerBalance
     Rgb escaped;               ///< [W]
     Rgb behind;                ///< [W]
 };
+
+/// Adds a share of one balance to another.
+void add(const PowerBalance& part, double share, PowerBalance& sum);
 
 PowerBalance power_balance(const Scene& scene, const PowerState& state);
 

@@ -13,16 +13,21 @@ PowerWalk::PowerWalk(const Scene& scene, double crossings_per_area, bool bidirec
     }
 }
 
-void PowerWalk::finish(const WalkTally& total, PowerState& state) const
+void PowerWalk::visit(Archive& archive)
+{
+    archive.list<double>("patches", patches_);
+}
+
+void PowerWalk::finish(const WalkTally& total, double scale, PowerState& state) const
 {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         state.emitted = state.emitted - state.unshot[i];
-        state.incident[i] += patches_[i].incident;
-        state.unshot[i] = patches_[i].held;
+        state.incident[i] += scale * patches_[i].incident;
+        state.unshot[i] = scale * patches_[i].held;
     }
-    state.emitted += total.forecast_sent;
-    state.escaped += total.escaped;
-    state.behind += total.behind;
+    state.emitted += scale * total.forecast_sent;
+    state.escaped += scale * total.escaped;
+    state.behind += scale * total.behind;
 }
 
 } // namespace multipath

@@ -68,8 +68,11 @@ public:
 
     const WalkingPower& at(std::uint32_t patch) const { return patches_[patch]; }
 
-    /// Adds what the pass distributed; what the patches hold is what is left unshot.
-    void finish(const WalkTally& total, PowerState& state) const;
+    void visit(Archive& archive); ///< for a checkpoint
+
+    /// Adds what the pass distributed; what the patches hold is what is left unshot. `scale` [1]: how many times more
+    /// lines the pass was planned with than were followed.
+    void finish(const WalkTally& total, double scale, PowerState& state) const;
 
 private:
     void fetch(std::uint32_t end) const

@@ -1,6 +1,7 @@
 #include "radiosity/replicates.h"
 
 #include "radiosity/error_measure.h"
+#include "radiosity/run_record.h"
 #include "sampling/random.h"
 #include "scene/input_error.h"
 
@@ -29,6 +30,12 @@ public:
         }
     }
     const std::vector<Rgb>& mean() const { return mean_; }
+    void visit(Archive& archive) ///< for a checkpoint
+    {
+        archive.value<double>("count", count_);
+        archive.list<double>("mean", mean_);
+        archive.list<double>("squares", squares_);
+    }
     /// Of the mean.
     std::vector<Rgb> standard_errors() const
     {
@@ -45,79 +52,141 @@ private:
     std::vector<Rgb> squares_;
 };
 
-void add(const PowerBalance& part, double share, PowerBalance& sum)
-{
-    sum.emitted += share * part.emitted;
-    sum.absorbed += share * part.absorbed;
-    sum.unshot += share * part.unshot;
-    sum.escaped += share * part.escaped;
-    sum.behind += share * part.behind;
-    sum.source += share * part.source;
-}
-
 std::uint64_t replicate_seed(std::uint64_t seed, std::uint64_t round, int replicate)
 {
     return random_bits(mix_bits(seed ^ 0x452821e638d01377u), (round << 32) + static_cast<std::uint64_t>(replicate));
 }
 
-Solution solve_round(const Scene& scene, const Preparation& preparation, const SolveOptions& options, int replicates,
-                     std::uint64_t round, const ProgressCallback& progress)
+/// The replicates of one round, and what those that are finished found.
+class ReplicateRun
 {
-    const auto parts = static_cast<std::uint64_t>(replicates);
-    if (options.lines < parts)
-        throw InputError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
-    SolveOptions replicate = options;
-    replicate.sequence = randomised_name(options.sequence);
-    PatchMoments moments(scene.patch_count());
-    Solution sum;
-    sum.unshot.resize(scene.patch_count());
-    for (int r = 0; r < replicates; ++r) {
-        const auto part = static_cast<std::uint64_t>(r);
-        replicate.lines = options.lines / parts + (part < options.lines % parts ? 1 : 0);
-        replicate.seed = replicate_seed(options.seed, round, r);
-        const Solution one = solve(scene, preparation, replicate,
-                                   [&](double done) { progress((r + done) / static_cast<double>(replicates)); });
-        moments.add(one.radiosity);
-        add(one.balance, 1.0 / replicates, sum.balance);
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            sum.unshot[i] += 1.0 / replicates * one.unshot[i];
-        sum.local_lines += one.local_lines;
-        sum.global_lines += one.global_lines;
-        sum.global_lines_cast += one.global_lines_cast;
-        if (r == 0)
-            sum.shot_passes = one.shot_passes;
+public:
+    ReplicateRun(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t round)
+        : scene_(scene), options_(options), replicates_(replicates), round_(round), moments_(scene.patch_count())
+    {
+        if (options.lines < static_cast<std::uint64_t>(replicates))
+            throw InputError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
+        sum_.radiosity.resize(scene.patch_count());
+        sum_.unshot.resize(scene.patch_count());
     }
-    sum.radiosity = moments.mean();
-    sum.standard_error = moments.standard_errors();
-    sum.relative_standard_error = std::sqrt(expected_relative_square(scene.areas(), sum.radiosity, sum.standard_error));
-    sum.replicates = replicates;
-    sum.all_lines = sum.local_lines + sum.global_lines;
-    return sum;
-}
+
+    Solution solve_all(const Preparation& preparation, const ProgressCallback& progress, Checkpoint* checkpoint)
+    {
+        const Checkpoint::Part part(checkpoint, "replicates", [this](Archive& archive) { visit(archive); });
+        while (finished_ < static_cast<std::uint64_t>(replicates_)) {
+            const auto show = [&](double done) {
+                progress((static_cast<double>(finished_) + done) / static_cast<double>(replicates_));
+            };
+            const Solution one = solve(scene_, preparation, options_of(finished_), show, checkpoint);
+            if (checkpoint && checkpoint->stopped()) {
+                if (finished_ == 0)
+                    return one;
+                break;
+            }
+            add_one(one);
+        }
+        return result();
+    }
+
+private:
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("finished", finished_);
+        moments_.visit(archive);
+        sum_.visit(archive, scene_.patch_count());
+    }
+
+    SolveOptions options_of(std::uint64_t replicate) const
+    {
+        const auto parts = static_cast<std::uint64_t>(replicates_);
+        SolveOptions options = options_;
+        options.sequence = randomised_name(options_.sequence);
+        options.lines = options_.lines / parts + (replicate < options_.lines % parts ? 1 : 0);
+        options.seed = replicate_seed(options_.seed, round_, static_cast<int>(replicate));
+        return options;
+    }
+
+    void add_one(const Solution& one)
+    {
+        moments_.add(one.radiosity);
+        add(one.balance, 1.0 / replicates_, sum_.balance);
+        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
+            sum_.unshot[i] += 1.0 / replicates_ * one.unshot[i];
+        sum_.local_lines += one.local_lines;
+        sum_.global_lines += one.global_lines;
+        sum_.global_lines_cast += one.global_lines_cast;
+        if (finished_ == 0)
+            sum_.shot_passes = one.shot_passes;
+        ++finished_;
+    }
+
+    Solution result() const
+    {
+        Solution solution = sum_;
+        if (finished_ < static_cast<std::uint64_t>(replicates_)) {
+            const double scale = static_cast<double>(replicates_) / static_cast<double>(finished_);
+            solution.balance = {};
+            add(sum_.balance, scale, solution.balance);
+            for (Rgb& unshot : solution.unshot)
+                unshot = scale * unshot;
+        }
+        solution.radiosity = moments_.mean();
+        solution.replicates = static_cast<int>(finished_);
+        solution.all_lines = solution.local_lines + solution.global_lines;
+        if (finished_ > 1) {
+            solution.standard_error = moments_.standard_errors();
+            solution.relative_standard_error =
+                std::sqrt(expected_relative_square(scene_.areas(), solution.radiosity, solution.standard_error));
+        }
+        return solution;
+    }
+
+    const Scene& scene_;
+    const SolveOptions& options_;
+    int replicates_;
+    std::uint64_t round_;
+    std::uint64_t finished_ = 0;
+    PatchMoments moments_;
+    Solution sum_; ///< of the shares of the finished ones; radiosity and errors are in the moments
+};
 
 } // namespace
 
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
-                          int replicates, const ProgressCallback& progress)
+                          int replicates, const ProgressCallback& progress, Checkpoint* checkpoint)
 {
-    return solve_round(scene, preparation, options, replicates, 0, progress);
+    return ReplicateRun(scene, options, replicates, 0).solve_all(preparation, progress, checkpoint);
 }
 
 Solution solve_until(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
-                     const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress)
+                     const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
+                     Checkpoint* checkpoint)
 {
     const Preparation preparation = prepare(scene, options);
-    SolveOptions round_options = options;
-    round_options.lines = first_lines;
-    std::uint64_t lines_before = 0;
-    for (std::uint64_t round = 0;; ++round) {
-        Solution solution = solve_round(scene, preparation, round_options, replicates, round, progress);
-        solution.all_lines += lines_before;
-        lines_before = solution.all_lines;
-        if (!go_on({round_options.lines, *solution.relative_standard_error}))
-            return solution;
-        round_options.lines *= 2;
+    RunRecord record;
+    const Checkpoint::Part part(checkpoint, RunRecord::part,
+                                [&](Archive& archive) { record.visit(archive, scene.patch_count()); });
+    const auto finished = [&] {
+        return record.pieces > 0 && !go_on({record.lines, *record.solution.relative_standard_error});
+    };
+    while (record.goal > 0 || !finished()) {
+        if (record.goal == 0)
+            record.goal = record.pieces == 0 ? first_lines : 2 * record.lines;
+        SolveOptions round_options = options;
+        round_options.lines = record.goal;
+        Solution solution = ReplicateRun(scene, round_options, replicates, record.pieces)
+                                .solve_all(preparation, progress, checkpoint);
+        if (checkpoint && checkpoint->stopped())
+            return record.pieces > 0 ? record.solution : solution;
+        solution.all_lines += record.solution.all_lines;
+        record.solution = std::move(solution);
+        record.lines = record.goal;
+        record.goal = 0;
+        ++record.pieces;
     }
+    if (checkpoint)
+        checkpoint->finish();
+    return record.solution;
 }
 
 } // namespace multipath

@@ -122,8 +122,8 @@ std::vector<Look> choose_looks(const Scene& scene, const GatherPairs& pairs, con
 }
 
 std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, const std::vector<Look>& looks,
-                               const ShadowRays& rays, const Sequence& sequence, int threads,
-                               std::vector<Sight>& sights, const LineCounter& count_lines)
+                               const ShadowRays& rays, const Sequence& sequence, const RunControl& run,
+                               std::vector<Sight>& sights)
 {
     constexpr std::uint64_t most_items = 4096;
     const std::uint32_t patches = scene.patch_count();
@@ -146,16 +146,20 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
     const auto first_patch = [&](std::uint64_t block) {
         return static_cast<std::uint32_t>(std::min<std::uint64_t>(block * patches_per_block, patches));
     };
-    std::vector<std::vector<Item>> items(static_cast<std::size_t>(slot_count(threads)));
-    ordered_blocks((patches + patches_per_block - 1) / patches_per_block, threads,
+    std::uint64_t next_block = 0;
+    const Checkpoint::Part part(run.checkpoint, "shadow rays", [&](Archive& archive) {
+        archive.value<std::uint64_t>("next block", next_block);
+    });
+    std::vector<std::vector<Item>> items(static_cast<std::size_t>(slot_count(run.threads)));
+    resumable_blocks(next_block, (patches + patches_per_block - 1) / patches_per_block, run,
                    [&](std::uint64_t block, int slot) {
                        for (std::uint32_t patch = first_patch(block); patch < first_patch(block + 1); ++patch)
                            look_from(patch, items[static_cast<std::size_t>(slot)]);
                    },
                    [&](std::uint64_t block, int) {
-                       count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));
+                       run.count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));
                    });
-    return whole(before.back());
+    return whole(before[first_patch(next_block)]);
 }
 
 std::uint64_t bits_from(const Item& item)

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "radiosity/gather_pairs.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
-#include "transport/line_counter.h"
 
 #include <cstdint>
 #include <vector>
@@ -39,10 +39,11 @@ struct ShadowRays
     std::uint64_t first_item = 0;
 };
 
-/// Casts the rays and adds what they find to the sights. Returns their number.
+/// Casts the rays and adds what they find to the sights. Returns their number. A checkpoint must hold the sights and
+/// what the pairs deserve besides what this function makes it hold.
 std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, const std::vector<Look>& looks,
-                               const ShadowRays& rays, const Sequence& sequence, int threads,
-                               std::vector<Sight>& sights, const LineCounter& count_lines);
+                               const ShadowRays& rays, const Sequence& sequence, const RunControl& run,
+                               std::vector<Sight>& sights);
 
 /// Random bits that are a function of the item and tell nothing of it.
 std::uint64_t bits_from(const Item& item);

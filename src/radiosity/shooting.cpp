@@ -43,6 +43,18 @@ public:
             touched_.push_back(receiver);
     }
 
+    /// For a checkpoint.
+    void visit(Archive& archive)
+    {
+        archive.list<std::uint64_t>("receivers", counts_);
+        archive.value<std::uint64_t>("behind", behind_);
+        archive.value<std::uint64_t>("outside", outside_);
+        if (archive.reads())
+            for (std::uint32_t i = 0; i < counts_.size(); ++i)
+                if (counts_[i] > 0)
+                    touched_.push_back(i);
+    }
+
     /// Moves the power of the counted rays, all from `shot`, and forgets them.
     void deposit(const Shot& shot, PowerState& state)
     {
@@ -68,13 +80,47 @@ private:
 
 } // namespace
 
+void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state)
+{
+    std::uint64_t before = 0;
+    for (const Shot& shot : shots) {
+        const std::uint64_t sent = std::min(shot.rays, rays_sent - std::min(rays_sent, before));
+        if (sent < shot.rays)
+            state.unshot[shot.patch] += static_cast<double>(shot.rays - sent) * shot.power_per_ray;
+        before += shot.rays;
+    }
+}
+
+void visit(Archive& archive, const Scene& scene, std::vector<Shot>& shots)
+{
+    std::vector<std::uint32_t> patches;
+    std::vector<std::uint64_t> rays;
+    std::vector<Rgb> power;
+    for (const Shot& shot : shots) {
+        patches.push_back(shot.patch);
+        rays.push_back(shot.rays);
+        power.push_back(shot.power_per_ray);
+    }
+    archive.growing_list<std::uint32_t>("shooters", patches);
+    rays.resize(patches.size());
+    power.resize(patches.size());
+    archive.list<std::uint64_t>("rays", rays);
+    archive.list<double>("power per ray", power);
+    shots.clear();
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        if (patches[k] >= scene.patch_count())
+            throw ArchiveError("the state is damaged: no such patch");
+        shots.push_back({patches[k], rays[k], power[k]});
+    }
+}
+
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
-           int threads, PowerState& state, const LineCounter& count_lines)
+           const RunControl& run, PowerState& state)
 {
     const std::vector<std::uint64_t> before = rays_before(shots);
     const std::uint64_t ray_count = before.back();
     const std::uint64_t block_count = (ray_count + rays_per_block - 1) / rays_per_block;
-    std::vector<RayBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    std::vector<RayBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
 
     const auto trace = [&](std::uint64_t number, int slot) {
         RayBlock& block = blocks[static_cast<std::size_t>(slot)];
@@ -89,7 +135,15 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
         block.trace(scene);
     };
     ReceivedRays received(scene);
-    std::size_t current_shot = 0;
+    std::uint64_t current_shot = 0;
+    std::uint64_t next_block = 0;
+    const Checkpoint::Part part(run.checkpoint, "shots", [&](Archive& archive) {
+        archive.value<std::uint64_t>("next block", next_block);
+        archive.value<std::uint64_t>("current shot", current_shot);
+        received.visit(archive);
+        if (next_block > block_count || (ray_count > 0 && current_shot >= shots.size()))
+            throw ArchiveError("the state is damaged: no such rays");
+    });
     const auto count_receivers = [&](std::uint64_t number, int slot) {
         const RayBlock& block = blocks[static_cast<std::size_t>(slot)];
         std::uint64_t ray = number * rays_per_block;
@@ -100,11 +154,12 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
             }
             received.add(receiver);
         }
-        count_lines(block.receivers.size());
+        run.count_lines(block.receivers.size());
     };
-    ordered_blocks(block_count, threads, trace, count_receivers);
+    resumable_blocks(next_block, block_count, run, trace, count_receivers);
     if (ray_count > 0)
         received.deposit(shots[current_shot], state);
+    keep_unsent(shots, std::min(ray_count, next_block * rays_per_block), state);
 }
 
 } // namespace multipath

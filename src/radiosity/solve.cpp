@@ -38,10 +38,14 @@ void require_balance(const PowerBalance& balance)
 class Run
 {
 public:
-    Run(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)
+    Run(const Scene& scene, const SolveOptions& options, const Preparation& preparation,
+        const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
         : scene_(scene),
           options_(options),
+          preparation_(preparation),
           progress_(progress),
+          checkpoint_(checkpoint),
+          share_(share),
           sequence_(make_line_sequence(options.sequence, options.seed, options.pairing)),
           lines_(scene.bounds(), chords_of(options)),
           state_(scene)
@@ -50,16 +54,60 @@ public:
         first_item_ = plan_items(*sequence_, options.skip, 0, lines_.lines_to_cast(options.lines)).first_shot;
     }
 
+    Solution solve()
+    {
+        const std::vector<Stage> stages = stages_of(options_.method);
+        const Checkpoint::Part part(checkpoint_, "run", [this](Archive& archive) { visit(archive); });
+        while (stages_done_ < stages.size() && !stopped()) {
+            local_lines_before_ = solution_.local_lines;
+            (this->*stages[stages_done_])();
+            stages_done_ += stopped() ? 0 : 1;
+        }
+        return finish();
+    }
+
+private:
+    using Stage = void (Run::*)();
+
+    std::vector<Stage> stages_of(Method method) const
+    {
+        if (method == Method::local)
+            return {&Run::particles};
+        if (method != Method::reuse)
+            return {&Run::shots, &Run::global_pass};
+        if (preparation_.unoccluded)
+            return {&Run::shots, &Run::reuse};
+        if (!gathers())
+            return {&Run::shots, &Run::reuse_counts};
+        return {&Run::gather, &Run::shoot_what_stands_out, &Run::reuse_counts};
+    }
+
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("stages done", stages_done_);
+        archive.value<double>("lines done", done_);
+        archive.value<std::uint64_t>("local lines", local_lines_before_);
+        archive.value<std::uint64_t>("lines to shoot", lines_to_shoot_);
+        multipath::visit(archive, solution_.shot_passes);
+        state_.visit(archive);
+        if (archive.reads())
+            solution_.local_lines = local_lines_before_;
+    }
+
     void particles()
     {
         const LocalOptions local{options_.lines, options_.estimator, first_item_, options_.seed};
-        solution_.local_lines =
-            cast_particles(scene_, *sequence_, local, options_.threads, state_, counter(1, 1)); // (L1)
+        solution_.local_lines = cast_particles(scene_, *sequence_, local, control(1, 1), state_); // (L1)
     }
 
     void shots()
     {
-        solution_.shot_passes = shoot_first(scene_, *sequence_, first_item_, options_, state_, counter(1, 1));
+        solution_.shot_passes = shoot_first(scene_, *sequence_, first_item_, options_, control(1, 1), state_);
+        count_shots();
+    }
+
+    void count_shots()
+    {
         for (const ShotPass& pass : solution_.shot_passes)
             solution_.local_lines += pass.lines;
     }
@@ -69,36 +117,43 @@ public:
         plan_global_lines();
         const GlobalPass pass{first_global_item(), solution_.global_lines_cast, options_.bidirectional};
         const ShuffledOrder items = walking_order(*sequence_, options_.line_order, pass.first_item, pass.lines_cast);
-        cast_global_lines(scene_, lines_, items, pass, options_.threads, state_,
-                          counter(pass.lines_cast, solution_.global_lines)); // (M1) (M2)
+        const std::uint64_t cast =
+            cast_global_lines(scene_, lines_, items, pass, control(pass.lines_cast, solution_.global_lines),
+                              state_); // (M1) (M2)
+        note_cast(cast);
     }
 
     /// With a table of all pairs.
-    void reuse(const UnoccludedExchange& unoccluded)
+    void reuse()
     {
         const std::uint64_t rays = gathers() ? std::min(local_share(1.0), options_.lines - 1) : 0;
         const std::uint64_t first_ray = first_item_ + solution_.local_lines;
         solution_.local_lines += rays;
         plan_global_lines();
         const ReusedLines plan{first_global_item(), solution_.global_lines_cast, first_ray, rays, options_.seed};
-        reuse_lines(scene_, unoccluded, lines_, *sequence_, plan, options_.threads, state_,
-                    counter(plan.cast + rays, solution_.global_lines + rays)); // (R1)
+        const std::uint64_t cast =
+            reuse_lines(scene_, *preparation_.unoccluded, lines_, *sequence_, plan,
+                        control(plan.cast + rays, solution_.global_lines + rays, share_), state_); // (R1)
+        note_cast(cast);
+    }
+
+    void gather()
+    {
+        const GatheredLight light =
+            gather_direct_light(scene_, *sequence_, first_item_, local_share(0.25), control(1, 1));
+        receive(light);
+        solution_.local_lines += light.lines;
     }
 
     /// Without one.
     void reuse_counts()
     {
-        if (gathers()) {
-            const GatheredLight light = gather_direct_light(scene_, *sequence_, first_item_, local_share(0.25),
-                                                            options_.threads, counter(1, 1));
-            receive(light);
-            solution_.local_lines += light.lines;
-            shoot_what_stands_out();
-        }
         plan_global_lines();
-        reuse_counted_lines(scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
-                            static_cast<std::size_t>(options_.memory), options_.threads, state_,
-                            counter(solution_.global_lines_cast, solution_.global_lines)); // (R1)
+        const std::uint64_t cast = reuse_counted_lines(
+            scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
+            static_cast<std::size_t>(options_.memory),
+            control(solution_.global_lines_cast, solution_.global_lines, share_), state_); // (R1)
+        note_cast(cast);
     }
 
     Solution finish()
@@ -111,7 +166,7 @@ public:
         return std::move(solution_);
     }
 
-private:
+    bool stopped() const { return checkpoint_ && checkpoint_->stopped(); }
     bool gathers() const { return options_.direct == Direct::gather; }
 
     /// The user's ratio of local to global lines, or the usual one.
@@ -129,26 +184,34 @@ private:
         shot.threshold = options_.threshold.value_or(threshold_radiosity(scene_)); // (4)
         shot.most_steps = options_.most_steps;
         shot.seed = options_.seed;
-        const double unshot = mean(power_balance(scene_, state_).unshot);
-        const double share = unshot > 0.0 ? power_above(scene_, state_, shot.threshold) / unshot : 0.0;
-        if (share < 0.2)
+        if (lines_to_shoot_ == undecided) {
+            const double unshot = mean(power_balance(scene_, state_).unshot);
+            const double share = unshot > 0.0 ? power_above(scene_, state_, shot.threshold) / unshot : 0.0;
+            const std::uint64_t left = options_.lines - std::min(options_.lines, solution_.local_lines);
+            lines_to_shoot_ =
+                share < 0.2 ? 0 : static_cast<std::uint64_t>(0.5 * std::sqrt(share) * static_cast<double>(left));
+        }
+        shot.lines = lines_to_shoot_;
+        if (shot.lines == 0)
             return;
-        const std::uint64_t left = options_.lines - std::min(options_.lines, solution_.local_lines);
-        shot.lines = static_cast<std::uint64_t>(0.5 * std::sqrt(share) * static_cast<double>(left));
         solution_.shot_passes = shoot_extended(scene_, *sequence_, first_item_ + solution_.local_lines, shot,
-                                               options_.threads, state_, counter(1, 1)); // (S2)
-        for (const ShotPass& pass : solution_.shot_passes)
-            solution_.local_lines += pass.lines;
+                                               control(1, 1), state_); // (S2)
+        count_shots();
     }
 
-    /// The sources have sent all their light, and the patches have it.
+    /// The sources have sent all their light, and the patches have it. If the work was stopped, what no patch has is not
+    /// lost: the sources keep it.
     void receive(const GatheredLight& light)
     {
+        const Rgb source = scene_.source_power();
+        const Rgb kept = stopped() ? light.escaped : Rgb{};
+        const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
+        const Rgb kept_share = {share(kept.r, source.r), share(kept.g, source.g), share(kept.b, source.b)};
         for (std::uint32_t i = 0; i < scene_.patch_count(); ++i) {
             state_.incident[i] += light.incident[i];
-            state_.unshot[i] = scene_.reflectance(i) * light.incident[i];
+            state_.unshot[i] = scene_.reflectance(i) * light.incident[i] + kept_share * state_.unshot[i];
         }
-        state_.escaped += light.escaped;
+        state_.escaped += light.escaped - kept;
         state_.behind += light.behind;
     }
 
@@ -164,22 +227,40 @@ private:
         return plan_items(*sequence_, options_.skip, solution_.local_lines, solution_.global_lines_cast).global_pass;
     }
 
+    /// Where the run was stopped, fewer lines were cast than planned.
+    void note_cast(std::uint64_t cast)
+    {
+        if (cast == solution_.global_lines_cast)
+            return;
+        const double share = static_cast<double>(cast) / static_cast<double>(solution_.global_lines_cast);
+        solution_.global_lines = static_cast<std::uint64_t>(share * static_cast<double>(solution_.global_lines));
+        solution_.global_lines_cast = cast;
+    }
+
     /// For `lines` lines to come, which are charged as so many of the budget (N1).
-    LineCounter counter(std::uint64_t lines, std::uint64_t charged)
+    RunControl control(std::uint64_t lines, std::uint64_t charged, Share share = {})
     {
         const double charge = static_cast<double>(charged) / static_cast<double>(std::max<std::uint64_t>(1, lines));
-        return [this, charge](std::uint64_t count) {
-            done_ += charge * static_cast<double>(count);
+        const auto count = [this, charge](std::uint64_t counted) {
+            done_ += charge * static_cast<double>(counted);
             progress_(std::min(1.0, done_ / static_cast<double>(options_.lines)));
         };
+        return {options_.threads, count, checkpoint_, share};
     }
 
     const Scene& scene_;
     const SolveOptions& options_;
+    const Preparation& preparation_;
     const ProgressCallback& progress_;
+    Checkpoint* checkpoint_;
+    Share share_;
     std::unique_ptr<Sequence> sequence_;
     GlobalLines lines_;
     std::uint64_t first_item_ = 0;
+    static constexpr std::uint64_t undecided = ~std::uint64_t{0};
+    std::uint64_t stages_done_ = 0;
+    std::uint64_t local_lines_before_ = 0;     ///< N_l when the present stage began
+    std::uint64_t lines_to_shoot_ = undecided; ///< see shoot_what_stands_out
     PowerState state_;
     Solution solution_;
     double done_ = 0.0;
@@ -199,25 +280,13 @@ Preparation prepare(const Scene& scene, const SolveOptions& options)
 }
 
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
-               const ProgressCallback& progress)
+               const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
 {
     SolveOptions prepared = options;
     if (preparation.ratio)
         prepared.ratio = preparation.ratio;
     require_countable(prepared);
-    Run run(scene, prepared, progress);
-    if (options.method == Method::local) {
-        run.particles();
-    } else {
-        run.shots();
-        if (options.method == Method::reuse && preparation.unoccluded)
-            run.reuse(*preparation.unoccluded);
-        else if (options.method == Method::reuse)
-            run.reuse_counts();
-        else
-            run.global_pass();
-    }
-    return run.finish();
+    return Run(scene, prepared, preparation, progress, checkpoint, share).solve();
 }
 
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)

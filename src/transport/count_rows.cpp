@@ -100,6 +100,22 @@ CountRow CountRows::row(std::uint32_t row) const
     return {entries_.data() + row_begin_[row], entries_.data() + row_begin_[row + 1]};
 }
 
+void CountRows::visit(Archive& archive)
+{
+    archive.list<std::uint64_t>("row begin", row_begin_);
+    archive.growing_list<std::uint32_t>("entries", entries_);
+    archive.list<std::uint64_t>("escaped", escaped_);
+    archive.list<std::uint64_t>("behind", behind_);
+    archive.value<std::uint64_t>("lines", lines_);
+    bool whole = row_begin_.front() == 0 && row_begin_.back() == entries_.size();
+    for (std::size_t i = 0; i + 1 < row_begin_.size(); ++i)
+        whole = whole && row_begin_[i] <= row_begin_[i + 1];
+    for (const CountEntry& entry : entries_)
+        whole = whole && entry.patch >> column_bits_ == 0;
+    if (!whole)
+        throw ArchiveError("the state is damaged: no such rows of counts");
+}
+
 std::size_t CountRows::bytes() const
 {
     return entries_.capacity() * sizeof(CountEntry) + waiting_.capacity() * sizeof(std::uint64_t) +

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "parallel/archive.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,6 +36,7 @@ public:
     void add(std::uint32_t row, std::uint32_t end);
     void add(const CountRows& others); ///< of the same size, merged
     void merge();                      ///< afterwards, nothing waits
+    void visit(Archive& archive);      ///< for a checkpoint; needs merged counts
 
     /// Needs merged counts.
     CountRow row(std::uint32_t row) const;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 #include "transport/count_rows.h"
 #include "transport/intersection_list.h"
-#include "transport/line_counter.h"
 #include "transport/line_sampling.h"
 
 #include <cstddef>
@@ -33,6 +33,7 @@ public:
     void merge(int threads);
     /// Both must be merged and of the same size.
     void add(const LineCounts& others, int threads);
+    void visit(Archive& archive); ///< for a checkpoint
 
     std::uint32_t size() const { return patches_; }
     CountRow row(std::uint32_t patch) const { return part(patch).row(place(patch)); }
@@ -76,9 +77,9 @@ struct CountedLines
     std::uint64_t lines_cast;
 };
 
-/// Casts `lines` global lines, which take the items from first_item on, or fewer: it ends when the counts are full.
+/// Casts `lines` global lines, which take the items from first_item on; or the share of the run, for which the counts
+/// must not get full (InputError); or fewer: it ends when the counts are full, or stopped.
 CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
-                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, int threads,
-                         const LineCounter& count_lines_done);
+                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run);
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #include "transport/pair_counts.h"
 
 #include "parallel/ordered_blocks.h"
+#include "parallel/shared_blocks.h"
 #include "transport/intersection_list.h"
 #include "transport/line_block.h"
 
@@ -61,6 +62,7 @@ void add(const PairBlock& block, PairCounts& counts)
 
 PairCounts& PairCounts::operator+=(const PairCounts& others)
 {
+    lines += others.lines;
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
         for (std::uint32_t j = 0; j <= i; ++j) {
             pairs.at(i, j).joined += others.pairs.at(i, j).joined;
@@ -72,11 +74,24 @@ PairCounts& PairCounts::operator+=(const PairCounts& others)
     return *this;
 }
 
+void PairCounts::visit(Archive& archive)
+{
+    archive.value<std::uint64_t>("lines", lines);
+    pairs.visit<std::uint32_t>(archive, "pairs");
+    archive.list<std::uint64_t>("escaped", escaped);
+    archive.list<std::uint64_t>("behind", behind);
+}
+
 PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
-                       std::uint64_t lines_cast, int threads, const LineCounter& count_lines)
+                       std::uint64_t lines_cast, const RunControl& run)
 {
     PairCounts counts(scene.patch_count());
-    std::vector<PairBlock> blocks(static_cast<std::size_t>(slot_count(threads)));
+    SharedBlocks range(LineBlock::blocks_for(lines_cast), run.share);
+    const Checkpoint::Part part(run.checkpoint, "pair counts", [&](Archive& archive) {
+        range.visit(archive);
+        counts.visit(archive);
+    });
+    std::vector<PairBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
     const auto trace_block = [&](std::uint64_t number, int slot) {
         PairBlock& block = blocks[static_cast<std::size_t>(slot)];
         block.pairs.clear();
@@ -92,9 +107,10 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
     const auto add_block = [&](std::uint64_t, int slot) {
         const PairBlock& block = blocks[static_cast<std::size_t>(slot)];
         add(block, counts);
-        count_lines(block.lines.lines());
+        counts.lines += block.lines.lines();
+        run.count_lines(block.lines.lines());
     };
-    ordered_blocks(LineBlock::blocks_for(lines_cast), threads, trace_block, add_block);
+    range.run(run, trace_block, add_block);
     return counts;
 }
 

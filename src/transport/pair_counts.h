@@ -1,8 +1,8 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
-#include "transport/line_counter.h"
 #include "transport/line_sampling.h"
 #include "transport/pair_matrix.h"
 
@@ -25,15 +25,17 @@ struct PairCounts
     explicit PairCounts(std::uint32_t patches) : pairs(patches), escaped(patches, 0), behind(patches, 0) {}
 
     PairCounts& operator+=(const PairCounts& others);
+    void visit(Archive& archive); ///< for a checkpoint
 
+    std::uint64_t lines = 0; ///< global lines cast
     PairMatrix<PairCount> pairs;
     std::vector<std::uint64_t> escaped; ///< per patch: lines that left its front and met nothing more
     std::vector<std::uint64_t> behind;  ///< per patch: lines that left its front and met a surface from behind
 };
 
-/// Casts global lines, which take the items from first_item on, and counts. Needs lines_cast < 2^32, so that no count
-/// can overflow.
+/// Casts global lines, which take the items from first_item on, and counts: all of them, the share of the run, or fewer
+/// if it is stopped. Needs lines_cast < 2^32, so that no count can overflow.
 PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
-                       std::uint64_t lines_cast, int threads, const LineCounter& count_lines);
+                       std::uint64_t lines_cast, const RunControl& run);
 
 } // namespace multipath

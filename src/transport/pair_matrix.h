@@ -1,9 +1,12 @@
 #pragma once
 
+#include "parallel/archive.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -60,6 +63,13 @@ public:
     /// The pairs (i, 0), (i, 1) ... (i, i).
     Value* row(std::uint32_t i) { return values_.data() + pair_count(i); }
     const Value* row(std::uint32_t i) const { return values_.data() + pair_count(i); }
+
+    /// For a checkpoint: the values, made of such numbers.
+    template <class Number>
+    void visit(Archive& archive, std::string_view name)
+    {
+        archive.list<Number>(name, values_);
+    }
 
     static std::size_t pair_count(std::uint32_t n) { return std::size_t{n} * (std::size_t{n} + 1) / 2; }
     static std::size_t index(std::uint32_t i, std::uint32_t j) { return i < j ? pair_count(j) + i : pair_count(i) + j; }

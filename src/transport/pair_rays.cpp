@@ -6,6 +6,7 @@
 
 #include "geometry/first_hits.h"
 #include "parallel/ordered_blocks.h"
+#include "parallel/shared_blocks.h"
 #include "sampling/random.h"
 #include "transport/fill_level.h"
 #include "transport/ray_pair.h"
@@ -189,39 +190,105 @@ void refine(ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, dou
     variance = static_cast<float>((1.0 - part) * static_cast<double>(variance));
 }
 
+/// Which pair gets how many rays.
+class RayAllotment
+{
+public:
+    RayAllotment(const ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, double crossing_area,
+                 const Importance& importance)
+        : estimate_(estimate), unoccluded_(unoccluded), crossing_area_(crossing_area), importance_(importance)
+    {
+    }
+
+    /// Looks at all rows, before any of them is refined.
+    void allot(const PairRays& plan, int threads)
+    {
+        const std::uint32_t n = estimate_.exchange.size();
+        level_ = fill_level(estimate_, unoccluded_, crossing_area_, importance_, plan.rays, threads);
+        std::vector<double> row_sums(n);
+        parallel_blocks(n, threads, [&](std::uint64_t number) {
+            const auto i = static_cast<std::uint32_t>(n - 1 - number); // long rows first
+            for (const double x : deserved_rays(i))
+                row_sums[i] += x;
+        });
+        rate_ = static_cast<double>(plan.rays) / std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
+        before_ = {bits_to_unit(random_bits(mix_bits(plan.seed ^ 0x243f6a8885a308d3u), 0))};
+        for (const double sum : row_sums)
+            before_.push_back(before_.back() + rate_ * sum);
+    }
+
+    bool any() const { return level_ > 0.0; }
+    RowOfRays row(std::uint32_t i) const { return {deserved_rays(i), rate_, before_[i]}; }
+
+    /// The first row with at least this share [1] of the rays before it.
+    std::uint64_t row_at(double share) const
+    {
+        const double rays = before_.front() + share * (before_.back() - before_.front());
+        return static_cast<std::uint64_t>(std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin());
+    }
+
+    void visit(Archive& archive)
+    {
+        archive.value<double>("fill level", level_);
+        archive.value<double>("rays per deserved ray", rate_);
+        archive.growing_list<double>("rays before", before_);
+        if (before_.size() != std::size_t{estimate_.exchange.size()} + 1)
+            throw ArchiveError("the state is damaged: no such rows");
+    }
+
+private:
+    std::vector<double> deserved_rays(std::uint32_t i) const
+    {
+        std::vector<double> row(i);
+        for_uncertain_pairs(estimate_, unoccluded_, crossing_area_, importance_, i,
+                            [&](std::uint32_t j, double deserves, double lines) {
+                                row[j] = std::max(0.0, level_ * deserves - lines);
+                            });
+        return row;
+    }
+
+    const ExchangeEstimate& estimate_;
+    const PairMatrix<float>& unoccluded_;
+    double crossing_area_;
+    const Importance& importance_;
+    double level_ = 0.0;
+    double rate_ = 0.0;
+    std::vector<double> before_; ///< rays before each row, and after the last
+};
+
 } // namespace
 
-ExchangeEstimate refined_by_rays(ExchangeEstimate estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
-                                 double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
-                                 const PairRays& plan, int threads, const LineCounter& count_lines)
+void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
+                    double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
+                    const PairRays& plan, const RunControl& run)
 {
     if (plan.rays == 0)
-        return estimate;
+        return;
     const std::uint32_t n = scene.patch_count();
     const Importance importance(scene, radiosity);
-    const double level = fill_level(estimate, unoccluded, crossing_area, importance, plan.rays, threads);
-    if (!(level > 0.0))
-        return estimate;
-    const auto deserved_rays = [&](std::uint32_t i) {
-        std::vector<double> row(i);
-        for_uncertain_pairs(
-            estimate, unoccluded, crossing_area, importance, i,
-            [&](std::uint32_t j, double deserves, double lines) { row[j] = std::max(0.0, level * deserves - lines); });
-        return row;
-    };
-    std::vector<double> row_sums(n);
-    parallel_blocks(n, threads, [&](std::uint64_t number) {
-        const auto i = static_cast<std::uint32_t>(n - 1 - number); // long rows first
-        for (const double x : deserved_rays(i))
-            row_sums[i] += x;
+    RayAllotment allotment(estimate, unoccluded, crossing_area, importance);
+    SharedBlocks rows(n, 0, n);
+    const Checkpoint::Part part(run.checkpoint, "pair rays", [&](Archive& archive) {
+        allotment.visit(archive);
+        rows.visit(archive);
     });
-    const double rate = static_cast<double>(plan.rays) / std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
-    std::vector<double> before = {bits_to_unit(random_bits(mix_bits(plan.seed ^ 0x243f6a8885a308d3u), 0))};
-    for (const double sum : row_sums)
-        before.push_back(before.back() + rate * sum);
-    std::vector<SightBlock> sights(static_cast<std::size_t>(slot_count(threads)), SightBlock(scene));
+    if (!part.resumed()) {
+        allotment.allot(plan, run.threads);
+        const auto share_before = [&](std::uint64_t k) {
+            return static_cast<double>(k) / static_cast<double>(run.share.of);
+        };
+        if (run.share.of > 1 && allotment.any())
+            rows = SharedBlocks(n, run.share.number == 0 ? 0 : allotment.row_at(share_before(run.share.number)),
+                                run.share.number + 1 == run.share.of
+                                    ? n
+                                    : allotment.row_at(share_before(run.share.number + 1)));
+    }
+    if (!allotment.any())
+        return;
+
+    std::vector<SightBlock> sights(static_cast<std::size_t>(slot_count(run.threads)), SightBlock(scene));
     const auto cast_row = [&](std::uint32_t i, SightBlock& sight) {
-        const RowOfRays row(deserved_rays(i), rate, before[i]);
+        const RowOfRays row = allotment.row(i);
         std::vector<Item> items(static_cast<std::size_t>(row.end_ray - row.first_ray));
         sequence.generate(plan.first_item + row.first_ray, items);
         const Item* next = items.data();
@@ -236,13 +303,12 @@ ExchangeEstimate refined_by_rays(ExchangeEstimate estimate, const Scene& scene, 
         return row.end_ray - row.first_ray;
     };
     std::vector<std::uint64_t> cast(n);
-    ordered_blocks(
-        n, threads,
+    rows.run(
+        run,
         [&](std::uint64_t i, int slot) {
             cast[i] = cast_row(static_cast<std::uint32_t>(i), sights[static_cast<std::size_t>(slot)]);
         },
-        [&](std::uint64_t i, int) { count_lines(cast[i]); });
-    return estimate;
+        [&](std::uint64_t i, int) { run.count_lines(cast[i]); });
 }
 
 } // namespace multipath

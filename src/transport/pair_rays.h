@@ -1,9 +1,9 @@
 #pragma once
 
+#include "parallel/run_control.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 #include "transport/exchange_estimate.h"
-#include "transport/line_counter.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,9 +20,9 @@ struct PairRays
 
 /// Casts rays where they lower the error (1) most: between pairs that exchange much light and are neither surely free
 /// nor surely hidden; `radiosity` [W/m^2] need only be roughly right. The estimate must come from lines of
-/// `crossing_area`.
-ExchangeEstimate refined_by_rays(ExchangeEstimate estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
-                                 double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
-                                 const PairRays& plan, int threads, const LineCounter& count_lines);
+/// `crossing_area`; it gets better row by row, and a checkpoint must hold it besides what this function makes it hold.
+void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
+                    double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
+                    const PairRays& plan, const RunControl& run);
 
 } // namespace multipath

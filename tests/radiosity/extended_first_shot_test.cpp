@@ -12,7 +12,6 @@ using namespace multipath;
 
 namespace {
 
-const LineCounter uncounted = [](std::uint64_t) {};
 
 Scene lit_room(double reflectance)
 {
@@ -42,7 +41,7 @@ TEST_CASE("the extended first shot uses the lines that it was given, to 1 %")
                 ExtendedShotOptions options;
                 options.lines = lines;
                 options.threshold = threshold_factor * threshold_radiosity(scene);
-                const std::uint64_t used = lines_of(shoot_extended(scene, *sequence, 0, options, 2, state, uncounted));
+                const std::uint64_t used = lines_of(shoot_extended(scene, *sequence, 0, options, {2}, state));
                 CAPTURE(reflectance);
                 CAPTURE(threshold_factor);
                 CAPTURE(used);
@@ -58,7 +57,7 @@ TEST_CASE("progressive ray refinement shoots the reflected light of each pass in
     ExtendedShotOptions options;
     options.power_by_line = 1e-4;
     const std::vector<ShotPass> passes =
-        shoot_extended(scene, *make_sequence("random", 1), 0, options, 1, state, uncounted);
+        shoot_extended(scene, *make_sequence("random", 1), 0, options, {1}, state);
     CHECK(passes.size() >= 5);
     for (std::size_t k = 1; k < 5; ++k)
         CHECK(passes[k].power / passes[k - 1].power ==
@@ -77,10 +76,10 @@ TEST_CASE("steps bound the passes, and a threshold above everything shoots nothi
     options.power_by_line = 1e-3;
     options.most_steps = 2;
     PowerState state(scene);
-    CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, 1, state, uncounted).size() == 2);
+    CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, {1}, state).size() == 2);
     options.threshold = 1e9;
     PowerState untouched(scene);
-    CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, 1, untouched, uncounted).empty());
+    CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, {1}, untouched).empty());
 }
 
 // A patch that deserves 0.3 rays must shoot 0.3 rays' worth on the average over the rounding, no more and no less.
@@ -111,7 +110,7 @@ TEST_CASE("few rays and no threshold end after a few passes without bias")
         ExtendedShotOptions options;
         options.lines = 500;
         options.seed = seed;
-        CHECK(shoot_extended(scene, *make_sequence("random", seed), 0, options, 1, state, uncounted).size() < 100);
+        CHECK(shoot_extended(scene, *make_sequence("random", seed), 0, options, {1}, state).size() < 100);
         double sum = 0.0;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             sum += state.incident[i].g;

@@ -55,7 +55,7 @@ TEST_CASE("shooting moves power and loses none")
     const auto sequence = make_sequence("random", 1);
     const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 20000);
     spend(scene, 0.0, shots, state);
-    shoot(scene, *sequence, 0, shots, 2, state, [](std::uint64_t) {});
+    shoot(scene, *sequence, 0, shots, {2}, state);
     double incident = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         incident += state.incident[i].g;

@@ -13,18 +13,17 @@ using namespace multipath;
 
 namespace {
 
-const LineCounter uncounted = [](std::uint64_t) {};
 
 GatheredLight gathered(const Scene& scene, std::uint64_t rays, std::uint64_t seed = 1, const char* sequence = "random",
                        int threads = 2)
 {
-    return gather_direct_light(scene, *make_sequence(sequence, seed), 0, rays, threads, uncounted);
+    return gather_direct_light(scene, *make_sequence(sequence, seed), 0, rays, {threads});
 }
 
 std::vector<Rgb> shot(const Scene& scene, std::uint64_t rays, std::uint64_t seed)
 {
     PowerState state(scene);
-    shoot(scene, *make_sequence("random", seed), 0, plan_first_shot(scene, state, 0.0, rays), 2, state, uncounted);
+    shoot(scene, *make_sequence("random", seed), 0, plan_first_shot(scene, state, 0.0, rays), {2}, state);
     return state.incident;
 }
 

@@ -53,7 +53,7 @@ std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options,
 {
     PowerState state(scene);
     const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    shoot_first(scene, *sequence, options.skip, options, state, [](std::uint64_t) {});
+    shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
     std::vector<Rgb> received(scene.patch_count());
     for (const GlobalLine& line : story.lines)
         for (const Stretch& stretch : line.stretches)

@@ -225,11 +225,10 @@ TEST_CASE("merged counts of shards of the lines are those of a single run")
     const Scene scene = bundled("5cubes", 0.5);
     const GlobalLines lines(scene.bounds(), Chords::box);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 1);
-    const LineCounter silent_counter = [](std::uint64_t) {};
-    const PairCounts all = count_pairs(scene, lines, *sequence, 0, 30000, 2, silent_counter);
+    const PairCounts all = count_pairs(scene, lines, *sequence, 0, 30000, {2});
     PairCounts merged(scene.patch_count());
     for (const auto& [first, count] : {std::pair{20000u, 10000u}, {0u, 7001u}, {7001u, 12999u}})
-        merged += count_pairs(scene, lines, *sequence, first, count, 1, silent_counter);
+        merged += count_pairs(scene, lines, *sequence, first, count, {1});
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         for (std::uint32_t j = 0; j <= i; ++j) {
             REQUIRE(merged.pairs.at(i, j).joined == all.pairs.at(i, j).joined);

@@ -40,7 +40,7 @@ PowerState state_after(const Scene& scene, const SolveOptions& options, std::vec
 {
     PowerState state(scene);
     const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    passes = shoot_first(scene, *sequence, options.skip, options, state, [](std::uint64_t) {});
+    passes = shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
     return state;
 }
 

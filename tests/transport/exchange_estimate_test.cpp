@@ -76,7 +76,7 @@ struct Case
     ExchangeEstimate estimate(std::uint64_t cast, std::uint64_t seed, int threads = 2) const
     {
         const PairCounts counts =
-            count_pairs(scene, lines, *make_sequence("random", seed), 0, cast, threads, [](std::uint64_t) {});
+            count_pairs(scene, lines, *make_sequence("random", seed), 0, cast, {threads});
         return estimate_exchange(scene, unoccluded, counts, crossing_area(cast), threads);
     }
 };

@@ -66,7 +66,7 @@ CountedLines counted(const Scene& scene, std::uint64_t first, std::uint64_t line
                      std::size_t byte_limit = std::size_t{1} << 30)
 {
     return count_lines(scene, GlobalLines(scene.bounds(), Chords::box), *make_sequence("sobol", 0), first, lines,
-                       byte_limit, threads, [](std::uint64_t) {});
+                       byte_limit, {threads});
 }
 
 constexpr std::uint64_t lines = 1u << 18; // more than one round between merges

@@ -16,7 +16,7 @@ PairCounts counted(const Scene& scene, std::uint64_t lines, std::uint64_t first_
                    Chords chords = Chords::box)
 {
     return count_pairs(scene, GlobalLines(scene.bounds(), chords), *make_sequence("random", 3), first_item, lines,
-                       threads, [](std::uint64_t) {});
+                       {threads});
 }
 
 /// Calls visit(line) for the lines that are counted.
@@ -240,7 +240,7 @@ TEST_CASE("every number of threads counts the same, and tells how many lines it 
     CHECK(same(counted(scene, 20000, 0, 2), one));
     CHECK(same(counted(scene, 20000, 0, 7), one));
     std::uint64_t done = 0;
-    count_pairs(scene, GlobalLines(scene.bounds()), *make_sequence("random", 3), 0, 20000, 2,
-                [&](std::uint64_t lines) { done += lines; });
+    count_pairs(scene, GlobalLines(scene.bounds()), *make_sequence("random", 3), 0, 20000,
+                {2, [&](std::uint64_t lines) { done += lines; }});
     CHECK(done == 20000);
 }

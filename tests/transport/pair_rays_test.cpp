@@ -110,9 +110,9 @@ struct Refined
 Refined refined(const Problem& problem, const PairRays& plan, int threads = 2)
 {
     std::uint64_t counted = 0;
-    ExchangeEstimate result =
-        refined_by_rays(problem.estimate, problem.scene, problem.unoccluded, problem.crossing_area, problem.radiosity,
-                        *make_sequence("random", 5), plan, threads, [&](std::uint64_t done) { counted += done; });
+    ExchangeEstimate result = problem.estimate;
+    refine_by_rays(result, problem.scene, problem.unoccluded, problem.crossing_area, problem.radiosity,
+                   *make_sequence("random", 5), plan, {threads, [&](std::uint64_t done) { counted += done; }});
     return {std::move(result), counted};
 }
 

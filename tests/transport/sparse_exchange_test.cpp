@@ -13,8 +13,7 @@ constexpr std::uint64_t lines = 1u << 20;
 
 CountedLines counted(const Scene& scene, const GlobalLines& global_lines)
 {
-    return count_lines(scene, global_lines, *make_sequence("sobol", 0), 0, lines, std::size_t{1} << 30, 2,
-                       [](std::uint64_t) {});
+    return count_lines(scene, global_lines, *make_sequence("sobol", 0), 0, lines, std::size_t{1} << 30, {2});
 }
 
 /// A room with a box in it and without one wall.

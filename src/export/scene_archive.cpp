@@ -1,0 +1,112 @@
+#include "export/scene_archive.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+/// Texts as one list of bytes, each with a zero behind it.
+void visit_texts(Archive& archive, std::string_view name, std::vector<std::string>& texts)
+{
+    std::string joined;
+    for (const std::string& text : texts)
+        joined.append(text).push_back('\0');
+    archive.growing_list<char>(name, joined);
+    if (!archive.reads())
+        return;
+    texts.clear();
+    for (std::size_t begin = 0; begin < joined.size();) {
+        const std::size_t end = std::min(joined.find('\0', begin), joined.size());
+        texts.push_back(joined.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+void visit_materials(Archive& archive, std::vector<Material>& materials)
+{
+    std::vector<std::string> names;
+    std::vector<std::string> sources;
+    std::vector<Rgb> reflectances;
+    std::vector<Rgb> emittances;
+    for (const Material& material : materials) {
+        names.push_back(material.name);
+        sources.push_back(material.source);
+        reflectances.push_back(material.reflectance);
+        emittances.push_back(material.emittance);
+    }
+    visit_texts(archive, "material names", names);
+    visit_texts(archive, "material sources", sources);
+    archive.growing_list<double>("reflectances", reflectances);
+    archive.growing_list<double>("emittances", emittances);
+    if (names.size() != sources.size() || names.size() != reflectances.size() || names.size() != emittances.size())
+        throw ArchiveError("the state is damaged: no such materials");
+    materials.clear();
+    for (std::size_t m = 0; m < names.size(); ++m)
+        materials.push_back({names[m], reflectances[m], emittances[m], sources[m]});
+}
+
+void visit_surfaces(Archive& archive, std::vector<Surface>& surfaces)
+{
+    std::vector<std::uint32_t> shapes;
+    std::vector<Vec3> corners; // origin and edges of each
+    for (const Surface& surface : surfaces) {
+        shapes.push_back(surface.shape == Shape::triangle ? 1 : 0);
+        corners.insert(corners.end(), {surface.origin, surface.edge_u, surface.edge_v});
+    }
+    archive.growing_list<std::uint32_t>("triangles", shapes);
+    corners.resize(3 * shapes.size());
+    archive.list<double>("surfaces", corners);
+    surfaces.clear();
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+        surfaces.push_back({shapes[s] == 1 ? Shape::triangle : Shape::parallelogram, corners[3 * s], corners[3 * s + 1],
+                            corners[3 * s + 2]});
+}
+
+void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
+{
+    for (const std::uint32_t number : numbers)
+        if (number >= limit)
+            throw ArchiveError("the state is damaged: no such material or group");
+}
+
+} // namespace
+
+void ArchivedScene::visit(Archive& archive)
+{
+    std::vector<std::string> path = {file.path};
+    visit_texts(archive, "path", path);
+    file.path = path.empty() ? "" : path[0];
+    visit_texts(archive, "groups", file.groups);
+    visit_texts(archive, "warnings", file.warnings);
+    visit_materials(archive, file.materials);
+    visit_surfaces(archive, file.surfaces);
+    for (std::vector<std::uint32_t>* numbers : {&file.material, &file.group, &file.line})
+        numbers->resize(file.surfaces.size());
+    archive.list<std::uint32_t>("material", file.material);
+    archive.list<std::uint32_t>("group", file.group);
+    archive.list<std::uint32_t>("line", file.line);
+    archive.value<double>("patch size", patch_size);
+    archive.value<std::uint64_t>("two-sided", two_sided);
+    archive.value<std::uint64_t>("hash", hash);
+    require_below(file.material, file.materials.size());
+    require_below(file.group, file.groups.size());
+}
+
+ArchivedScene archived(const Scene& scene)
+{
+    return {scene.file(), scene.patch_size(), scene.two_sided() ? 1u : 0u, scene.hash()};
+}
+
+Scene restored(const ArchivedScene& archived)
+{
+    Scene scene(archived.file, archived.patch_size, archived.two_sided != 0);
+    if (scene.hash() != archived.hash)
+        throw ArchiveError("the state is damaged: its scene is not the one that was solved");
+    return scene;
+}
+
+} // namespace multipath

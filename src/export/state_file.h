@@ -1,0 +1,72 @@
+#pragma once
+
+#include "parallel/archive.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace multipath {
+
+/// Writes a state file: a checksummed container of named arrays, the same bytes on every machine (docs/state_format.md).
+class StateWriter : public Archive
+{
+public:
+    using Sink = std::function<void(std::string_view bytes)>;
+
+    explicit StateWriter(Sink sink);
+    void finish(); ///< the end of the file
+
+protected:
+    void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
+    void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
+    std::size_t length(const std::string& name, Scalar scalar) override;
+
+private:
+    void put(std::string_view bytes); ///< and zeros up to a multiple of eight
+
+    Sink sink_;
+    std::uint64_t checksum_ = 0;
+};
+
+/// The arrays of a state file.
+class StateReader : public Archive
+{
+public:
+    /// Throws ArchiveError "run.state: ..." for a file that cannot be read, is no state file, was written by a newer
+    /// version, or is damaged.
+    explicit StateReader(const std::string& path);
+    /// The same from the bytes of a file; `name` is for messages.
+    StateReader(std::string name, std::vector<char> bytes);
+
+    const std::string& name() const { return name_; }
+
+protected:
+    void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
+    void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
+    std::size_t length(const std::string& name, Scalar scalar) override;
+
+private:
+    struct Array
+    {
+        Scalar scalar;
+        std::size_t length; ///< in numbers
+        std::size_t place;  ///< in bytes_
+    };
+
+    [[noreturn]] void refuse(const std::string& problem) const;
+    std::uint64_t word(std::size_t place) const;
+    void require_version() const;
+    void require_checksum() const;
+    void find_arrays();
+    const Array& array(const std::string& name, Scalar scalar) const;
+
+    std::string name_;
+    std::vector<char> bytes_;
+    std::map<std::string, Array> arrays_;
+};
+
+} // namespace multipath

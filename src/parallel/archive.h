@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace multipath {
+
+/// What was saved is damaged or of other work. One plain line.
+class ArchiveError : public std::runtime_error
+{
+public:
+    explicit ArchiveError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// What the arrays of an archive are made of.
+enum class Scalar : std::uint8_t { bytes = 1, u32 = 4, u64 = 8, f32 = 36, f64 = 40 };
+
+inline std::size_t size_of(Scalar scalar)
+{
+    return static_cast<std::size_t>(scalar) & 15u;
+}
+
+template <class Number>
+constexpr Scalar scalar_of()
+{
+    if constexpr (std::is_same_v<Number, double>)
+        return Scalar::f64;
+    else if constexpr (std::is_same_v<Number, float>)
+        return Scalar::f32;
+    else if constexpr (std::is_same_v<Number, std::uint64_t>)
+        return Scalar::u64;
+    else if constexpr (std::is_same_v<Number, std::uint32_t>)
+        return Scalar::u32;
+    else
+        return Scalar::bytes;
+}
+
+/// Named arrays, to be written or to be read back: the same statements do both, so that they cannot disagree. A value
+/// that consists of several numbers is stored as these.
+class Archive
+{
+public:
+    explicit Archive(bool reads) : reads_(reads) {}
+    virtual ~Archive() = default;
+    Archive(const Archive&) = delete;
+    Archive& operator=(const Archive&) = delete;
+
+    bool reads() const { return reads_; }
+
+    /// Reading throws ArchiveError where there is no such array or it has other numbers.
+    template <class Number, class Value>
+    void value(std::string_view name, Value& value)
+    {
+        transfer<Number>(name, &value, 1);
+    }
+
+    /// Read with the length that the list has already; ArchiveError for another one.
+    template <class Number, class List>
+    void list(std::string_view name, List& values)
+    {
+        transfer<Number>(name, values.data(), values.size());
+    }
+
+    /// Read with any length.
+    template <class Number, class List>
+    void growing_list(std::string_view name, List& values)
+    {
+        constexpr std::size_t numbers = sizeof(typename List::value_type) / sizeof(Number);
+        if (reads_)
+            values.resize(length(full_name(name), scalar_of<Number>()) / numbers);
+        list<Number>(name, values);
+    }
+
+    /// As long as one lives, names are those of a part within the present one.
+    class Inner
+    {
+    public:
+        Inner(Archive& archive, const std::string& part) : archive_(archive), length_(archive.prefix_.size())
+        {
+            archive_.prefix_ += part + "/";
+        }
+        ~Inner() { archive_.prefix_.resize(length_); }
+        Inner(const Inner&) = delete;
+        Inner& operator=(const Inner&) = delete;
+
+    private:
+        Archive& archive_;
+        std::size_t length_;
+    };
+
+protected:
+    virtual void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) = 0;
+    virtual void read(const std::string& name, Scalar scalar, void* data, std::size_t length) = 0;
+    /// How many numbers an array has, to be read.
+    virtual std::size_t length(const std::string& name, Scalar scalar) = 0;
+
+private:
+    std::string full_name(std::string_view name) const { return prefix_ + std::string(name); }
+
+    template <class Number, class Value>
+    void transfer(std::string_view name, Value* values, std::size_t count)
+    {
+        static_assert(std::is_trivially_copyable_v<Value> && sizeof(Value) % sizeof(Number) == 0,
+                      "a value must consist of such numbers");
+        const std::size_t numbers = count * (sizeof(Value) / sizeof(Number));
+        if (reads_)
+            read(full_name(name), scalar_of<Number>(), values, numbers);
+        else
+            write(full_name(name), scalar_of<Number>(), values, numbers);
+    }
+
+    bool reads_;
+    std::string prefix_;
+};
+
+} // namespace multipath

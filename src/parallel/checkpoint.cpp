@@ -1,0 +1,57 @@
+#include "parallel/checkpoint.h"
+
+#include <utility>
+
+namespace multipath {
+
+Checkpoint::Part::Part(Checkpoint* checkpoint, std::string name, Visit visit)
+    : checkpoint_(checkpoint), name_(std::move(name)), visit_(std::move(visit))
+{
+    if (!checkpoint_)
+        return;
+    const std::size_t depth = checkpoint_->under_way_.size();
+    const std::vector<std::string>& expected = checkpoint_->expected_;
+    if (depth < expected.size()) {
+        if (expected[depth] != name_)
+            throw ArchiveError("the state is of other work: expected " + name_ + ", found " + expected[depth]);
+        visit_part(*checkpoint_->saved_);
+        resumed_ = true;
+        if (depth + 1 == expected.size())
+            checkpoint_->expected_.clear();
+    }
+    checkpoint_->under_way_.push_back(this);
+}
+
+Checkpoint::Part::~Part()
+{
+    if (checkpoint_)
+        checkpoint_->under_way_.pop_back();
+}
+
+void Checkpoint::Part::visit_part(Archive& archive) const
+{
+    const Archive::Inner inner(archive, name_);
+    visit_(archive);
+}
+
+std::vector<std::string> Checkpoint::parts() const
+{
+    std::vector<std::string> names;
+    for (const Part* part : under_way_)
+        names.push_back(part->name_);
+    return names;
+}
+
+void Checkpoint::save(Archive& archive) const
+{
+    for (const Part* part : under_way_)
+        part->visit_part(archive);
+}
+
+void Checkpoint::resume_from(Archive& archive, std::vector<std::string> parts)
+{
+    saved_ = &archive;
+    expected_ = std::move(parts);
+}
+
+} // namespace multipath

@@ -1,0 +1,193 @@
+#include "doctest/doctest.h"
+#include "paused_work.h"
+#include "radiosity/replicates.h"
+#include "radiosity/stretches.h"
+#include "test_scenes.h"
+
+#include <string>
+#include <vector>
+
+using namespace multipath;
+
+namespace {
+
+const auto silent = [](double) {};
+
+/// A room with two lamps, a box, and a hole in one wall.
+Scene room()
+{
+    SceneBuilder builder;
+    const std::uint32_t red = builder.material({0.7, 0.3, 0.2}, {});
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    const std::uint32_t lamp = builder.material({0.2, 0.2, 0.2}, {8, 6, 4});
+    builder.room({0, 0, 0}, {2, 2, 2}, {grey, grey, red, grey, grey, grey});
+    builder.box({0.5, 0.2, 0.6}, {1.1, 0.9, 1.2}, red);
+    builder.rectangle({0.2, 1.9, 0.2}, {0.3, 0, 0}, {0, 0, 0.3}, lamp);
+    builder.rectangle({1.5, 1.8, 1.4}, {0.3, 0, 0}, {0, 0, 0.3}, lamp);
+    return builder.scene(0.25);
+}
+
+bool same(const Solution& a, const Solution& b)
+{
+    return a.radiosity == b.radiosity && a.unshot == b.unshot && a.standard_error == b.standard_error &&
+           a.all_lines == b.all_lines && a.global_lines_cast == b.global_lines_cast &&
+           a.shot_passes.size() == b.shot_passes.size() && a.balance.emitted == b.balance.emitted &&
+           a.balance.escaped == b.balance.escaped;
+}
+
+SolveOptions options_of(Method method, const std::string& sequence, std::uint64_t lines)
+{
+    SolveOptions options;
+    options.method = method;
+    options.sequence = sequence;
+    options.lines = lines;
+    options.threads = 1; // a pause at every block would start threads anew each time
+    return options;
+}
+
+Solution solved(const Scene& scene, const SolveOptions& options, int replicates, Checkpoint* checkpoint)
+{
+    return solve_in_stretches(scene, options, replicates, silent, checkpoint, {});
+}
+
+/// Leaves the work at every `step`-th pause, takes it up again, and compares; returns the number of pauses.
+int check_all_pauses(const Scene& scene, const SolveOptions& options, int replicates, int step)
+{
+    const Solution whole = solved(scene, options, replicates, nullptr);
+    int pause = 0;
+    for (;; pause += step) {
+        CAPTURE(pause);
+        TestCheckpoint left(pause);
+        solved(scene, options, replicates, &left);
+        if (left.finished())
+            break;
+        TestCheckpoint resumed(-1, left.saved());
+        CHECK(same(solved(scene, options, replicates, &resumed), whole));
+        CHECK(resumed.finished());
+    }
+    return pause;
+}
+
+} // namespace
+
+TEST_CASE("work that was left at any moment and taken up again gives the same bits")
+{
+    const Scene scene = room();
+    for (const Method method :
+         {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+        for (const char* sequence : {"random", "sobol", "halton-permuted"}) {
+            CAPTURE(static_cast<int>(method));
+            CAPTURE(sequence);
+            CHECK(check_all_pauses(scene, options_of(method, sequence, 40000), 1, method == Method::reuse ? 101 : 7) >= 6);
+        }
+    }
+}
+
+TEST_CASE("the variants of line reuse are taken up again, too")
+{
+    const Scene scene = room();
+    SolveOptions options = options_of(Method::reuse, "sobol", 40000);
+    SUBCASE("direct light that is shot") { options.direct = Direct::shoot; }
+    SUBCASE("counts of the pairs that are joined only") { options.memory = 1e5; }
+    SUBCASE("counts that do not fit and are solved in rounds")
+    {
+        options.memory = 1e3;
+        options.lines = 600000;
+    }
+    SUBCASE("few rays, so that the lights are shot") { options.lines = 6000; }
+    CHECK(check_all_pauses(scene, options, 1, options.lines > 100000 ? 31 : 23) >= 3);
+}
+
+TEST_CASE("replicates and rounds are taken up again")
+{
+    const Scene scene = room();
+    CHECK(check_all_pauses(scene, options_of(Method::extended, "sobol", 30000), 3, 17) > 40);
+    CHECK(check_all_pauses(scene, options_of(Method::reuse, "random", 30000), 3, 101) > 400);
+
+    const SolveOptions options = options_of(Method::reuse, "sobol", 0);
+    const auto until = [&](Checkpoint* checkpoint) {
+        return solve_until(
+            scene, options, 2, 4000, [](const Round& round) { return round.lines < 32000; }, silent, checkpoint);
+    };
+    const Solution whole = until(nullptr);
+    for (int pause = 0;; pause += 211) {
+        TestCheckpoint left(pause);
+        until(&left);
+        if (left.finished())
+            break;
+        TestCheckpoint resumed(-1, left.saved());
+        CHECK(same(until(&resumed), whole));
+    }
+}
+
+TEST_CASE("work is left twice, with other numbers of threads")
+{
+    const Scene scene = room();
+    SolveOptions options = options_of(Method::extended, "sobol", 60000);
+    const Solution whole = solved(scene, options, 1, nullptr);
+    TestCheckpoint first(3);
+    options.threads = 1;
+    solved(scene, options, 1, &first);
+    REQUIRE(!first.finished());
+    TestCheckpoint second(4, first.saved());
+    options.threads = 3;
+    solved(scene, options, 1, &second);
+    REQUIRE(!second.finished());
+    TestCheckpoint last(-1, second.saved());
+    CHECK(same(solved(scene, options, 1, &last), whole));
+}
+
+TEST_CASE("a finished run goes on to more lines, also when that is interrupted")
+{
+    const Scene scene = room();
+    for (const Method method : {Method::local, Method::extended, Method::reuse}) {
+        TestCheckpoint first(-1);
+        const Solution few = solved(scene, options_of(method, "sobol", 20000), 1, &first);
+        REQUIRE(first.finished());
+        TestCheckpoint more(-1, first.saved());
+        const Solution many = solved(scene, options_of(method, "sobol", 60000), 1, &more);
+        CHECK(many.all_lines == doctest::Approx(60000).epsilon(0.02));
+        CHECK(!(many.radiosity == few.radiosity));
+        CHECK(many.balance.relative_error() < 1e-9);
+
+        TestCheckpoint left(4, first.saved());
+        CHECK(same(solved(scene, options_of(method, "sobol", 60000), 1, &left), few)); // as of then
+        TestCheckpoint resumed(-1, left.saved());
+        CHECK(same(solved(scene, options_of(method, "sobol", 60000), 1, &resumed), many));
+
+        TestCheckpoint fewer(-1, more.saved());
+        CHECK_THROWS(solved(scene, options_of(method, "sobol", 30000), 1, &fewer));
+    }
+}
+
+TEST_CASE("what is found when the work is left keeps the balance of power, and comes nearer to the result")
+{
+    const Scene scene = room();
+    for (const Method method :
+         {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+        CAPTURE(static_cast<int>(method));
+        const SolveOptions options = options_of(method, "sobol", 100000);
+        const Solution whole = solved(scene, options, 1, nullptr);
+        int pause = 0;
+        for (;; pause += 9) {
+            TestCheckpoint left(pause);
+            const Solution then = solved(scene, options, 1, &left);
+            if (left.finished())
+                break;
+            CHECK(then.balance.relative_error() < 1e-9);
+            CHECK(then.all_lines <= whole.all_lines);
+        }
+        TestCheckpoint late(pause - 9);
+        const Solution almost = solved(scene, options, 1, &late);
+        CHECK(mean(almost.balance.absorbed) == doctest::Approx(mean(whole.balance.absorbed)).epsilon(0.1));
+    }
+}
+
+TEST_CASE("state of other work is refused")
+{
+    const Scene scene = room();
+    TestCheckpoint left(2);
+    solved(scene, options_of(Method::extended, "sobol", 40000), 1, &left);
+    TestCheckpoint other(-1, left.saved());
+    CHECK_THROWS_AS(solved(scene, options_of(Method::local, "sobol", 40000), 1, &other), ArchiveError);
+}
