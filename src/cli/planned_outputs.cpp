@@ -18,15 +18,16 @@ struct KnownExtension
     OutputFormat format;
 };
 
-constexpr std::array<KnownExtension, 9> known_extensions = {{{".ppm", OutputFormat::ppm},
-                                                             {".pfm", OutputFormat::pfm},
-                                                             {".png", OutputFormat::png},
-                                                             {".csv", OutputFormat::csv},
-                                                             {".svg", OutputFormat::svg},
-                                                             {".ply", OutputFormat::ply},
-                                                             {".glb", OutputFormat::glb},
-                                                             {".obj", OutputFormat::obj},
-                                                             {".html", OutputFormat::html}}};
+constexpr std::array<KnownExtension, 10> known_extensions = {{{".ppm", OutputFormat::ppm},
+                                                              {".pfm", OutputFormat::pfm},
+                                                              {".png", OutputFormat::png},
+                                                              {".csv", OutputFormat::csv},
+                                                              {".svg", OutputFormat::svg},
+                                                              {".ply", OutputFormat::ply},
+                                                              {".glb", OutputFormat::glb},
+                                                              {".obj", OutputFormat::obj},
+                                                              {".html", OutputFormat::html},
+                                                              {".state", OutputFormat::state}}};
 
 std::string lower_case_extension(const std::string& path)
 {

@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-enum class OutputFormat { ppm, pfm, png, csv, svg, ply, glb, obj, html };
+enum class OutputFormat { ppm, pfm, png, csv, svg, ply, glb, obj, html, state };
 
 /// A file that the user asked for, already open, to be filled when the work is done.
 struct PlannedOutput
@@ -17,9 +17,9 @@ struct PlannedOutput
 };
 
 /// What `solve` writes.
-inline const std::vector<OutputFormat> solution_formats = {OutputFormat::ppm, OutputFormat::pfm, OutputFormat::png,
-                                                           OutputFormat::csv, OutputFormat::ply, OutputFormat::glb,
-                                                           OutputFormat::obj, OutputFormat::html};
+inline const std::vector<OutputFormat> solution_formats = {OutputFormat::ppm, OutputFormat::pfm,  OutputFormat::png,
+                                                           OutputFormat::csv, OutputFormat::ply,  OutputFormat::glb,
+                                                           OutputFormat::obj, OutputFormat::html, OutputFormat::state};
 
 /// The one of `formats` that a file's extension names; `-` is the first of them. Throws UsageError with the list of
 /// extensions.

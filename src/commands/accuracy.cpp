@@ -2,6 +2,7 @@
 
 #include "cli/number_text.h"
 #include "cli/usage_error.h"
+#include "radiosity/stretches.h"
 #include "sampling/sequence.h"
 
 #include <algorithm>
@@ -84,18 +85,15 @@ Accuracy read_accuracy(const CommandLine& line)
 }
 
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
-                          const ProgressCallback& progress)
+                          const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
 {
-    if (accuracy.in_rounds()) {
-        RoundLimit limit(accuracy);
-        const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
-        return solve_until(
-            scene, options, accuracy.replicates, first, [&](const Round& round) { return limit.go_on(round); },
-            progress);
-    }
-    if (accuracy.replicates > 1)
-        return solve_replicates(scene, prepare(scene, options), options, accuracy.replicates, progress);
-    return solve(scene, options, progress);
+    if (!accuracy.in_rounds())
+        return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, share);
+    RoundLimit limit(accuracy);
+    const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
+    return solve_until(
+        scene, options, accuracy.replicates, first, [&](const Round& round) { return limit.go_on(round); }, progress,
+        checkpoint);
 }
 
 } // namespace multipath

@@ -25,8 +25,9 @@ OptionGroup accuracy_option_group();
 /// Throws UsageError.
 Accuracy read_accuracy(const CommandLine& line);
 
-/// Solves as the accuracy asks: once, in replicates, or in rounds until it is reached or would not be in time.
+/// Solves as the accuracy asks: once, in replicates, or in rounds until it is reached or would not be in time. Shares
+/// are for runs without replicates.
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
-                          const ProgressCallback& progress);
+                          const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Share share = {});
 
 } // namespace multipath

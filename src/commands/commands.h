@@ -19,6 +19,8 @@ struct Command
 std::vector<Command> commands();
 
 Command solve_command();
+Command render_command();
+Command merge_command();
 Command check_command();
 Command compare_command();
 Command reproduce_command();

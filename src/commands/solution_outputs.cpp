@@ -21,7 +21,8 @@ namespace {
 
 bool is_picture(const PlannedOutput& output)
 {
-    return output.format != OutputFormat::csv && output.format != OutputFormat::html && !is_mesh(output.format);
+    return output.format == OutputFormat::ppm || output.format == OutputFormat::png ||
+           output.format == OutputFormat::pfm;
 }
 
 Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown, int threads)
@@ -75,15 +76,15 @@ void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const Sce
                 throw UsageError("--output: '" + output.file.name() + "' is an input; expected another file");
 }
 
-bool has_page(const std::vector<PlannedOutput>& outputs)
+bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format)
 {
     return std::any_of(outputs.begin(), outputs.end(),
-                       [](const PlannedOutput& output) { return output.format == OutputFormat::html; });
+                       [&](const PlannedOutput& output) { return output.format == format; });
 }
 
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
                    const PictureOptions& picture_options, const std::vector<std::string>& comments,
-                   const std::string& page)
+                   const std::map<OutputFormat, std::string>& made)
 {
     std::string comment;
     for (const std::string& part : comments)
@@ -109,8 +110,8 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
             output.file.write(png_bytes(screen, comment));
         else if (output.format == OutputFormat::pfm)
             output.file.write(pfm_bytes(render(scene, quantity.values, camera, picture_options.render)));
-        else if (output.format == OutputFormat::html)
-            output.file.write(page);
+        else if (output.format == OutputFormat::html || output.format == OutputFormat::state)
+            output.file.write(made.at(output.format));
         else
             output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
     }

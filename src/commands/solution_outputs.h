@@ -5,6 +5,7 @@
 #include "radiosity/solve.h"
 #include "scene/scene_file.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,13 +14,13 @@ namespace multipath {
 /// Throws UsageError for an output that is a material file: an input too, but known only after reading.
 void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file);
 
-/// Is one of them a page, which takes more work than the others?
-bool has_page(const std::vector<PlannedOutput>& outputs);
+/// Is one of them of this format?
+bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format);
 
 /// Fills every output in its format and puts all into place. The comments go into the formats that have a place for
-/// them; `page` are the bytes of those outputs that are one. Throws OutputError.
+/// them; `made` are the bytes of the formats that are made elsewhere, pages and states. Throws OutputError.
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
                    const PictureOptions& picture_options, const std::vector<std::string>& comments,
-                   const std::string& page);
+                   const std::map<OutputFormat, std::string>& made);
 
 } // namespace multipath

@@ -1,49 +1,34 @@
-#include "cli/progress.h"
-#include "cli/provenance.h"
 #include "cli/usage_error.h"
-#include "commands/accuracy.h"
 #include "commands/commands.h"
+#include "commands/forwarded_options.h"
 #include "commands/method_options.h"
-#include "commands/picture_options.h"
 #include "commands/scene_options.h"
 #include "commands/solution_outputs.h"
-#include "commands/solution_page.h"
-#include "commands/solve_summary.h"
-#include "radiosity/solve.h"
-#include "sampling/sequence.h"
-#include "scene/input_error.h"
+#include "commands/solve_job.h"
+#include "commands/solve_table.h"
+#include "commands/state_options.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <stdexcept>
+#include <utility>
 
 namespace multipath {
 
-namespace {
+OptionGroup solve_method_group()
+{
+    return method_option_group(
+        {"lines", 'n', "N", "2^20",
+         "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
+        true);
+}
 
 CommandTable solve_table()
 {
     return {"solve",
             "radiosity of every patch of a scene, as pictures, meshes and tables",
             {{"SCENE.obj"}},
-            {{"Output",
-              {{"output", 'o', "FILE", "",
-                "Where to write; by extension .ppm, .png, .pfm (pictures), .ply, .glb, .obj (meshes whose vertices "
-                "have the light as colours), .csv (one row per patch) or .html (a page to walk through the room in a "
-                "browser). '-' writes a PPM to standard output. Without it, SCENE.ppm and SCENE.png are written here.",
-                true},
-               {"json", 0, "", "", "Print a machine-readable summary on standard output."},
-               {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
-               {"verbose", 'v', "", "", "Also show where the power is after every stage."},
-               {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
-             method_option_group(
-                 {"lines", 'n', "N", "2^20",
-                  "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
-                 true),
-             accuracy_option_group(),
-             scene_option_group(),
-             picture_option_group()},
+            {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
+             scene_option_group(), picture_option_group()},
             "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
             "\n"
             "  multipath solve room.obj\n"
@@ -52,15 +37,7 @@ CommandTable solve_table()
             "  multipath solve room.obj -o room.html\n"};
 }
 
-/// SCENE.ppm and SCENE.png in the working directory.
-std::vector<std::string> default_outputs(const std::string& scene_path)
-{
-    std::string name = scene_path.substr(scene_path.find_last_of('/') + 1);
-    const std::size_t dot = name.find_last_of('.');
-    if (dot != std::string::npos && dot > 0)
-        name.resize(dot);
-    return {name + ".ppm", name + ".png"};
-}
+namespace {
 
 void print_what_was_read(const SceneFile& file)
 {
@@ -77,22 +54,6 @@ void warn_of_line_count(const SolveOptions& options)
             stderr, "note: Sobol's points are spread best when their number is a power of two, such as --lines 2^20\n");
 }
 
-/// A black picture is no result.
-void require_light(const Scene& scene, const Solution& solution)
-{
-    if (!(mean(solution.balance.absorbed) > 0.0))
-        throw InputError(
-            scene.path() +
-            ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
-}
-
-void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
-{
-    if (pictures.shown == Shown::error && accuracy.replicates < 2)
-        throw UsageError("--show: a single run does not tell its error; expected --replicates, such as 4, or "
-                         "--tolerance with --show error");
-}
-
 void require_one_on_standard_output(const CommandLine& line)
 {
     const std::vector<std::string> outputs = line.all("output");
@@ -100,68 +61,72 @@ void require_one_on_standard_output(const CommandLine& line)
         throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
 }
 
+bool has_extension(const std::string& path, OutputFormat format)
+{
+    return path != "-" && output_format(path) == format;
+}
+
+/// A share of `reuse` is counts that mean nothing alone; one of a walk is a run of its own.
+void require_outputs_of_share(const CommandLine& line, const SolveJob& job, const StateOptions& state)
+{
+    if (state.share.of == 1)
+        return;
+    if (job.accuracy.replicates > 1)
+        throw UsageError("--shard: shares of replicates cannot be added up; expected no --replicates, --tolerance or "
+                         "--time with it");
+    const std::vector<std::string> outputs = line.all("output");
+    const auto is_state = [](const std::string& path) { return has_extension(path, OutputFormat::state); };
+    if (state.state.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))
+        throw UsageError("--shard: nothing would be left to merge; expected --state FILE with it");
+    if (job.options.method == Method::reuse && !std::all_of(outputs.begin(), outputs.end(), is_state))
+        throw UsageError(
+            "--shard: a share of the lines of 'reuse' shows nothing alone; expected no outputs but states");
+}
+
+std::vector<std::string> output_paths(const CommandLine& line, const StateOptions& state)
+{
+    if (line.has("output"))
+        return line.all("output");
+    return state.share.of > 1 ? std::vector<std::string>{} : default_outputs(line.operands()[0]);
+}
+
+/// What the run goes on from, if it is not another run's.
+void resume(const StateOptions& state, const RunDescription& wanted, const SolveJob& job, StateKeeper& keeper)
+{
+    SavedRun saved = read_saved_run(state.from);
+    const bool whole = state.from != state.state && saved.description.share.of == 1; // merged, to be shared again
+    if (whole)
+        saved.description.share = wanted.share;
+    require_same_run(saved.description, state.from, wanted);
+    if (!job.quiet)
+        std::fprintf(stderr, "goes on from %s\n", state.from.c_str());
+    keeper.resume(std::move(saved));
+}
+
 int run_solve(const CommandLine& line)
 {
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    const Clock::time_point start = Clock::now();
-    const bool quiet = line.has("quiet");
-    require_options_with_effect(line);
     require_one_on_standard_output(line);
-    const SolveOptions options = read_solve_options(line, "lines");
-    const Accuracy accuracy = read_accuracy(line);
-    const PictureOptions picture_options = read_picture_options(line, options.threads);
-    require_error_to_show(picture_options, accuracy);
-    const std::string sequence =
-        accuracy.replicates > 1 ? randomised_name(checked_sequence_name(options)) : checked_sequence_name(options);
+    const SolveJob job = read_solve_job(line);
+    const StateOptions state = read_state_options(line);
+    require_outputs_of_share(line, job, state);
     const std::string scene_path = line.operands()[0];
-    std::vector<PlannedOutput> outputs =
-        open_outputs(line.has("output") ? line.all("output") : default_outputs(scene_path), {scene_path});
+    std::vector<std::string> inputs = {scene_path};
+    for (const std::string& path : {state.state, state.from})
+        if (!path.empty())
+            inputs.push_back(path);
+    std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line);
     require_outputs_beside(outputs, scene.file());
-    if (!quiet) {
+    if (!job.quiet) {
         print_what_was_read(scene.file());
-        warn_of_line_count(options);
+        warn_of_line_count(job.options);
     }
-    const Clock::time_point solve_start = Clock::now();
-    double seconds_to_first_lines = 0.0;
-    Solution solution;
-    {
-        Progress progress("solving", progress_style(line));
-        solution = solve_accurately(scene, options, accuracy, [&](double done) {
-            if (seconds_to_first_lines == 0.0)
-                seconds_to_first_lines = seconds_since(start);
-            progress.show(done);
-        });
-    }
-    const double seconds_trace = seconds_since(solve_start);
-    require_light(scene, solution);
-    const std::vector<std::string> comments = provenance(solve_table(), line, scene);
-    std::string page;
-    if (has_page(outputs)) {
-        Progress progress("solving with fewer lines, for the page", progress_style(line));
-        page = solution_page({scene, options, line.text("method"), sequence}, solution, picture_options, comments,
-                             [&](double done) { progress.show(done); });
-    }
-    write_outputs(outputs, scene, solution, picture_options, comments, page);
-
-    const SolveSummary summary{scene,         options,
-                               solution,      line.text("method"),
-                               sequence,      seconds_since(start),
-                               seconds_trace, seconds_to_first_lines};
-    if (line.has("json"))
-        std::fputs(summary_json(summary).document().c_str(), stdout);
-    if (!quiet) {
-        std::fputs(summary_text(summary).c_str(), stderr);
-        if (line.has("verbose"))
-            std::fputs(stages_text(solution).c_str(), stderr);
-        for (const PlannedOutput& output : outputs)
-            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
-    }
-    return 0;
+    const RunDescription description = description_of(line, scene, state.share);
+    StateKeeper keeper({state.state, state.save_every, has_format(outputs, OutputFormat::state)}, description);
+    if (!state.from.empty())
+        resume(state, description, job, keeper);
+    return carry_out(job, scene, outputs, keeper, state.share);
 }
 
 } // namespace

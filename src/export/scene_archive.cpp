@@ -1,6 +1,5 @@
 #include "export/scene_archive.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -8,23 +7,6 @@
 namespace multipath {
 
 namespace {
-
-/// Texts as one list of bytes, each with a zero behind it.
-void visit_texts(Archive& archive, std::string_view name, std::vector<std::string>& texts)
-{
-    std::string joined;
-    for (const std::string& text : texts)
-        joined.append(text).push_back('\0');
-    archive.growing_list<char>(name, joined);
-    if (!archive.reads())
-        return;
-    texts.clear();
-    for (std::size_t begin = 0; begin < joined.size();) {
-        const std::size_t end = std::min(joined.find('\0', begin), joined.size());
-        texts.push_back(joined.substr(begin, end - begin));
-        begin = end + 1;
-    }
-}
 
 void visit_materials(Archive& archive, std::vector<Material>& materials)
 {
@@ -38,8 +20,8 @@ void visit_materials(Archive& archive, std::vector<Material>& materials)
         reflectances.push_back(material.reflectance);
         emittances.push_back(material.emittance);
     }
-    visit_texts(archive, "material names", names);
-    visit_texts(archive, "material sources", sources);
+    archive.texts("material names", names);
+    archive.texts("material sources", sources);
     archive.growing_list<double>("reflectances", reflectances);
     archive.growing_list<double>("emittances", emittances);
     if (names.size() != sources.size() || names.size() != reflectances.size() || names.size() != emittances.size())
@@ -78,10 +60,10 @@ void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 void ArchivedScene::visit(Archive& archive)
 {
     std::vector<std::string> path = {file.path};
-    visit_texts(archive, "path", path);
+    archive.texts("path", path);
     file.path = path.empty() ? "" : path[0];
-    visit_texts(archive, "groups", file.groups);
-    visit_texts(archive, "warnings", file.warnings);
+    archive.texts("groups", file.groups);
+    archive.texts("warnings", file.warnings);
     visit_materials(archive, file.materials);
     visit_surfaces(archive, file.surfaces);
     for (std::vector<std::uint32_t>* numbers : {&file.material, &file.group, &file.line})

@@ -77,16 +77,22 @@ void StateWriter::put(std::string_view bytes)
 
 void StateWriter::write(const std::string& name, Scalar scalar, const void* data, std::size_t length)
 {
-    put(word_bytes(static_cast<std::uint64_t>(scalar) << 32 | name.size()) + word_bytes(length));
-    put(name);
     const std::string_view bytes(static_cast<const char*>(data), length * size_of(scalar));
     if (little_endian) {
-        put(bytes);
+        put_array(name, scalar, length, bytes);
         return;
     }
     std::string swapped(bytes);
     swap_on_big_endian(scalar, swapped.data(), length);
-    put(swapped);
+    put_array(name, scalar, length, swapped);
+}
+
+void StateWriter::put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes)
+{
+    names_.insert(name);
+    put(word_bytes(static_cast<std::uint64_t>(scalar) << 32 | name.size()) + word_bytes(length));
+    put(name);
+    put(bytes);
 }
 
 void StateWriter::finish()
@@ -107,7 +113,7 @@ std::size_t StateWriter::length(const std::string&, Scalar)
 
 namespace {
 
-std::vector<char> bytes_of(const std::string& path)
+std::vector<char> file_bytes(const std::string& path)
 {
     struct Closer
     {
@@ -129,7 +135,7 @@ std::vector<char> bytes_of(const std::string& path)
 
 } // namespace
 
-StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of(path)) {}
+StateReader::StateReader(const std::string& path) : StateReader(path, file_bytes(path)) {}
 
 StateReader::StateReader(std::string name, std::vector<char> bytes)
     : Archive(true), name_(std::move(name)), bytes_(std::move(bytes))
@@ -165,8 +171,7 @@ void StateReader::require_version() const
 void StateReader::require_checksum() const
 {
     const std::size_t end = bytes_.size() - std::min(bytes_.size(), word_size);
-    if (end % word_size != 0 || end < header.size() ||
-        checksum(0, std::string_view(bytes_.data(), end)) != word(end))
+    if (end % word_size != 0 || end < header.size() || checksum(0, std::string_view(bytes_.data(), end)) != word(end))
         refuse("damaged: the checksum is wrong; expected a whole copy");
 }
 
@@ -214,6 +219,21 @@ void StateReader::read(const std::string& name, Scalar scalar, void* data, std::
         return;
     std::memcpy(data, bytes_.data() + found.place, length * size_of(scalar));
     swap_on_big_endian(scalar, static_cast<char*>(data), length);
+}
+
+void StateReader::copy_rest(StateWriter& other) const
+{
+    for (const auto& [name, array] : arrays_)
+        if (!other.has(name))
+            other.put_array(name, array.scalar, array.length, bytes_of(array));
+}
+
+bool StateReader::has_same(const StateReader& other, const std::string& name) const
+{
+    const auto mine = arrays_.find(name);
+    const auto others = other.arrays_.find(name);
+    return mine != arrays_.end() && others != other.arrays_.end() && mine->second.scalar == others->second.scalar &&
+           bytes_of(mine->second) == other.bytes_of(others->second);
 }
 
 void StateReader::write(const std::string&, Scalar, const void*, std::size_t)

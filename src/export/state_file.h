@@ -5,20 +5,25 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace multipath {
 
-/// Writes a state file: a checksummed container of named arrays, the same bytes on every machine (docs/state_format.md).
+/// Writes a state file: a checksummed container of named arrays, the same bytes on every machine
+/// (docs/state_format.md).
 class StateWriter : public Archive
 {
 public:
+    friend class StateReader;
+
     using Sink = std::function<void(std::string_view bytes)>;
 
     explicit StateWriter(Sink sink);
-    void finish(); ///< the end of the file
+    bool has(const std::string& name) const { return names_.count(name) > 0; } ///< has such an array been written?
+    void finish();                                                             ///< the end of the file
 
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
@@ -27,8 +32,11 @@ protected:
 
 private:
     void put(std::string_view bytes); ///< and zeros up to a multiple of eight
+    /// `bytes` in the order of files.
+    void put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes);
 
     Sink sink_;
+    std::set<std::string> names_;
     std::uint64_t checksum_ = 0;
 };
 
@@ -43,6 +51,13 @@ public:
     StateReader(std::string name, std::vector<char> bytes);
 
     const std::string& name() const { return name_; }
+
+    std::string_view bytes() const { return {bytes_.data(), bytes_.size()}; }
+
+    /// Writes all arrays that the other file does not have yet.
+    void copy_rest(StateWriter& other) const;
+    /// Does the other file have the same array?
+    bool has_same(const StateReader& other, const std::string& name) const;
 
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
@@ -63,6 +78,10 @@ private:
     void require_checksum() const;
     void find_arrays();
     const Array& array(const std::string& name, Scalar scalar) const;
+    std::string_view bytes_of(const Array& array) const
+    {
+        return {bytes_.data() + array.place, array.length * size_of(array.scalar)};
+    }
 
     std::string name_;
     std::vector<char> bytes_;

@@ -76,6 +76,9 @@ public:
         list<Number>(name, values);
     }
 
+    /// Texts without zero bytes, any number of them.
+    void texts(std::string_view name, std::vector<std::string>& texts);
+
     /// As long as one lives, names are those of a part within the present one.
     class Inner
     {

@@ -2,23 +2,42 @@
 
 #include "parallel/ordered_blocks.h"
 
+#include <algorithm>
+
 namespace multipath {
 
-void SharedBlocks::visit(Archive& archive)
+void SharedRange::visit(Archive& archive)
 {
-    archive.value<std::uint64_t>("first block", first_);
-    archive.value<std::uint64_t>("next block", next_);
-    archive.value<std::uint64_t>("end block", end_);
-    if (first_ > next_ || next_ > end_ || end_ > blocks_)
-        throw ArchiveError("the state is damaged: no such blocks");
+    archive.value<std::uint64_t>("pieces of all", all);
+    archive.value<std::uint64_t>("first piece", first);
+    archive.value<std::uint64_t>("next piece", next);
+    archive.value<std::uint64_t>("end piece", end);
+    if (first > next || next > end || end > all)
+        throw ArchiveError("the state is damaged: no such pieces of work");
 }
 
-void SharedBlocks::run(const RunControl& control, const std::function<void(std::uint64_t, int)>& produce,
-                       const std::function<void(std::uint64_t, int)>& consume)
+SharedRange united(std::vector<SharedRange> ranges)
 {
-    resumable_blocks(next_, end_, control, produce, consume);
-    if (end_ - first_ < blocks_ && !control.stopped())
-        control.checkpoint->hand_in();
+    std::sort(ranges.begin(), ranges.end(), [](const SharedRange& a, const SharedRange& b) {
+        return a.first < b.first || (a.first == b.first && a.end < b.end);
+    });
+    std::uint64_t done = 0;
+    for (const SharedRange& range : ranges) {
+        if (range.first != done || range.next != range.end || range.all != ranges[0].all)
+            throw ArchiveError("the shares do not fit together; expected all shares of one run, each of them finished");
+        done = range.end;
+    }
+    if (done != ranges[0].all)
+        throw ArchiveError("the shares are not all there; expected each share of the run");
+    return {done, 0, done, done};
+}
+
+void shared_blocks(SharedRange& range, const RunControl& run, const std::function<void(std::uint64_t, int)>& produce,
+                   const std::function<void(std::uint64_t, int)>& consume)
+{
+    resumable_blocks(range.next, range.end, run, produce, consume);
+    if (!range.is_whole() && !run.stopped())
+        run.checkpoint->hand_in();
 }
 
 } // namespace multipath

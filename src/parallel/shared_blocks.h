@@ -4,36 +4,34 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace multipath {
 
-/// The blocks of a stage whose result is a sum of what they find, so that several runs can share them: this one does
-/// its part and hands it in.
-class SharedBlocks
+/// Which pieces of work, of all that are shared, a run does, and how far it is.
+struct SharedRange
 {
-public:
-    SharedBlocks(std::uint64_t blocks, Share share) : SharedBlocks(blocks, share.begin(blocks), share.end(blocks)) {}
-    /// This run does first ... end - 1 of them.
-    SharedBlocks(std::uint64_t blocks, std::uint64_t first, std::uint64_t end)
-        : blocks_(blocks), first_(first), next_(first), end_(end)
+    std::uint64_t all = 0; ///< pieces of all shares together
+    std::uint64_t first = 0;
+    std::uint64_t next = 0; ///< first ... next - 1 are done
+    std::uint64_t end = 0;
+
+    static SharedRange of(std::uint64_t all, Share share)
     {
+        return {all, share.begin(all), share.begin(all), share.end(all)};
     }
+    bool is_whole() const { return end - first == all; }
 
-    /// What a part of a checkpoint needs to hold of them.
-    void visit(Archive& archive);
-
-    /// The blocks of this run that are still to be done, as resumable_blocks. If others do the rest, the run then ends.
-    void run(const RunControl& control, const std::function<void(std::uint64_t block, int slot)>& produce,
-             const std::function<void(std::uint64_t block, int slot)>& consume);
-
-    std::uint64_t first() const { return first_; }
-    std::uint64_t next() const { return next_; } ///< first ... next - 1 are done
-
-private:
-    std::uint64_t blocks_;
-    std::uint64_t first_;
-    std::uint64_t next_;
-    std::uint64_t end_;
+    void visit(Archive& archive); ///< for a checkpoint; throws ArchiveError for what cannot be
 };
+
+/// What several shares have done together, in any order. Throws ArchiveError unless it is everything, once.
+SharedRange united(std::vector<SharedRange> ranges);
+
+/// The blocks `range` of a stage whose result is a sum of what they find, as resumable_blocks. If other runs do the
+/// rest, this one hands in what it has when it is done, and ends.
+void shared_blocks(SharedRange& range, const RunControl& run,
+                   const std::function<void(std::uint64_t block, int slot)>& produce,
+                   const std::function<void(std::uint64_t block, int slot)>& consume);
 
 } // namespace multipath

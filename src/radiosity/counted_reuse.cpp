@@ -9,12 +9,16 @@
 
 namespace multipath {
 
+std::size_t count_bytes(std::uint32_t patches, double memory)
+{
+    // Rounds of fewer lines than patches would cost more to solve than to trace.
+    return std::max(static_cast<std::size_t>(memory), std::size_t{256} * patches);
+}
+
 std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
                                   std::uint64_t first_item, std::uint64_t lines_cast, std::size_t byte_limit,
                                   const RunControl& run, PowerState& state)
 {
-    // Rounds of fewer lines than patches would cost more to solve than to trace.
-    const std::size_t least_bytes = std::size_t{256} * scene.patch_count();
     const std::vector<Rgb> rho = reflectances(scene);
     std::vector<Rgb> source = unshot_radiosity(scene, state);
     std::uint64_t done = 0;
@@ -25,8 +29,8 @@ std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, 
             throw ArchiveError("the state is damaged: no such lines");
     });
     while (done < lines_cast && !run.stopped()) {
-        const CountedLines counted = count_lines(scene, lines, sequence, first_item + done, lines_cast - done,
-                                                 std::max(byte_limit, least_bytes), run);
+        const CountedLines counted =
+            count_lines(scene, lines, sequence, first_item + done, lines_cast - done, byte_limit, run);
         if (counted.lines_cast == 0 || (run.stopped() && run.is_share()))
             break;
         const std::uint64_t planned = run.stopped() ? lines_cast - done : counted.lines_cast;

@@ -149,10 +149,10 @@ private:
     void reuse_counts()
     {
         plan_global_lines();
-        const std::uint64_t cast = reuse_counted_lines(
-            scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
-            static_cast<std::size_t>(options_.memory),
-            control(solution_.global_lines_cast, solution_.global_lines, share_), state_); // (R1)
+        const std::uint64_t cast =
+            reuse_counted_lines(scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
+                                count_bytes(scene_.patch_count(), options_.memory),
+                                control(solution_.global_lines_cast, solution_.global_lines, share_), state_); // (R1)
         note_cast(cast);
     }
 
@@ -199,8 +199,8 @@ private:
         count_shots();
     }
 
-    /// The sources have sent all their light, and the patches have it. If the work was stopped, what no patch has is not
-    /// lost: the sources keep it.
+    /// The sources have sent all their light, and the patches have it. If the work was stopped, what no patch has is
+    /// not lost: the sources keep it.
     void receive(const GatheredLight& light)
     {
         const Rgb source = scene_.source_power();

@@ -5,6 +5,7 @@
 #include "transport/line_counts.h"
 
 #include "parallel/ordered_blocks.h"
+#include "parallel/shared_blocks.h"
 #include "scene/input_error.h"
 #include "transport/line_block.h"
 
@@ -136,40 +137,31 @@ std::uint64_t lines_of_round(const CountedLines& counted)
     return static_cast<std::uint64_t>(std::min(std::max(least, bytes / bytes_per_line), 1.0 + room / bytes_per_line));
 }
 
-void hand_in(const CountedLines& counted, std::uint64_t lines, const RunControl& run)
-{
-    if (counted.lines_cast < lines)
-        throw InputError("the counts of this share of the lines fill the memory; expected more of it, or more shares");
-    run.checkpoint->hand_in();
-}
-
 } // namespace
 
 CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
                          std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run)
 {
     CountedLines counted{LineCounts(scene.patch_count(), byte_limit), 0};
-    std::uint64_t first = run.share.begin(lines); // of this share; lines_cast of them are done
-    std::uint64_t end = run.share.end(lines);
-    std::uint64_t round = 0; // lines that are noted before the next merge
-    std::uint64_t next_block = 0;
+    SharedRange range = SharedRange::of(lines, run.share); // of lines, merged up to the next one
+    std::uint64_t round = 0;                               // lines that are noted before the next merge
+    std::uint64_t next_block = 0;                          // of the round
     const Checkpoint::Part part(run.checkpoint, "line counts", [&](Archive& archive) {
         counted.counts.merge(run.threads);
-        archive.value<std::uint64_t>("first line", first);
-        archive.value<std::uint64_t>("lines", counted.lines_cast);
-        archive.value<std::uint64_t>("end line", end);
+        range.visit(archive);
         archive.value<std::uint64_t>("round", round);
         archive.value<std::uint64_t>("next block", next_block);
         counted.counts.visit(archive);
-        if (first > end || end > lines || counted.lines_cast > end - first || round > end - first - counted.lines_cast)
+        counted.lines_cast = range.next - range.first;
+        if (range.all != lines || round > range.end - range.next)
             throw ArchiveError("the state is damaged: no such lines");
     });
     std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
-    const auto wants_round = [&] { return counted.lines_cast < end - first && !counted.counts.full(); };
+    const auto wants_round = [&] { return range.next < range.end && !counted.counts.full(); };
     while ((round > 0 || wants_round()) && !run.stopped()) {
         if (round == 0)
-            round = std::min(end - first - counted.lines_cast, lines_of_round(counted));
-        const std::uint64_t first_of_round = first_item + first + counted.lines_cast;
+            round = std::min(range.end - range.next, lines_of_round(counted));
+        const std::uint64_t first_of_round = first_item + range.next;
         const auto trace_block = [&](std::uint64_t number, int slot) {
             SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
             block.trace(scene, global_lines, sequence, first_of_round, round, number);
@@ -180,11 +172,15 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
         };
         resumable_blocks(next_block, LineBlock::blocks_for(round), run, trace_block, report);
         counted.counts.merge(run.threads);
-        counted.lines_cast += std::min(round, next_block * LineBlock::most_lines);
+        range.next += std::min(round, next_block * LineBlock::most_lines);
+        counted.lines_cast = range.next - range.first;
         round = next_block = 0;
     }
-    if (end - first < lines && !run.stopped())
-        hand_in(counted, end - first, run);
+    if (range.is_whole() || run.stopped())
+        return counted;
+    if (range.next < range.end)
+        throw InputError("the counts of this share of the lines fill the memory; expected more of it, or more shares");
+    run.checkpoint->hand_in();
     return counted;
 }
 

@@ -86,7 +86,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
                        std::uint64_t lines_cast, const RunControl& run)
 {
     PairCounts counts(scene.patch_count());
-    SharedBlocks range(LineBlock::blocks_for(lines_cast), run.share);
+    SharedRange range = SharedRange::of(LineBlock::blocks_for(lines_cast), run.share);
     const Checkpoint::Part part(run.checkpoint, "pair counts", [&](Archive& archive) {
         range.visit(archive);
         counts.visit(archive);
@@ -110,7 +110,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         counts.lines += block.lines.lines();
         run.count_lines(block.lines.lines());
     };
-    range.run(run, trace_block, add_block);
+    shared_blocks(range, run, trace_block, add_block);
     return counts;
 }
 

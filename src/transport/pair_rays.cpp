@@ -220,11 +220,20 @@ public:
     bool any() const { return level_ > 0.0; }
     RowOfRays row(std::uint32_t i) const { return {deserved_rays(i), rate_, before_[i]}; }
 
-    /// The first row with at least this share [1] of the rays before it.
-    std::uint64_t row_at(double share) const
+    /// The rows of a share, with its part of the rays.
+    SharedRange rows_of(Share share) const
     {
-        const double rays = before_.front() + share * (before_.back() - before_.front());
-        return static_cast<std::uint64_t>(std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin());
+        const std::uint64_t n = before_.size() - 1;
+        const auto first_row = [&](std::uint64_t number) -> std::uint64_t {
+            if (number == 0 || number == share.of)
+                return number == 0 ? 0 : n;
+            const double part = static_cast<double>(number) / static_cast<double>(share.of);
+            const double rays = before_.front() + part * (before_.back() - before_.front());
+            const auto row = std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin();
+            return std::min(n, static_cast<std::uint64_t>(row));
+        };
+        const std::uint64_t first = first_row(share.number);
+        return {n, first, first, first_row(share.number + 1)};
     }
 
     void visit(Archive& archive)
@@ -240,10 +249,9 @@ private:
     std::vector<double> deserved_rays(std::uint32_t i) const
     {
         std::vector<double> row(i);
-        for_uncertain_pairs(estimate_, unoccluded_, crossing_area_, importance_, i,
-                            [&](std::uint32_t j, double deserves, double lines) {
-                                row[j] = std::max(0.0, level_ * deserves - lines);
-                            });
+        for_uncertain_pairs(
+            estimate_, unoccluded_, crossing_area_, importance_, i,
+            [&](std::uint32_t j, double deserves, double lines) { row[j] = std::max(0.0, level_ * deserves - lines); });
         return row;
     }
 
@@ -267,21 +275,15 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     const std::uint32_t n = scene.patch_count();
     const Importance importance(scene, radiosity);
     RayAllotment allotment(estimate, unoccluded, crossing_area, importance);
-    SharedBlocks rows(n, 0, n);
+    SharedRange rows = {n, 0, 0, n};
     const Checkpoint::Part part(run.checkpoint, "pair rays", [&](Archive& archive) {
         allotment.visit(archive);
         rows.visit(archive);
     });
     if (!part.resumed()) {
         allotment.allot(plan, run.threads);
-        const auto share_before = [&](std::uint64_t k) {
-            return static_cast<double>(k) / static_cast<double>(run.share.of);
-        };
-        if (run.share.of > 1 && allotment.any())
-            rows = SharedBlocks(n, run.share.number == 0 ? 0 : allotment.row_at(share_before(run.share.number)),
-                                run.share.number + 1 == run.share.of
-                                    ? n
-                                    : allotment.row_at(share_before(run.share.number + 1)));
+        if (run.is_share() && allotment.any())
+            rows = allotment.rows_of(run.share);
     }
     if (!allotment.any())
         return;
@@ -303,8 +305,8 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
         return row.end_ray - row.first_ray;
     };
     std::vector<std::uint64_t> cast(n);
-    rows.run(
-        run,
+    shared_blocks(
+        rows, run,
         [&](std::uint64_t i, int slot) {
             cast[i] = cast_row(static_cast<std::uint32_t>(i), sights[static_cast<std::size_t>(slot)]);
         },

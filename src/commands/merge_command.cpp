@@ -1,0 +1,148 @@
+#include "cli/usage_error.h"
+#include "commands/commands.h"
+#include "commands/forwarded_options.h"
+#include "commands/scene_options.h"
+#include "commands/solve_job.h"
+#include "radiosity/counted_reuse.h"
+#include "radiosity/run_record.h"
+#include "radiosity/share_sum.h"
+#include "scene/input_error.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+CommandTable merge_table()
+{
+    return {
+        "merge",
+        "add up the shares of one run (solve --shard)",
+        {{"STATE", true}},
+        {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
+        "Shares of the method 'reuse' give the same bytes as one run alone. Their first round counts lines; for the\n"
+        "second, which looks closer at some pairs of patches, write the sum as a state and go on from it in shares\n"
+        "again, or let 'merge' do it: it does whatever is left before it writes anything but a state.\n"
+        "Shares of the other methods are runs of their own; they are averaged by their lines.\n"
+        "\n"
+        "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
+        "  multipath merge 1.state 2.state -o room.png -o room.csv\n"};
+}
+
+/// Throws InputError unless these are all shares of one run.
+void require_all_shares(std::vector<SavedRun>& runs)
+{
+    std::sort(runs.begin(), runs.end(), [](const SavedRun& a, const SavedRun& b) {
+        return a.description.share.number < b.description.share.number;
+    });
+    const std::uint64_t of = runs[0].description.share.of;
+    const auto share_text = [&](std::uint64_t number) { return std::to_string(number + 1) + "/" + std::to_string(of); };
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        RunDescription same_share = runs[k].description;
+        same_share.share.number = runs[0].description.share.number;
+        require_same_run(runs[0].description, runs[0].name(), same_share);
+        const std::uint64_t number = runs[k].description.share.number;
+        if (k > 0 && number == runs[k - 1].description.share.number)
+            throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both share " + share_text(number) +
+                             "; expected each share once");
+        if (number != k)
+            throw InputError("share " + share_text(k) + " is missing; expected all " + std::to_string(of) + " of them");
+    }
+    if (runs.size() != of)
+        throw InputError("share " + share_text(runs.size()) + " is missing; expected all " + std::to_string(of) +
+                         " of them");
+}
+
+void require_same_stage(const std::vector<SavedRun>& runs)
+{
+    for (const SavedRun& run : runs)
+        if (run.parts != runs[0].parts)
+            throw InputError(run.name() + " is not as far as " + runs[0].name() +
+                             "; expected shares that are finished: --resume goes on with one");
+}
+
+/// The average of shares that are runs of their own.
+void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t lines, Archive& sum)
+{
+    RunRecord record;
+    std::vector<Solution> parts;
+    for (SavedRun& run : runs) {
+        const Archive::Inner inner(*run.arrays, RunRecord::part);
+        RunRecord one;
+        one.visit(*run.arrays, scene.patch_count());
+        if (one.goal != 0 || one.pieces == 0)
+            throw InputError(run.name() + ": this share is not finished; expected it after --resume");
+        parts.push_back(std::move(one.solution));
+    }
+    record.pieces = 1;
+    record.lines = lines;
+    record.solution = combined(scene, parts);
+    const Archive::Inner inner(sum, RunRecord::part);
+    record.visit(sum, scene.patch_count());
+}
+
+/// The bytes of the state that one run alone would have now.
+std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const Scene& scene)
+{
+    std::string bytes;
+    StateWriter sum([&](std::string_view more) { bytes += more; });
+    SavedRun whole;
+    whole.description = runs[0].description;
+    whole.description.share = {};
+    whole.description.visit(sum);
+    if (job.options.method == Method::reuse) {
+        require_same_stage(runs);
+        std::vector<Archive*> shares;
+        for (SavedRun& run : runs)
+            shares.push_back(run.arrays.get());
+        add_up_shares(shares, runs[0].parts, scene.patch_count(), count_bytes(scene.patch_count(), job.options.memory),
+                      job.options.threads, sum);
+    } else {
+        average(runs, scene, job.options.lines, sum);
+    }
+    runs[0].arrays->copy_rest(sum);
+    sum.finish();
+    return {bytes.begin(), bytes.end()};
+}
+
+int run_merge(const CommandLine& line)
+{
+    std::vector<SavedRun> runs;
+    for (const std::string& path : line.operands())
+        runs.push_back(read_saved_run(path));
+    require_all_shares(runs);
+    const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
+    std::vector<std::string> inputs = line.operands();
+    inputs.push_back(runs[0].description.scene.file.path);
+    std::vector<PlannedOutput> outputs = open_outputs(
+        line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file.path), inputs);
+    const Scene scene = restored(runs[0].description.scene);
+    SavedRun sum = read_saved_run(std::make_unique<StateReader>("the sum of the shares", merged(runs, job, scene)));
+    const bool only_states = std::all_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
+        return output.format == OutputFormat::state;
+    });
+    if (only_states) {
+        for (PlannedOutput& output : outputs)
+            output.file.write(sum.arrays->bytes());
+        for (PlannedOutput& output : outputs)
+            output.file.commit();
+        return 0;
+    }
+    runs.clear();
+    StateKeeper keeper({"", 60.0, true}, sum.description);
+    keeper.resume(std::move(sum));
+    return carry_out(job, scene, outputs, keeper, {});
+}
+
+} // namespace
+
+Command merge_command()
+{
+    return {merge_table(), run_merge};
+}
+
+} // namespace multipath

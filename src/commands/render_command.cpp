@@ -1,0 +1,63 @@
+#include "cli/usage_error.h"
+#include "commands/commands.h"
+#include "commands/forwarded_options.h"
+#include "commands/scene_options.h"
+#include "commands/solve_job.h"
+#include "radiosity/run_record.h"
+#include "scene/input_error.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+CommandTable render_table()
+{
+    return {"render",
+            "other pictures, meshes and tables of a run whose state was kept, without solving again",
+            {{"STATE"}},
+            {without_options(solution_output_group(), {"json", "verbose"}),
+             picture_option_group(),
+             {"Computation", {threads_option()}}},
+            "  multipath solve room.obj --lines 2^24 --state room.state\n"
+            "  multipath render room.state --eye 1,1,5 --target 2,1,0 --exposure 2 -o door.png\n"};
+}
+
+/// Of the pieces of the run that are finished.
+Solution finished_solution(SavedRun& saved, const Scene& scene)
+{
+    RunRecord record;
+    const Archive::Inner inner(*saved.arrays, RunRecord::part);
+    record.visit(*saved.arrays, scene.patch_count());
+    if (record.pieces == 0)
+        throw InputError(saved.name() + ": the run is not finished; expected 'multipath solve --state " + saved.name() +
+                         " --resume' first");
+    return std::move(record.solution);
+}
+
+int run_render(const CommandLine& line)
+{
+    SavedRun saved = read_saved_run(line.operands()[0]);
+    const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
+    std::vector<PlannedOutput> outputs =
+        open_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),
+                     {line.operands()[0], saved.description.scene.file.path});
+    const Scene scene = restored(saved.description.scene);
+    const Solution solution = finished_solution(saved, scene);
+    write_results(job, scene, solution, outputs, "");
+    if (!job.quiet)
+        for (const PlannedOutput& output : outputs)
+            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
+    return 0;
+}
+
+} // namespace
+
+Command render_command()
+{
+    return {render_table(), run_render};
+}
+
+} // namespace multipath

@@ -1,0 +1,131 @@
+#include "commands/solve_job.h"
+
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/usage_error.h"
+#include "commands/method_options.h"
+#include "commands/solution_outputs.h"
+#include "commands/solution_page.h"
+#include "commands/solve_summary.h"
+#include "commands/solve_table.h"
+#include "sampling/sequence.h"
+#include "scene/input_error.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace multipath {
+
+namespace {
+
+constexpr int exit_interrupted = 130;
+
+/// A black picture is no result.
+void require_light(const Scene& scene, const Solution& solution)
+{
+    if (!(mean(solution.balance.absorbed) > 0.0))
+        throw InputError(
+            scene.path() +
+            ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
+}
+
+void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
+{
+    if (pictures.shown == Shown::error && accuracy.replicates < 2)
+        throw UsageError("--show: a single run does not tell its error; expected --replicates, such as 4, or "
+                         "--tolerance with --show error");
+}
+
+double seconds_since(SolveJob::Clock::time_point start)
+{
+    return std::chrono::duration<double>(SolveJob::Clock::now() - start).count();
+}
+
+void tell_of_interruption(const SolveJob& job, const Solution& solution, const StateKeeper& keeper)
+{
+    std::fprintf(stderr, "interrupted after %s of %s lines%s\n", grouped(solution.all_lines).c_str(),
+                 grouped(job.options.lines).c_str(),
+                 keeper.path().empty() ? "; --state FILE would let it go on from there"
+                                       : ("; --resume goes on from " + keeper.path()).c_str());
+}
+
+int tell_of_share(const SolveJob& job, const StateKeeper& keeper)
+{
+    if (!job.quiet)
+        std::fprintf(stderr, "%s; 'multipath merge' adds the shares up\n",
+                     keeper.handed_in() ? "this share is done" : "interrupted; --resume goes on with this share");
+    return keeper.handed_in() ? 0 : exit_interrupted;
+}
+
+} // namespace
+
+SolveJob read_solve_job(const CommandLine& line)
+{
+    require_options_with_effect(line);
+    SolveJob job{line, read_solve_options(line, "lines"), read_accuracy(line), {}, "", line.has("quiet")};
+    job.pictures = read_picture_options(line, job.options.threads);
+    require_error_to_show(job.pictures, job.accuracy);
+    const std::string name = checked_sequence_name(job.options);
+    job.sequence = job.accuracy.replicates > 1 ? randomised_name(name) : name;
+    return job;
+}
+
+void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
+                   std::vector<PlannedOutput>& outputs, const std::string& state)
+{
+    const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
+    std::map<OutputFormat, std::string> made = {{OutputFormat::state, state}};
+    if (has_format(outputs, OutputFormat::html)) {
+        Progress progress("solving with fewer lines, for the page", progress_style(job.line));
+        made[OutputFormat::html] = solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution,
+                                                 job.pictures, comments, [&](double done) { progress.show(done); });
+    }
+    write_outputs(outputs, scene, solution, job.pictures, comments, made);
+}
+
+int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
+              Share share)
+{
+    const SolveJob::Clock::time_point solve_start = SolveJob::Clock::now();
+    double seconds_to_first_lines = 0.0;
+    Solution solution;
+    watch_interrupts();
+    {
+        Progress progress("solving", progress_style(job.line));
+        const auto show = [&](double done) {
+            if (seconds_to_first_lines == 0.0)
+                seconds_to_first_lines = seconds_since(job.start);
+            progress.show(done);
+        };
+        solution = solve_accurately(scene, job.options, job.accuracy, show, &keeper, share);
+    }
+    const double seconds_trace = seconds_since(solve_start);
+    if (keeper.stopped() && share.of > 1) {
+        write_outputs(outputs, scene, solution, job.pictures, {}, {{OutputFormat::state, keeper.last_bytes()}});
+        return tell_of_share(job, keeper);
+    }
+    if (!keeper.stopped())
+        require_light(scene, solution);
+    write_results(job, scene, solution, outputs, keeper.last_bytes());
+
+    const SolveSummary summary{
+        scene,         job.options,           solution, job.line.text("method"), job.sequence, seconds_since(job.start),
+        seconds_trace, seconds_to_first_lines};
+    if (job.line.has("json"))
+        std::fputs(summary_json(summary).document().c_str(), stdout);
+    if (!job.quiet) {
+        std::fputs(summary_text(summary).c_str(), stderr);
+        if (job.line.has("verbose"))
+            std::fputs(stages_text(solution).c_str(), stderr);
+        for (const PlannedOutput& output : outputs)
+            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
+    }
+    if (!keeper.stopped())
+        return 0;
+    tell_of_interruption(job, solution, keeper);
+    return exit_interrupted;
+}
+
+} // namespace multipath

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/planned_outputs.h"
+#include "commands/accuracy.h"
+#include "commands/picture_options.h"
+#include "commands/state_keeper.h"
+#include "radiosity/solve_options.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// What `solve` is asked for, read from its command line.
+struct SolveJob
+{
+    using Clock = std::chrono::steady_clock;
+
+    CommandLine line;
+    SolveOptions options;
+    Accuracy accuracy;
+    PictureOptions pictures;
+    std::string sequence; ///< full name
+    bool quiet = false;
+    Clock::time_point start = Clock::now();
+};
+
+/// Throws UsageError.
+SolveJob read_solve_job(const CommandLine& line);
+
+/// Solves, or goes on with what the keeper resumes, fills the outputs and tells the user. Returns the exit code.
+int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
+              Share share);
+
+/// Fills the outputs from a solution; `state` are the bytes of those that are one.
+void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
+                   std::vector<PlannedOutput>& outputs, const std::string& state);
+
+} // namespace multipath

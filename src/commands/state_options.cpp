@@ -1,0 +1,65 @@
+#include "commands/state_options.h"
+
+#include "cli/number_text.h"
+#include "cli/usage_error.h"
+#include "scene/input_error.h"
+
+#include <sys/stat.h>
+
+namespace multipath {
+
+namespace {
+
+bool exists(const std::string& path)
+{
+    struct stat status = {};
+    return stat(path.c_str(), &status) == 0;
+}
+
+/// "3/16" is the third of sixteen.
+Share read_share_of_work(const std::string& text)
+{
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos)
+        throw UsageError("--shard: '" + text + "' is no part of a whole; expected I/N, such as 3/16");
+    const std::uint64_t of = read_count("--shard", text.substr(slash + 1), 1, 1000000);
+    return {read_count("--shard", text.substr(0, slash), 1, of) - 1, of};
+}
+
+} // namespace
+
+OptionGroup state_option_group()
+{
+    return {"State",
+            {{"state", 0, "FILE", "",
+              "Keep the state of the run there, saved now and then and at the end: enough to go on after an "
+              "interruption, to merge shards, or to make other pictures."},
+             {"save-every", 0, "TIME", "60s", "How often to save the state."},
+             {"resume", 0, "", "",
+              "Go on from the --state file if there is one, with the same result as without the interruption; also to "
+              "more --lines than it was made with."},
+             {"from", 0, "FILE", "", "Go on from the state in this file, which stays as it is."},
+             {"shard", 0, "I/N", "", "Do part I of N of the work, 1/N ... N/N, for 'multipath merge' to add up."}}};
+}
+
+StateOptions read_state_options(const CommandLine& line)
+{
+    StateOptions options;
+    options.state = line.text("state");
+    options.save_every = read_seconds("--save-every", line.text("save-every"));
+    if (line.has("shard"))
+        options.share = read_share_of_work(line.text("shard"));
+    if (line.has("state") && options.state.empty())
+        throw UsageError("--state: the name is empty; expected a file");
+    if (options.state.empty() && (line.has("resume") || line.has("save-every")))
+        throw UsageError(std::string(line.has("resume") ? "--resume" : "--save-every") +
+                         " has no effect without --state; expected --state FILE with it");
+    const bool left = !options.state.empty() && exists(options.state);
+    if (left && !line.has("resume"))
+        throw InputError(options.state +
+                         " exists; expected --resume with it to go on from there, or the name of a new file");
+    options.from = left ? options.state : line.text("from");
+    return options;
+}
+
+} // namespace multipath
