@@ -1,8 +1,8 @@
 #include "cli/number_text.h"
 #include "commands/commands.h"
+#include "commands/result_table.h"
 #include "export/csv_text.h"
 #include "export/json.h"
-#include "export/patch_table_reader.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"
@@ -22,14 +22,15 @@ CommandTable compare_table()
 {
     return {"compare",
             "how far one result is from another of the same scene",
-            {{"A.csv"}, {"B.csv"}},
+            {{"A"}, {"B"}},
             {{"Report",
               {{"worst", 0, "N", "5", "Name the N patches with the largest shares of the mean square error."},
                {"tolerance", 0, "SHARE", "",
                 "End with exit code 1 when the root of the relative mean square error exceeds this, such as 1%."},
                {"json", 0, "", "", "Print the report as JSON on standard output."}}}},
             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
-            "wrote, of the same patches. Where they have standard errors (solve --replicates), the report\n"
+            "wrote, or states of finished runs, of the same patches. Where they have standard errors (solve "
+            "--replicates), the report\n"
             "tells whether these explain the difference.\n\n"
             "Exit code 0, whatever the difference, unless --tolerance says otherwise; 1 where the tables\n"
             "cannot be compared.\n"};
@@ -274,8 +275,8 @@ int run_compare(const CommandLine& line)
     std::optional<double> tolerance;
     if (line.has("tolerance"))
         tolerance = read_share("--tolerance", line.text("tolerance"));
-    const PatchTable a = read_patch_table(line.operands()[0]);
-    const PatchTable b = read_patch_table(line.operands()[1]);
+    const PatchTable a = read_result(line.operands()[0]);
+    const PatchTable b = read_result(line.operands()[1]);
     require_same_patches(a, b);
     warn_of_other_scene(a, b);
     const Comparison comparison = compare(a, b, worst_count);

@@ -3,11 +3,8 @@
 #include "commands/forwarded_options.h"
 #include "commands/scene_options.h"
 #include "commands/solve_job.h"
-#include "radiosity/run_record.h"
-#include "scene/input_error.h"
 
 #include <cstdio>
-#include <utility>
 
 namespace multipath {
 
@@ -25,21 +22,9 @@ CommandTable render_table()
             "  multipath render room.state --eye 1,1,5 --target 2,1,0 --exposure 2 -o door.png\n"};
 }
 
-/// Of the pieces of the run that are finished.
-Solution finished_solution(SavedRun& saved, const Scene& scene)
-{
-    RunRecord record;
-    const Archive::Inner inner(*saved.arrays, RunRecord::part);
-    record.visit(*saved.arrays, scene.patch_count());
-    if (record.pieces == 0)
-        throw InputError(saved.name() + ": the run is not finished; expected 'multipath solve --state " + saved.name() +
-                         " --resume' first");
-    return std::move(record.solution);
-}
-
 int run_render(const CommandLine& line)
 {
-    SavedRun saved = read_saved_run(line.operands()[0]);
+    const SavedRun saved = read_saved_run(line.operands()[0]);
     const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
     std::vector<PlannedOutput> outputs =
         open_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),

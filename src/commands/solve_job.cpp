@@ -106,13 +106,15 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         write_outputs(outputs, scene, solution, job.pictures, {}, {{OutputFormat::state, keeper.last_bytes()}});
         return tell_of_share(job, keeper);
     }
+    if (share.of > 1 && job.options.method == Method::reuse)
+        throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
     if (!keeper.stopped())
         require_light(scene, solution);
     write_results(job, scene, solution, outputs, keeper.last_bytes());
 
     const SolveSummary summary{
         scene,         job.options,           solution, job.line.text("method"), job.sequence, seconds_since(job.start),
-        seconds_trace, seconds_to_first_lines};
+        seconds_trace, seconds_to_first_lines, !keeper.stopped(), !keeper.resumed()};
     if (job.line.has("json"))
         std::fputs(summary_json(summary).document().c_str(), stdout);
     if (!job.quiet) {

@@ -20,7 +20,7 @@ Rgb mean_radiosity(const SolveSummary& s)
 double lines_per_second(const SolveSummary& s)
 {
     const auto lines = static_cast<double>(s.solution.all_lines);
-    return s.seconds_trace > 0.0 ? lines / s.seconds_trace : 0.0;
+    return s.seconds_trace > 0.0 && s.all_at_once ? lines / s.seconds_trace : 0.0;
 }
 
 std::vector<double> channels(Rgb c)
@@ -65,6 +65,8 @@ std::string summary_text(const SolveSummary& s)
             "warning    %.2g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
             "'multipath check' names them, --two-sided gives them backs\n",
             percent(balance.behind));
+    if (!s.all_at_once)
+        return text + format("time       %.2f s, of this part of the run\n", s.seconds);
     text += format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s\n", s.seconds,
                    s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads, s.options.threads == 1 ? "" : "s");
     return text;
@@ -121,6 +123,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("seconds_trace", s.seconds_trace);
     json.number("seconds_to_first_lines", s.seconds_to_first_lines);
     json.number("lines_per_second", lines_per_second(s));
+    json.boolean("complete", s.complete);
     json.count("threads", static_cast<std::uint64_t>(s.options.threads));
     json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
     json.count("all_lines", s.solution.all_lines);

@@ -7,30 +7,6 @@
 
 namespace multipath {
 
-namespace {
-
-/// Everything that a state file says besides what the parts say.
-void visit_head(Archive& archive, RunDescription& description, std::vector<std::string>& parts)
-{
-    description.visit(archive);
-    archive.texts("parts", parts);
-}
-
-} // namespace
-
-SavedRun read_saved_run(std::unique_ptr<StateReader> arrays)
-{
-    SavedRun saved;
-    visit_head(*arrays, saved.description, saved.parts);
-    saved.arrays = std::move(arrays);
-    return saved;
-}
-
-SavedRun read_saved_run(const std::string& path)
-{
-    return read_saved_run(std::make_unique<StateReader>(path));
-}
-
 StateKeeper::StateKeeper(StatePlan plan, RunDescription description)
     : plan_(std::move(plan)),
       description_(std::move(description)),

@@ -1,31 +1,14 @@
 #pragma once
 
-#include "commands/run_description.h"
-#include "export/state_file.h"
+#include "commands/saved_run.h"
 #include "parallel/checkpoint.h"
 
 #include <atomic>
 #include <chrono>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace multipath {
-
-/// A state file that has been read: the run that it is of, and where that was left.
-struct SavedRun
-{
-    std::unique_ptr<StateReader> arrays;
-    RunDescription description;
-    std::vector<std::string> parts; ///< under way, the outermost first
-
-    const std::string& name() const { return arrays->name(); }
-};
-
-/// Throws ArchiveError.
-SavedRun read_saved_run(const std::string& path);
-SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 
 /// Where the state of a run goes.
 struct StatePlan
@@ -49,8 +32,8 @@ public:
     const std::string& path() const { return plan_.path; }
     /// Of the last time it was saved, if that is kept.
     const std::string& last_bytes() const { return last_bytes_; }
+    bool resumed() const { return resumed_.has_value(); }
     bool handed_in() const { return handed_in_; }
-    bool worked() const { return worked_; } ///< or was everything done already?
 
 protected:
     bool pause_now() override;
@@ -70,7 +53,7 @@ private:
     Clock::time_point next_save_;
     std::string last_bytes_;
     bool handed_in_ = false;
-    mutable std::atomic<bool> worked_{false};
+    mutable std::atomic<bool> worked_{false}; ///< or was everything done already?
 };
 
 } // namespace multipath

@@ -135,6 +135,17 @@ std::vector<char> file_bytes(const std::string& path)
 
 } // namespace
 
+bool is_state_file(const std::string& path)
+{
+    std::string start(kind.size(), '\0');
+    std::FILE* const file = std::fopen(path.c_str(), "rb");
+    if (!file)
+        return false;
+    start.resize(std::fread(start.data(), 1, start.size(), file));
+    std::fclose(file);
+    return start == kind;
+}
+
 StateReader::StateReader(const std::string& path) : StateReader(path, file_bytes(path)) {}
 
 StateReader::StateReader(std::string name, std::vector<char> bytes)

@@ -40,6 +40,9 @@ private:
     std::uint64_t checksum_ = 0;
 };
 
+/// Does the file begin like one? False also for what cannot be read.
+bool is_state_file(const std::string& path);
+
 /// The arrays of a state file.
 class StateReader : public Archive
 {

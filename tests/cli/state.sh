@@ -1,0 +1,167 @@
+# States of runs: kept, interrupted, resumed, rendered again, compared; shared and merged.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/5cubes.obj
+quick="--patch-size 0.4 --quiet"
+
+# usage: ends_by_signal SIGNAL ARGS...     sends it as soon as the state is there; exit status as of ends
+interrupted() {
+    signal=$1
+    shift
+    rm -f run.state
+    "$program" solve "$scene" --patch-size 0.4 --lines 2^40 --method first-shot --state run.state --save-every 0.01s \
+        "$@" >out 2>err &
+    until [ -f run.state ]; do sleep 0.05; done
+    kill -"$signal" $!
+    wait $!
+    status=$?
+    [ $status -eq 130 ] || { echo "exit status $status"; cat err; return 1; }
+}
+
+interrupt() {
+    interrupted TERM -o then.csv -o then.png && says err "interrupted after" && says err "--resume goes on" &&
+        [ -s then.csv ] && [ -s then.png ] && [ -z "$(find . -name '*.part*')" ]
+}
+check "SIGTERM ends a run in good order: outputs as of then, exit status 130" interrupt
+
+interrupt_to_state() {
+    interrupted TERM -o kept.state && ends 1 render kept.state -o x.png && says err "not finished"
+}
+check "an interrupted run leaves its state also as an output" interrupt_to_state
+
+# usage: goes_on SOLVE-OPTIONS      left after half of the lines' time or so, resumed, the same bytes as in one go
+goes_on() {
+    rm -f run.state
+    ends 0 solve "$scene" $quick "$@" -o whole.csv || return
+    "$program" solve "$scene" $quick "$@" --state run.state --save-every 0.001s -o part.csv &
+    for wait in 1 2 3 4 5 6 7 8 9 10; do [ -f run.state ] && break; sleep 0.02; done
+    kill -KILL $! 2>/dev/null
+    wait $! 2>/dev/null
+    ends 0 solve "$scene" $quick "$@" --state run.state --resume --threads 1 -o part.csv && cmp whole.csv part.csv
+}
+killed() {
+    for method in local global first-shot extended reuse; do goes_on --method $method --lines 2^19 || return; done
+    goes_on --lines 2^20 --replicates 3
+}
+check "a killed run that is resumed gives the same bytes, for every method" killed
+
+finished() {
+    rm -f done.state
+    ends 0 solve "$scene" $quick --lines 20000 --state done.state -o first.csv && cp done.state before.state || return
+    ends 0 solve "$scene" $quick --lines 20000 --state done.state --resume -o again.csv &&
+        cmp first.csv again.csv && cmp done.state before.state
+}
+check "a finished run that is resumed writes the same outputs and leaves the state alone" finished
+
+longer() {
+    ends 0 solve "$scene" $quick --lines 80000 --state done.state --resume -o longer.csv || return
+    cp before.state other.state
+    ends 0 solve "$scene" $quick --lines 80000 --state other.state --resume --threads 1 -o other.csv &&
+        cmp longer.csv other.csv && cmp done.state other.state && ! cmp -s first.csv longer.csv || return
+    ends 1 solve "$scene" $quick --lines 30000 --state done.state --resume -o shorter.csv && says err "80000 lines" &&
+        [ ! -e shorter.csv ]
+}
+check "a finished run goes on to more lines, not to fewer" longer
+
+# usage: refused TEXT FILE OPTIONS...      exit 1, one line, and the file is as it was
+refused() {
+    text=$1 file=$2
+    shift 2
+    cp "$file" untouched
+    ends 1 solve "$scene" $quick --state "$file" "$@" -o x.csv && silent out && lines_are err 1 && says err "$text" &&
+        cmp "$file" untouched && [ ! -e x.csv ]
+}
+messages() {
+    cp before.state a.state
+    refused "exists" a.state --lines 20000 &&
+        refused "made with --sequence sobol, not with --sequence halton" a.state --lines 20000 --sequence halton --resume &&
+        refused "no --two-sided, not with --two-sided" a.state --lines 20000 --two-sided --resume || return
+    head -c 3000 before.state >short.state
+    { head -c 4000 before.state && printf x && tail -c +4002 before.state; } >bent.state
+    printf 'multipath state 2      \n12345678' >newer.state
+    echo "something else" >foreign.state
+    : >empty.state
+    refused "damaged" short.state --resume && refused "damaged" bent.state --resume &&
+        refused "newer version" newer.state --resume && refused "not a state of multipath" foreign.state --resume &&
+        refused "not a state of multipath" empty.state --resume
+}
+check "damaged, foreign, newer and other states each have their message and are left alone" messages
+
+other_scene() {
+    sed 's/^Kd 0.8.*/Kd 0.1 0.1 0.1/; s/^Kd 0.7.*/Kd 0.1 0.1 0.1/' "$root"/scenes/5cubes.mtl >5cubes.mtl
+    cp "$scene" here.obj
+    ends 1 solve here.obj $quick --lines 20000 --state a.state --resume -o x.csv && says err "scene"
+}
+check "the state of a scene that has changed is refused" other_scene
+
+without_state() {
+    ends 2 solve "$scene" --resume && says err "--state" && ends 2 solve "$scene" --save-every 5s && says err "--state" &&
+        ends 2 solve "$scene" --state "" && ends 1 solve "$scene" --from none.state && says err none.state
+}
+check "options of states without a state say so" without_state
+
+rendered() {
+    ends 0 solve "$scene" $quick --lines 20000 -o all.state -o direct.csv -o direct.png --exposure 2 --size 60x40 || return
+    mkdir -p elsewhere && cp all.state elsewhere && cd elsewhere || return
+    ends 0 render all.state -o again.csv -o again.png --exposure 2 --size 60x40 --quiet &&
+        cmp again.csv ../direct.csv && cmp again.png ../direct.png && cd ..
+}
+check "render makes the same pictures and tables from the state alone" rendered
+
+compared() {
+    ends 0 compare all.state direct.csv && says out "MSE        0 W" && ends 0 compare direct.csv all.state --json
+}
+check "compare reads states" compared
+
+# usage: in_shares STATES OPTIONS...     of three shares
+in_shares() {
+    name=$1
+    shift
+    for i in 1 2 3; do ends 0 solve "$scene" $quick "$@" --shard $i/3 --state $name-$i.state || return; done
+}
+merged() {
+    ends 0 solve "$scene" $quick "$@" -o whole.csv && in_shares count "$@" &&
+        ends 0 merge count-3.state count-1.state count-2.state --quiet -o sum.csv && cmp whole.csv sum.csv
+}
+fresh() { rm -f count-*.state ray-*.state counted.state; }
+merge_reuse() { fresh; merged --lines 50000 && fresh && merged --lines 50001 --memory 1MB --sequence random; }
+check "merged shares of reuse give the bytes of one run" merge_reuse
+
+rounds() {
+    fresh
+    ends 0 solve "$scene" $quick --lines 50000 -o whole.csv && in_shares count --lines 50000 &&
+        ends 0 merge count-?.state -o counted.state && in_shares ray --lines 50000 --from counted.state &&
+        ends 0 merge ray-?.state --quiet -o sum.csv -o sum.state && cmp whole.csv sum.csv || return
+    ends 0 render sum.state --quiet -o sum2.csv && cmp sum.csv sum2.csv || return
+    ends 0 solve "$scene" $quick --lines 50000 --from counted.state -o rest.csv && cmp whole.csv rest.csv
+}
+check "so do shares of both rounds" rounds
+
+average() {
+    for i in 1 2; do
+        ends 0 solve "$scene" $quick --method local --lines 100000 --shard $i/2 --state walk-$i.state -o walk-$i.csv || return
+    done
+    ends 0 merge walk-2.state walk-1.state -o mean.csv && ! cmp -s walk-1.csv walk-2.csv || return
+    awk -F, '/^[0-9]/ { s[FILENAME] += $17 * $10 } END { m = (s["walk-1.csv"] + s["walk-2.csv"]) / 2
+        exit !(s["mean.csv"] > 0.999 * m && s["mean.csv"] < 1.001 * m) }' walk-1.csv walk-2.csv mean.csv
+}
+check "shares of a walk are averaged" average
+
+refused_merges() {
+    ends 1 merge count-1.state count-3.state -o x.csv && says err "share 2/3 is missing" &&
+        ends 1 merge count-1.state count-1.state count-2.state -o x.csv && says err "both share 1/3" &&
+        ends 1 merge count-1.state count-2.state -o x.csv && says err "share 3/3 is missing" || return
+    ends 0 solve "$scene" $quick --lines 50000 --seed 2 --sequence random --shard 2/3 --state seed.state &&
+        ends 1 merge count-1.state seed.state count-3.state -o x.csv && says err "sequence" || return
+    ends 1 merge count-1.state ray-2.state count-3.state -o x.csv && says err "not as far" && [ ! -e x.csv ]
+}
+check "merge refuses what is missing, there twice, or of other runs" refused_merges
+
+shard_options() {
+    ends 2 solve "$scene" --shard 4/3 --state x.state && ends 2 solve "$scene" --shard 0/3 --state x.state &&
+        ends 2 solve "$scene" --shard 1 --state x.state && says err "3/16" && ends 2 solve "$scene" --shard 1/3 &&
+        says err "--state" && ends 2 solve "$scene" --shard 1/3 --state x.state -o x.png && says err "nothing alone" &&
+        ends 2 solve "$scene" --shard 1/3 --replicates 2 --state x.state && says err "replicates" && [ ! -e x.state ]
+}
+check "--shard says what it needs" shard_options
+
+finish
