@@ -29,9 +29,8 @@ CommandTable compare_table()
                 "End with exit code 1 when the root of the relative mean square error exceeds this, such as 1%."},
                {"json", 0, "", "", "Print the report as JSON on standard output."}}}},
             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
-            "wrote, or states of finished runs, of the same patches. Where they have standard errors (solve "
-            "--replicates), the report\n"
-            "tells whether these explain the difference.\n\n"
+            "wrote, or states of finished runs, of the same patches. Where they have standard errors\n"
+            "(solve --replicates), the report tells whether these explain the difference.\n\n"
             "Exit code 0, whatever the difference, unless --tolerance says otherwise; 1 where the tables\n"
             "cannot be compared.\n"};
 }

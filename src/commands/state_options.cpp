@@ -38,7 +38,7 @@ OptionGroup state_option_group()
              {"resume", 0, "", "",
               "Go on from the --state file if there is one, with the same result as without the interruption; also to "
               "more --lines than it was made with."},
-             {"from", 0, "FILE", "", "Go on from the state in this file, which stays as it is."},
+             {"from-state", 0, "FILE", "", "Go on from the state in this file, which stays as it is."},
              {"shard", 0, "I/N", "", "Do part I of N of the work, 1/N ... N/N, for 'multipath merge' to add up."}}};
 }
 
@@ -58,7 +58,7 @@ StateOptions read_state_options(const CommandLine& line)
     if (left && !line.has("resume"))
         throw InputError(options.state +
                          " exists; expected --resume with it to go on from there, or the name of a new file");
-    options.from = left ? options.state : line.text("from");
+    options.from = left ? options.state : line.text("from-state");
     return options;
 }
 

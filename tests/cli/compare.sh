@@ -151,7 +151,7 @@ wrong() {
     shift
     ends 2 compare "$@" && silent out && says err "$text"
 }
-check "one table is not enough" wrong "missing B.csv" a.csv
+check "one table is not enough" wrong "missing B" a.csv
 check "three are too many" wrong "b.csv" a.csv b.csv b.csv
 check "a number of patches that is none is refused" wrong "--worst: expected a count" a.csv b.csv --worst some
 check "a tolerance that could mean two things is refused" wrong "--tolerance: expected a share" a.csv b.csv --tolerance 1

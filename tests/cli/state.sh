@@ -95,7 +95,7 @@ check "the state of a scene that has changed is refused" other_scene
 
 without_state() {
     ends 2 solve "$scene" --resume && says err "--state" && ends 2 solve "$scene" --save-every 5s && says err "--state" &&
-        ends 2 solve "$scene" --state "" && ends 1 solve "$scene" --from none.state && says err none.state
+        ends 2 solve "$scene" --state "" && ends 1 solve "$scene" --from-state none.state && says err none.state
 }
 check "options of states without a state say so" without_state
 
@@ -129,10 +129,10 @@ check "merged shares of reuse give the bytes of one run" merge_reuse
 rounds() {
     fresh
     ends 0 solve "$scene" $quick --lines 50000 -o whole.csv && in_shares count --lines 50000 &&
-        ends 0 merge count-?.state -o counted.state && in_shares ray --lines 50000 --from counted.state &&
+        ends 0 merge count-?.state -o counted.state && in_shares ray --lines 50000 --from-state counted.state &&
         ends 0 merge ray-?.state --quiet -o sum.csv -o sum.state && cmp whole.csv sum.csv || return
     ends 0 render sum.state --quiet -o sum2.csv && cmp sum.csv sum2.csv || return
-    ends 0 solve "$scene" $quick --lines 50000 --from counted.state -o rest.csv && cmp whole.csv rest.csv
+    ends 0 solve "$scene" $quick --lines 50000 --from-state counted.state -o rest.csv && cmp whole.csv rest.csv
 }
 check "so do shares of both rounds" rounds
 

@@ -27,14 +27,14 @@ check "every command that --help lists has its own help" command_help
 solve_options() {
     ends 0 solve --help || return
     for option in output json quiet progress method bidirectional line-order chords lines ratio power-per-line threshold steps estimator sequence pairing skip seed threads patch-size patches two-sided \
-        emission-from show size help; do
+        emission-from state save-every resume from-state shard show size help; do
         grep -qE -- "^  (-.,|   ) --$option( |$)" out || { echo "--$option is missing:"; cat out; return 1; }
     done
 }
 check "solve --help lists the options of the manual" solve_options
 
 narrow_help() {
-    for command in solve study paper compare reproduce explain; do
+    for command in $(listed_commands); do
         ends 0 $command --help && ! awk 'length($0) > 100' out | grep . || return
     done
 }
