@@ -1,0 +1,90 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace multipath {
+
+/// Scenes put together in memory, without files.
+class SceneBuilder
+{
+public:
+    /// Number of a new material.
+    std::uint32_t material(Rgb reflectance, Rgb emittance)
+    {
+        return material("material" + std::to_string(file_.materials.size()), reflectance, emittance);
+    }
+    std::uint32_t material(const std::string& name, Rgb reflectance, Rgb emittance)
+    {
+        file_.materials.push_back({name, reflectance, emittance, "memory"});
+        return static_cast<std::uint32_t>(file_.materials.size() - 1);
+    }
+    std::uint32_t grey(double reflectance, double emittance)
+    {
+        return material({reflectance, reflectance, reflectance}, {emittance, emittance, emittance});
+    }
+
+    SceneBuilder& surface(const Surface& surface, std::uint32_t material)
+    {
+        file_.surfaces.push_back(surface);
+        file_.material.push_back(material);
+        file_.group.push_back(0);
+        file_.line.push_back(static_cast<std::uint32_t>(file_.line.size() + 1));
+        return *this;
+    }
+    SceneBuilder& rectangle(Vec3 corner, Vec3 edge_u, Vec3 edge_v, std::uint32_t material)
+    {
+        return surface({Shape::parallelogram, corner, edge_u, edge_v}, material);
+    }
+    SceneBuilder& triangle(Vec3 a, Vec3 b, Vec3 c, std::uint32_t material)
+    {
+        return surface({Shape::triangle, a, b - a, c - a}, material);
+    }
+
+    /// The six walls of a room seen from inside: floor, ceiling (y), then x low, x high, z low, z high.
+    SceneBuilder& room(Vec3 low, Vec3 high, const std::vector<std::uint32_t>& materials)
+    {
+        const Vec3 d = high - low;
+        const Vec3 x = {d.x, 0, 0};
+        const Vec3 y = {0, d.y, 0};
+        const Vec3 z = {0, 0, d.z};
+        rectangle(low, z, x, materials[0]);
+        rectangle(low + y, x, z, materials[1]);
+        rectangle(low, y, z, materials[2]);
+        rectangle(low + x, z, y, materials[3]);
+        rectangle(low, x, y, materials[4]);
+        return rectangle(low + z, y, x, materials[5]);
+    }
+    SceneBuilder& room(Vec3 low, Vec3 high, std::uint32_t material)
+    {
+        return room(low, high, std::vector<std::uint32_t>(6, material));
+    }
+
+    /// The six faces of a box seen from outside, in the order of room().
+    SceneBuilder& box(Vec3 low, Vec3 high, std::uint32_t material)
+    {
+        const std::size_t first = file_.surfaces.size();
+        room(low, high, material);
+        for (std::size_t s = first; s < file_.surfaces.size(); ++s)
+            std::swap(file_.surfaces[s].edge_u, file_.surfaces[s].edge_v);
+        return *this;
+    }
+
+    SceneFile file() const
+    {
+        SceneFile file = file_;
+        file.path = "memory";
+        file.groups = {""};
+        return file;
+    }
+    Scene scene(double patch_size, bool two_sided = false) const { return Scene(file(), patch_size, two_sided); }
+
+private:
+    SceneFile file_;
+};
+
+} // namespace multipath
