@@ -18,7 +18,7 @@ std::string operand_names(const std::vector<Operand>& operands, std::size_t firs
 {
     std::string names;
     for (std::size_t i = first; i < operands.size(); ++i)
-        names.append(names.empty() ? "" : " ").append(operands[i].name).append(operands[i].repeatable ? "..." : "");
+        names.append(names.empty() ? "" : " ").append(operand_text(operands[i]));
     return names;
 }
 
@@ -118,14 +118,16 @@ private:
         std::vector<std::string> names = {"--help"};
         for (const OptionGroup& group : table_.groups)
             for (const Option& option : group.options)
-                names.push_back(dashed(option));
+                if (!option.hidden)
+                    names.push_back(dashed(option));
         throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
     }
 
     void check_operands() const
     {
         const std::vector<Operand>& wanted = table_.operands;
-        if (operands.size() < wanted.size())
+        const bool last_is_optional = !wanted.empty() && wanted.back().optional;
+        if (operands.size() + (last_is_optional ? 1 : 0) < wanted.size())
             throw UsageError("missing " + operand_names(wanted, operands.size()));
         if (operands.size() > wanted.size() && (wanted.empty() || !wanted.back().repeatable))
             throw UsageError("unexpected argument " + quoted_argument(operands[wanted.size()]) + ": '" +

@@ -73,6 +73,8 @@ std::size_t left_width(const std::vector<OptionGroup>& groups)
     std::size_t widest = 0;
     for (const OptionGroup& group : groups)
         for (const Option& option : group.options) {
+            if (option.hidden)
+                continue;
             const std::size_t width = columns(left_column(option)) + 2;
             widest = width <= widest_left_column ? std::max(widest, width) : widest;
         }
@@ -85,7 +87,7 @@ std::string usage_line(const CommandTable& table)
 {
     std::string line = "multipath " + std::string(table.name) + " [OPTIONS]";
     for (const Operand& operand : table.operands)
-        line.append(" ").append(operand.name).append(operand.repeatable ? "..." : "");
+        line.append(" ").append(operand_text(operand));
     return line;
 }
 
@@ -104,7 +106,8 @@ std::string help_text(const CommandTable& table)
     for (const OptionGroup& group : groups) {
         text.append("\n").append(group.heading).append(":\n");
         for (const Option& option : group.options)
-            text += entry(left_column(option), right_column(option), indent);
+            if (!option.hidden)
+                text += entry(left_column(option), right_column(option), indent);
     }
     if (!table.notes.empty())
         text.append("\n").append(table.notes).append(table.notes.back() == '\n' ? "" : "\n");

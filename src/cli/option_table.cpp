@@ -4,6 +4,12 @@
 
 namespace multipath {
 
+std::string operand_text(const Operand& operand)
+{
+    const std::string text = std::string(operand.name) + (operand.repeatable ? "..." : "");
+    return operand.optional ? "[" + text + "]" : text;
+}
+
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names)
 {
     const auto left_out = [&](const Option& option) {

@@ -16,6 +16,7 @@ struct Option
     std::string_view help = {};                 ///< wrapped by help_text(), which adds choices and default in brackets
     bool repeatable = false;                    ///< may be given more than once
     std::vector<std::string_view> choices = {}; ///< allowed values; empty: any text
+    bool hidden = false;                        ///< not in the help: for the program's own tests
 };
 
 struct OptionGroup
@@ -24,11 +25,12 @@ struct OptionGroup
     std::vector<Option> options;
 };
 
-/// An argument that is not an option. Only the last one may be repeatable (one or more).
+/// An argument that is not an option. Only the last one may be repeatable (one or more) or optional.
 struct Operand
 {
     std::string_view name; ///< "SCENE.obj"
     bool repeatable = false;
+    bool optional = false;
 };
 
 /// Everything the parser, the help, the man page and the completion know about one command.
@@ -41,6 +43,9 @@ struct CommandTable
     std::vector<OptionGroup> groups;
     std::string_view notes = {}; ///< examples and remarks below the options, printed as they are
 };
+
+/// As the usage shows it: "SCENE.obj", "STATE...", "[SCENE.obj]".
+std::string operand_text(const Operand& operand);
 
 /// The table, or the group, without the options of these long names.
 CommandTable without_options(CommandTable table, const std::vector<std::string>& names);

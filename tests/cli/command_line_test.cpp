@@ -136,6 +136,12 @@ TEST_CASE("the number of operands is what the table says")
     CHECK(CommandLine(merge, {"x", "y", "z"}).operands().size() == 3);
     CHECK_THROWS_WITH_AS(CommandLine(merge, {}), "missing STATE...", UsageError);
 
+    const CommandTable selftest = {"selftest", "", {{"SCENE.obj", false, true}}, {}};
+    CHECK(CommandLine(selftest, {}).operands().empty());
+    CHECK(CommandLine(selftest, {"x"}).operands() == Texts{"x"});
+    CHECK_THROWS_WITH_AS(CommandLine(selftest, {"x", "y"}), "unexpected argument 'y': 'selftest' takes [SCENE.obj]",
+                         UsageError);
+
     const CommandTable points = {"points", "", {}, {}};
     CHECK(CommandLine(points, {}).operands().empty());
     CHECK_THROWS_WITH_AS(CommandLine(points, {"x"}), "unexpected argument 'x': 'points' takes none", UsageError);

@@ -60,6 +60,14 @@ TEST_CASE("the help shows usage, groups, both forms, choices, defaults and notes
           "  multipath solve room.obj\n");
 }
 
+TEST_CASE("a hidden option is not in the help")
+{
+    CommandTable table = table_with_long_help();
+    const std::string before = help_text(table);
+    table.groups[0].options.push_back({"a-hidden-option", 0, "VALUE", "", "", false, {}, true});
+    CHECK(help_text(table) == before);
+}
+
 TEST_CASE("no line of the help is wider than 90 columns and none ends in a blank")
 {
     CommandTable table = table_with_long_help();
@@ -79,6 +87,7 @@ TEST_CASE("no line of the help is wider than 90 columns and none ends in a blank
 TEST_CASE("the usage line and the hint name the command")
 {
     CHECK(usage_line({"merge", "", {{"STATE", true}}, {}}) == "multipath merge [OPTIONS] STATE...");
+    CHECK(usage_line({"selftest", "", {{"SCENE.obj", false, true}}, {}}) == "multipath selftest [OPTIONS] [SCENE.obj]");
     CHECK(help_hint("merge") == "try 'multipath merge --help'");
     CHECK(help_hint("") == "try 'multipath --help'");
 }
