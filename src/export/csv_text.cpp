@@ -161,6 +161,16 @@ bool CsvParser::take_line_end()
 
 } // namespace
 
+std::string csv_field(const std::string& text)
+{
+    if (text.find_first_of(",\"") == std::string::npos)
+        return text;
+    std::string field = "\"";
+    for (const char c : text)
+        field.append(c == '"' ? 2 : 1, c);
+    return field + "\"";
+}
+
 std::optional<std::size_t> CsvTable::find_column(std::string_view name) const
 {
     const auto found = std::find(header.fields.begin(), header.fields.end(), name);

@@ -11,6 +11,9 @@
 
 namespace multipath {
 
+/// The text as a field of a row: quoted where it holds commas or quotes.
+std::string csv_field(const std::string& text);
+
 struct CsvRow
 {
     std::vector<std::string> fields; ///< without the quotes

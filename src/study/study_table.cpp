@@ -1,5 +1,6 @@
 #include "study/study_table.h"
 
+#include "export/csv_text.h"
 #include "scene/text_format.h"
 
 #include <algorithm>
@@ -17,12 +18,6 @@ bool differs(const Study& study, const Curve& curve, KindPart part)
     return std::any_of(study.curves.begin(), study.curves.end(), [&](const Curve& other) {
         return other.kind.method == curve.kind.method && other.kind.*part != curve.kind.*part;
     });
-}
-
-/// A name that may hold commas, as CSV has it.
-std::string csv_field(const std::string& text)
-{
-    return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
 }
 
 std::string reference_text(const Study& study)

@@ -159,3 +159,11 @@ TEST_CASE("a comment's value is what follows its name and a colon")
     CHECK_FALSE(comment_value(comments, "seed"));
     CHECK_FALSE(comment_value(comments, "multipath"));
 }
+
+TEST_CASE("a field is quoted where it must be, and is read back")
+{
+    CHECK(csv_field("sobol") == "sobol");
+    CHECK(csv_field("halton:2,7") == "\"halton:2,7\"");
+    const std::string hard = "a \"b\", c";
+    CHECK(parsed("name\n" + csv_field(hard) + "\n").rows[0].fields == Words{hard});
+}
