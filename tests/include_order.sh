@@ -12,10 +12,11 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["scene"] = " geometry "
         below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
         below["radiosity"] = below["transport"] "transport "
+        below["exam"] = below["radiosity"] "export radiosity "
         below["viewer"] = below["image"] "image export "
         below["study"] = below["radiosity"] "image export radiosity "
         below["cli"] = " geometry scene "
-        below["commands"] = below["study"] "study viewer cli "
+        below["commands"] = below["study"] "study exam viewer cli "
         below["main.cpp"] = below["commands"] "commands "
         for (i = 1; i < ARGC; ++i)
             if (!(room_of(ARGV[i]) in below))

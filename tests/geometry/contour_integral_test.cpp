@@ -1,6 +1,6 @@
 #include "geometry/contour_integral.h"
 
-#include "geometry/rectangle_exchange.h"
+#include "exam/rectangle_exchange.h"
 #include "geometry/surface_pieces.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "geometry/exchange_area.h"
 
-#include "geometry/rectangle_exchange.h"
+#include "exam/rectangle_exchange.h"
 #include "geometry/surface_pieces.h"
 #include "random_surfaces.h"
 
