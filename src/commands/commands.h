@@ -28,5 +28,6 @@ Command study_command();
 Command paper_command();
 Command points_command();
 Command explain_command();
+Command selftest_command();
 
 } // namespace multipath
