@@ -3,6 +3,8 @@
 
 #include "cli/choice.h"
 #include "cli/help_text.h"
+#include "cli/output_file.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "commands/commands.h"
@@ -52,26 +54,41 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
 {
     if (words[0] == "--version") {
-        std::fputs(version_text().c_str(), stdout);
+        print(version_text());
         return exit_done;
     }
     if (words[0] == "--help" || words[0] == "-h") {
-        std::fputs(program_help(commands).c_str(), stdout);
+        print(program_help(commands));
         return exit_done;
     }
     const Command& command = find_command(commands, words[0]);
     const CommandLine line(command.table, {words.begin() + 1, words.end()});
     if (line.has("help")) {
-        std::fputs(help_text(command.table).c_str(), stdout);
+        print(help_text(command.table));
         return exit_done;
     }
     return command.run(line);
+}
+
+int out_of_memory()
+{
+    std::fputs("multipath: out of memory; fewer patches need less (a larger --patch-size)\n", stderr);
+    return exit_failed;
+}
+
+int wrong_usage(const UsageError& error, const std::vector<Command>& commands, const std::string& command)
+{
+    const bool known =
+        std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.table.name == command; });
+    std::fprintf(stderr, "multipath: %s\n%s\n", error.what(), help_hint(known ? command : "").c_str());
+    return exit_usage;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
+    prepare_standard_streams();
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {
@@ -81,12 +98,11 @@ int main(int argc, char** argv)
     try {
         return run(all, words);
     } catch (const UsageError& error) {
-        const bool known =
-            std::any_of(all.begin(), all.end(), [&](const Command& c) { return c.table.name == words[0]; });
-        std::fprintf(stderr, "multipath: %s\n%s\n", error.what(), help_hint(known ? words[0] : "").c_str());
-        return exit_usage;
+        return wrong_usage(error, all, words[0]);
+    } catch (const ReaderGone&) {
+        return exit_failed;
     } catch (const std::bad_alloc&) {
-        std::fputs("multipath: out of memory; fewer patches need less (a larger --patch-size)\n", stderr);
+        return out_of_memory();
     } catch (const std::exception& error) {
         std::fprintf(stderr, "multipath: %s\n", error.what());
     }

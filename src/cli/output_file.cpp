@@ -1,15 +1,14 @@
 #include "cli/output_file.h"
 
+#include "cli/part_file.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <system_error>
 #include <utility>
 
-#include <csignal>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -23,18 +22,44 @@ namespace multipath {
 
 namespace {
 
+const std::string standard_output = "standard output";
+
 [[noreturn]] void fail(const std::string& name, int error)
 {
-    throw OutputError("cannot write " + name + ": " + std::generic_category().message(error));
+    const std::string message = "cannot write " + name + ": " + std::generic_category().message(error);
+    if (error == EPIPE && name == standard_output)
+        throw ReaderGone(message);
+    throw OutputError(message);
 }
 
-std::string folder_of(const std::string& path)
+/// 0, or what went wrong.
+int write_all(int descriptor, std::string_view bytes)
 {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+    while (!bytes.empty()) {
+        // The largest single write that every system takes is just under 2^31 bytes.
+        const ssize_t written = ::write(descriptor, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (written < 0 && errno != EINTR)
+            return errno;
+        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+    }
+    return 0;
 }
 
-/// Follows the links at the end of the path, also when the last one leads to a file that does not exist yet.
+/// The new name in the folder of the path is on the disk. 0, or what went wrong; a folder that may not be read, or has
+/// no fsync, is left to the system.
+int sync_folder_of(const std::string& path)
+{
+    const std::string folder = folder_of(path);
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return 0;
+    const int error = fsync(descriptor) != 0 && errno == EIO ? errno : 0;
+    close(descriptor);
+    return error;
+}
+
+} // namespace
+
 std::string follow_links(const std::string& name)
 {
     std::string path = name;
@@ -49,85 +74,7 @@ std::string follow_links(const std::string& name)
     fail(name, ELOOP);
 }
 
-/// Six letters that differ between processes, files and tries; O_EXCL is what makes them unique.
-std::string six_letters(unsigned attempt)
-{
-    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    auto bits =
-        (static_cast<std::uint64_t>(now) + attempt) * 0x9E3779B97F4A7C15u ^ static_cast<std::uint64_t>(getpid());
-    std::string letters;
-    for (int i = 0; i < 6; ++i, bits /= 26)
-        letters += static_cast<char>('a' + bits % 26);
-    return letters;
-}
-
-/// While it lives, a write to a closed pipe or beyond the permitted file size is the error EPIPE or EFBIG instead of
-/// the silent end of the program.
-class WriteSignalsHeld
-{
-public:
-    WriteSignalsHeld()
-    {
-        sigemptyset(&held_);
-        sigaddset(&held_, SIGPIPE);
-        sigaddset(&held_, SIGXFSZ);
-        pthread_sigmask(SIG_BLOCK, &held_, &before_);
-    }
-    ~WriteSignalsHeld()
-    {
-        sigset_t pending;
-        sigpending(&pending);
-        int signal = 0;
-        if (sigismember(&pending, SIGPIPE) == 1 || sigismember(&pending, SIGXFSZ) == 1)
-            sigwait(&held_, &signal);
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    }
-    WriteSignalsHeld(const WriteSignalsHeld&) = delete;
-    WriteSignalsHeld& operator=(const WriteSignalsHeld&) = delete;
-
-private:
-    sigset_t held_;
-    sigset_t before_;
-};
-
-/// 0, or what went wrong.
-int write_all(int descriptor, std::string_view bytes)
-{
-    const WriteSignalsHeld guard;
-    while (!bytes.empty()) {
-        // The largest single write that every system takes is just under 2^31 bytes.
-        const ssize_t written = ::write(descriptor, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
-        if (written < 0 && errno != EINTR)
-            return errno;
-        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-struct Temporary
-{
-    std::string path;
-    int descriptor = -1; ///< -1: not created, errno says why
-};
-
-/// A new empty file beside the target. Until it is complete nobody may read what the target's owner keeps private.
-Temporary create_beside(const std::string& target, mode_t mode)
-{
-    const std::string folder = folder_of(target);
-    const std::string name = target.substr(folder.size(), 200); // leaves room for the rest below the usual limit of 255
-    Temporary file;
-    for (unsigned attempt = 0; attempt < 100 && file.descriptor < 0; ++attempt) {
-        file.path = folder + "." + name + "." + six_letters(attempt) + ".part";
-        file.descriptor = open(file.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (file.descriptor < 0 && errno != EEXIST)
-            break;
-    }
-    return file;
-}
-
-} // namespace
-
-OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard output" : path)
+OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_output : path)
 {
     struct stat status = {};
     const bool to_standard_output = path == "-";
@@ -146,7 +93,8 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
             fail(name_, ENOENT);
         if (exists && access(target_.c_str(), W_OK) != 0)
             fail(name_, errno);
-        const Temporary file = create_beside(target_, exists ? 0600 : 0666);
+        // Until it is complete nobody may read what the target's owner keeps private.
+        const PartFile file = create_part_file(target_, exists ? 0600 : 0666);
         descriptor_ = file.descriptor;
         temporary_ = descriptor_ < 0 ? "" : file.path;
     }
@@ -188,20 +136,34 @@ void OutputFile::write(std::string_view bytes)
     }
 }
 
-void OutputFile::commit()
+void OutputFile::complete()
 {
     assert(descriptor_ >= 0);
-    // EINVAL: a file system that has no fsync.
-    int error = !temporary_.empty() && fsync(descriptor_) != 0 && errno != EINVAL ? errno : 0;
-    if (close(std::exchange(descriptor_, -1)) != 0 && error == 0)
+    // EINVAL: a file system that has no fsync. Some of those tell at a close what has gone wrong.
+    const int copy = dup(descriptor_);
+    int error = copy < 0 ? errno : 0;
+    if (error == 0 && !temporary_.empty() && fsync(copy) != 0 && errno != EINVAL)
         error = errno;
-    if (error == 0 && !temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
+    if (copy >= 0 && close(copy) != 0 && error == 0)
         error = errno;
     if (error != 0) {
         discard();
         fail(name_, error);
     }
+}
+
+void OutputFile::commit()
+{
+    complete();
+    int error = 0;
+    if (!temporary_.empty())
+        error = std::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : sync_folder_of(target_);
+    if (error != 0) {
+        discard();
+        fail(name_, error);
+    }
     temporary_.clear();
+    close(std::exchange(descriptor_, -1)); // after the new name: with the descriptor goes the lock
 }
 
 void OutputFile::discard() noexcept

@@ -13,6 +13,17 @@ public:
     explicit OutputError(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// Whoever read standard output has left, as `head` does: exit code 1 as well, but nothing to tell anybody.
+class ReaderGone : public OutputError
+{
+public:
+    using OutputError::OutputError;
+};
+
+/// Where the symbolic links at the end of a path lead, also when the last one leads to a file that does not exist yet.
+/// Throws OutputError for links in a circle.
+std::string follow_links(const std::string& path);
+
 /// A file that appears under its name only when it is complete. The constructor finds out whether the target can be
 /// written (do this before the work); the bytes go to a temporary beside it, which commit() renames and the destructor
 /// removes.
@@ -20,7 +31,7 @@ public:
 class OutputFile
 {
 public:
-    /// Throws OutputError, as do write() and commit(). After any of them an existing target is as it was.
+    /// Throws OutputError, as do write(), complete() and commit(). After any of them an existing target is as it was.
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
@@ -28,6 +39,9 @@ public:
 
     /// Appends.
     void write(std::string_view bytes);
+
+    /// Brings all bytes to the disk, so that a commit only has a name to change.
+    void complete();
 
     /// Puts the file in place, on the disk; nothing may be written afterwards.
     void commit();

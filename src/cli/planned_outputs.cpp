@@ -1,6 +1,7 @@
 #include "cli/planned_outputs.h"
 
 #include "cli/choice.h"
+#include "cli/part_file.h"
 #include "cli/usage_error.h"
 
 #include <algorithm>
@@ -29,6 +30,13 @@ constexpr std::array<KnownExtension, 10> known_extensions = {{{".ppm", OutputFor
                                                               {".html", OutputFormat::html},
                                                               {".state", OutputFormat::state}}};
 
+void refuse_input(const std::string& path, const std::vector<std::string>& inputs)
+{
+    for (const std::string& input : inputs)
+        if (same_file(path, input))
+            throw UsageError("--output: '" + path + "' is an input; expected another file");
+}
+
 std::string lower_case_extension(const std::string& path)
 {
     const std::size_t slash = path.find_last_of('/');
@@ -51,13 +59,14 @@ bool same_file(const std::string& a, const std::string& b)
     if (stat(a.c_str(), &status_a) == 0 && stat(b.c_str(), &status_b) == 0)
         return same();
     // Files that do not exist yet: the same name in the same folder.
-    const auto folder = [](const std::string& path) { return "./" + path.substr(0, path.rfind('/') + 1); };
-    const auto folder_or_root = [&](const std::string& path) {
-        return path[0] == '/' ? path.substr(0, path.rfind('/') + 1) : folder(path);
+    const std::string end_a = follow_links(a);
+    const std::string end_b = follow_links(b);
+    const auto folder = [](const std::string& path) {
+        return path[0] == '/' ? folder_of(path) : "./" + folder_of(path);
     };
-    const auto name = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
-    return name(a) == name(b) && !a.empty() && !b.empty() && stat(folder_or_root(a).c_str(), &status_a) == 0 &&
-           stat(folder_or_root(b).c_str(), &status_b) == 0 && same();
+    const auto name = [](const std::string& path) { return path.substr(folder_of(path).size()); };
+    return !end_a.empty() && !end_b.empty() && name(end_a) == name(end_b) &&
+           stat(folder(end_a).c_str(), &status_a) == 0 && stat(folder(end_b).c_str(), &status_b) == 0 && same();
 }
 
 OutputFormat output_format(const std::string& path, const std::vector<OutputFormat>& formats)
@@ -85,9 +94,7 @@ std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, c
     std::vector<OutputFormat> chosen;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         chosen.push_back(output_format(paths[i], formats));
-        for (const std::string& input : inputs)
-            if (same_file(paths[i], input))
-                throw UsageError("--output: '" + paths[i] + "' is the input; expected another file");
+        refuse_input(paths[i], inputs);
         for (std::size_t j = 0; j < i; ++j)
             if (same_file(paths[i], paths[j]))
                 throw UsageError("--output: '" + paths[i] + "' is named twice");
@@ -96,6 +103,20 @@ std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, c
     for (std::size_t i = 0; i < paths.size(); ++i)
         outputs.push_back({chosen[i], OutputFile(paths[i])});
     return outputs;
+}
+
+void require_no_input(const std::vector<PlannedOutput>& outputs, const std::vector<std::string>& inputs)
+{
+    for (const PlannedOutput& output : outputs)
+        refuse_input(output.file.name(), inputs);
+}
+
+void commit(std::vector<PlannedOutput>& outputs)
+{
+    for (PlannedOutput& output : outputs)
+        output.file.complete();
+    for (PlannedOutput& output : outputs)
+        output.file.commit();
 }
 
 } // namespace multipath

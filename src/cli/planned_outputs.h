@@ -30,6 +30,12 @@ OutputFormat output_format(const std::string& path, const std::vector<OutputForm
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
                                         const std::vector<OutputFormat>& formats = solution_formats);
 
+/// Throws UsageError for an output that is one of these files, read too, but known only since another one was read.
+void require_no_input(const std::vector<PlannedOutput>& outputs, const std::vector<std::string>& inputs);
+
+/// Puts all into place: not one before the bytes of all are on the disk. Throws OutputError.
+void commit(std::vector<PlannedOutput>& outputs);
+
 /// Do both names lead to one file? Files that do not exist yet are compared by folder and name.
 bool same_file(const std::string& a, const std::string& b);
 

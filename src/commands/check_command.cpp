@@ -1,4 +1,5 @@
 #include "cli/number_text.h"
+#include "cli/standard_streams.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
 #include "export/json.h"
@@ -190,7 +191,7 @@ int run_check(const CommandLine& line)
     const std::vector<Finding> findings = lint(scene, report);
     const std::string text =
         line.has("json") ? report_json(scene, report, findings).document() : report_text(scene, report, findings);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     const bool wrong =
         std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.makes_wrong_result; });
     return wrong ? 1 : 0;

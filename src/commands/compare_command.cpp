@@ -1,4 +1,5 @@
 #include "cli/number_text.h"
+#include "cli/standard_streams.h"
 #include "commands/commands.h"
 #include "commands/result_table.h"
 #include "export/csv_text.h"
@@ -280,7 +281,7 @@ int run_compare(const CommandLine& line)
     warn_of_other_scene(a, b);
     const Comparison comparison = compare(a, b, worst_count);
     const std::string text = line.has("json") ? report_json(comparison).document() : report_text(comparison);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     if (!tolerance || comparison.root() <= *tolerance)
         return 0;
     std::fprintf(stderr, "multipath: %s is %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(),

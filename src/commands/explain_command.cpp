@@ -1,6 +1,7 @@
 #include "cli/number_text.h"
 #include "cli/planned_outputs.h"
 #include "cli/provenance.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/method_options.h"
@@ -143,19 +144,19 @@ int run_explain(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(paths, {line.operands()[0]}, {OutputFormat::svg});
 
     const Scene scene = read_scene(line);
+    require_no_input(outputs, scene.file().material_files);
     for (const std::string& warning : scene.file().warnings)
         std::fprintf(stderr, "%s\n", warning.c_str());
     const ToldRun run{scene, options, line.text("method"), sequence};
     const Telling telling = tell(run, stage, range);
-    if (std::find(paths.begin(), paths.end(), "-") == paths.end())
-        std::fputs(telling.text.c_str(), stdout);
     LineDrawing drawing = drawing_of(run, stage, telling.title);
     drawing.up = up;
     drawing.comments = provenance(explain_table(), line, scene);
     for (PlannedOutput& output : outputs)
         output.file.write(draw_lines(scene, telling.lines, drawing));
-    for (PlannedOutput& output : outputs)
-        output.file.commit();
+    commit(outputs);
+    if (std::find(paths.begin(), paths.end(), "-") == paths.end())
+        print(telling.text);
     return 0;
 }
 

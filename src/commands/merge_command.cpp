@@ -128,8 +128,7 @@ int run_merge(const CommandLine& line)
     if (only_states) {
         for (PlannedOutput& output : outputs)
             output.file.write(sum.arrays->bytes());
-        for (PlannedOutput& output : outputs)
-            output.file.commit();
+        commit(outputs);
         return 0;
     }
     runs.clear();

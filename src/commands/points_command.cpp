@@ -1,6 +1,7 @@
 #include "cli/number_text.h"
 #include "cli/planned_outputs.h"
 #include "cli/provenance.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "export/discrepancy_table.h"
@@ -172,12 +173,6 @@ void require_absent(const CommandLine& line, const std::vector<std::string>& opt
             refuse("--" + option, reason);
 }
 
-void finish(std::vector<PlannedOutput>& outputs)
-{
-    for (PlannedOutput& output : outputs)
-        output.file.commit();
-}
-
 std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<OutputFormat>& formats)
 {
     return open_outputs(line.has("output") ? line.all("output") : std::vector<std::string>{"-"}, {}, formats);
@@ -207,7 +202,7 @@ int run_listing(const CommandLine& line)
             output.file.write(draw(all_points(range), pairs, range_words(range), provenance(points_table(), line)));
         else // made again without a drawing, which those options need
             write_points(output.file, range, provenance(without_options(points_table(), {"pairs", "order"}), line));
-    finish(outputs);
+    commit(outputs);
     return 0;
 }
 
@@ -223,7 +218,7 @@ int run_figure(const CommandLine& line)
     const std::string drawing = figure(count, seed, provenance(without_options(points_table(), fixed), line));
     for (PlannedOutput& output : outputs)
         output.file.write(drawing);
-    finish(outputs);
+    commit(outputs);
     return 0;
 }
 
@@ -238,14 +233,14 @@ int run_discrepancy(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {OutputFormat::csv});
 
     const std::vector<DiscrepancyRow> rows = measure_discrepancy(*range.sequence, range.first, range.count);
-    const bool table_on_stdout = std::find(paths.begin(), paths.end(), "-") != paths.end();
-    if (!table_on_stdout)
-        std::printf("%s; dimensions: %d\n\n%s", range_words(range).c_str(), range.sequence->dimensions(),
-                    discrepancy_text(rows).c_str());
     const std::vector<std::string> comments = provenance(points_table(), line);
     for (PlannedOutput& output : outputs)
         output.file.write(discrepancy_table(rows, comments));
-    finish(outputs);
+    commit(outputs);
+    const bool table_on_stdout = std::find(paths.begin(), paths.end(), "-") != paths.end();
+    if (!table_on_stdout)
+        print(range_words(range) + format("; dimensions: %d\n\n", range.sequence->dimensions()) +
+              discrepancy_text(rows));
     return 0;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/planned_outputs.h"
 #include "cli/provenance.h"
 #include "cli/shell_words.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/recorded_command.h"
@@ -87,19 +88,19 @@ std::string dependence_on_time(const RecordedCommand& record)
     return "";
 }
 
-void print(const std::string& path, const std::string& verdict, const std::vector<std::string>& remarks)
+void print_verdict(const std::string& path, const std::string& verdict, const std::vector<std::string>& remarks)
 {
-    std::printf("%s: %s", path.c_str(), verdict.c_str());
+    std::string text = path + ": " + verdict;
     for (const std::string& remark : remarks)
-        std::printf("%s%s", remarks.size() == 1 ? ": " : "\n  ", remark.c_str());
-    std::printf("\n");
+        text += (remarks.size() == 1 ? ": " : "\n  ") + remark;
+    print(text + "\n");
 }
 
 /// Prints what came out; returns the exit code.
 int judge(const Reproduction& r)
 {
     if (r.then == r.now) {
-        print(r.path, "reproduced, the same " + grouped(r.now.size()) + " bytes", {});
+        print_verdict(r.path, "reproduced, the same " + grouped(r.now.size()) + " bytes", {});
         return 0;
     }
     std::vector<std::string> reasons = other_inputs(r);
@@ -109,17 +110,17 @@ int judge(const Reproduction& r)
     const std::vector<std::string> remarks = other_writing(r);
     if (reasons.empty() && difference.text.empty()) {
         const bool only_writing = !difference.only_times && remarks.empty();
-        print(r.path,
-              difference.only_times ? "reproduced; times differ, as they do from run to run"
-              : only_writing        ? "reproduced; the files differ only in how the same is written"
-                                    : "reproduced, apart from its record",
-              remarks);
+        print_verdict(r.path,
+                      difference.only_times ? "reproduced; times differ, as they do from run to run"
+                      : only_writing        ? "reproduced; the files differ only in how the same is written"
+                                            : "reproduced, apart from its record",
+                      remarks);
         return 0;
     }
     if (!difference.text.empty())
         reasons.push_back(difference.text);
     reasons.insert(reasons.end(), remarks.begin(), remarks.end());
-    print(r.path, "not reproduced", reasons);
+    print_verdict(r.path, "not reproduced", reasons);
     return 1;
 }
 

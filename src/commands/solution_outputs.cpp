@@ -1,6 +1,5 @@
 #include "commands/solution_outputs.h"
 
-#include "cli/usage_error.h"
 #include "commands/mesh_outputs.h"
 #include "export/patch_table.h"
 #include "image/false_colour.h"
@@ -68,14 +67,6 @@ ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const C
 
 } // namespace
 
-void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file)
-{
-    for (const PlannedOutput& output : outputs)
-        for (const Material& material : file.materials)
-            if (same_file(output.file.name(), material.source.substr(0, material.source.rfind(':'))))
-                throw UsageError("--output: '" + output.file.name() + "' is an input; expected another file");
-}
-
 bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format)
 {
     return std::any_of(outputs.begin(), outputs.end(),
@@ -115,8 +106,7 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
         else
             output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
     }
-    for (PlannedOutput& output : outputs)
-        output.file.commit();
+    commit(outputs);
 }
 
 } // namespace multipath

@@ -3,16 +3,12 @@
 #include "cli/planned_outputs.h"
 #include "commands/picture_options.h"
 #include "radiosity/solve.h"
-#include "scene/scene_file.h"
 
 #include <map>
 #include <string>
 #include <vector>
 
 namespace multipath {
-
-/// Throws UsageError for an output that is a material file: an input too, but known only after reading.
-void require_outputs_beside(const std::vector<PlannedOutput>& outputs, const SceneFile& file);
 
 /// Is one of them of this format?
 bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format);

@@ -117,7 +117,7 @@ int run_solve(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line);
-    require_outputs_beside(outputs, scene.file());
+    require_no_input(outputs, scene.file().material_files);
     if (!job.quiet) {
         print_what_was_read(scene.file());
         warn_of_line_count(job.options);

@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/method_options.h"
 #include "commands/solution_outputs.h"
@@ -116,7 +117,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         scene,         job.options,           solution, job.line.text("method"), job.sequence, seconds_since(job.start),
         seconds_trace, seconds_to_first_lines, !keeper.stopped(), !keeper.resumed()};
     if (job.line.has("json"))
-        std::fputs(summary_json(summary).document().c_str(), stdout);
+        print(summary_json(summary).document());
     if (!job.quiet) {
         std::fputs(summary_text(summary).c_str(), stderr);
         if (job.line.has("verbose"))

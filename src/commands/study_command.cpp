@@ -3,6 +3,7 @@
 #include "cli/planned_outputs.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/method_options.h"
@@ -12,8 +13,6 @@
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
 #include "study/study_table.h"
-
-#include <cstdio>
 
 namespace multipath {
 
@@ -95,6 +94,7 @@ int run_study_command(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {OutputFormat::csv, OutputFormat::svg});
 
     const Scene scene = read_scene(line);
+    require_no_input(outputs, scene.file().material_files);
     const std::vector<std::string> comments = provenance(study_table(), line, scene);
     const StudyCache cache(line, paths);
     const Reference reference = study_reference(line, scene, plan, cache);
@@ -104,15 +104,14 @@ int run_study_command(const CommandLine& line)
         Progress progress("study", progress_style(line));
         study = run_study(scene, reference, plan, *journal, threads, [&](double done) { progress.show(done); });
     }
-    if (!line.has("quiet") || paths.empty())
-        std::fputs((plot_title(scene) + "\n" + study_text(study)).c_str(), stdout);
     const Abscissa against = line.text("against") == "seconds" ? Abscissa::seconds : Abscissa::lines;
     for (PlannedOutput& output : outputs)
         output.file.write(output.format == OutputFormat::csv
                               ? study_csv(study, comments)
                               : convergence_plot(study, against, plot_title(scene), comments));
-    for (PlannedOutput& output : outputs)
-        output.file.commit();
+    commit(outputs);
+    if (!line.has("quiet") || paths.empty())
+        print(plot_title(scene) + "\n" + study_text(study));
     return 0;
 }
 

@@ -27,14 +27,22 @@ void append(std::vector<std::string>& list, std::vector<std::string> more)
     list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-MaterialLibrary read_libraries(const ObjMesh& mesh, EmissionFrom emission_from)
+std::vector<std::string> find_libraries(const ObjMesh& mesh)
 {
-    MaterialLibrary library;
-    std::unordered_set<std::string> files_read;
+    std::vector<std::string> files;
+    std::unordered_set<std::string> known;
     for (const ObjName& names : mesh.libraries)
         for (const std::string& file : find_mtl_files(names.name, {mesh.path, names.line}))
-            if (files_read.insert(file).second)
-                read_mtl(file, emission_from, library);
+            if (known.insert(file).second)
+                files.push_back(file);
+    return files;
+}
+
+MaterialLibrary read_libraries(const std::vector<std::string>& files, EmissionFrom emission_from)
+{
+    MaterialLibrary library;
+    for (const std::string& file : files)
+        read_mtl(file, emission_from, library);
     return library;
 }
 
@@ -156,7 +164,8 @@ std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMater
 SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
 {
     ObjMesh mesh = parse_obj(path);
-    MaterialLibrary library = read_libraries(mesh, emission_from);
+    std::vector<std::string> material_files = find_libraries(mesh);
+    MaterialLibrary library = read_libraries(material_files, emission_from);
     const SceneScale scale = scale_of(mesh);
     MeshPieces cut = cut_into_pieces(mesh, scale);
     MaterialList list = look_up_materials(mesh, std::move(library), materials_of(cut.pieces, mesh));
@@ -165,6 +174,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
 
     SceneFile scene;
     scene.path = path;
+    scene.material_files = std::move(material_files);
     scene.warnings = std::move(mesh.warnings);
     append(scene.warnings, std::move(list.warnings));
     append(scene.warnings, std::move(cut.warnings));

@@ -14,6 +14,7 @@ namespace multipath {
 struct SceneFile
 {
     std::string path;
+    std::vector<std::string> material_files; ///< paths of all that were read, whether or not a face uses them
     std::vector<Material> materials;
     std::vector<std::string> groups; ///< names of `o` and `g` statements, in order of appearance; at least one ("")
 

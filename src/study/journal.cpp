@@ -102,8 +102,12 @@ void Journal::read(const std::string& text, const std::string& identity)
 void Journal::append(const std::string& line)
 {
     const std::string bytes = line + "\n";
-    if (write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-        throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
+    for (std::size_t done = 0; done < bytes.size();) { // a disk that is full takes a part, and refuses the next
+        const ssize_t written = write(descriptor_, bytes.data() + done, bytes.size() - done);
+        if (written < 0 && errno != EINTR)
+            throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
+        done += written < 0 ? 0 : static_cast<std::size_t>(written);
+    }
 }
 
 std::optional<Execution> Journal::find(const ExecutionKey& key) const

@@ -60,7 +60,7 @@ check "exposure is that of pictures" brighter
 
 not_the_scene() {
     cp "$scene" room.obj && cp "$root/scenes/5cubes.mtl" . && ends 2 solve room.obj $quick -o ./room.obj &&
-        says err "is the input" && cmp "$scene" room.obj
+        says err "is an input" && cmp "$scene" room.obj
 }
 check "the lit scene never replaces the scene" not_the_scene
 finish

@@ -1,5 +1,7 @@
 #include "cli/output_file.h"
 
+#include "cli/standard_streams.h"
+
 #include <doctest/doctest.h>
 
 #include <fcntl.h>
@@ -197,6 +199,7 @@ TEST_CASE("devices are written, not replaced")
 
 TEST_CASE("a named pipe is written to its reader")
 {
+    prepare_standard_streams();
     const Folder folder;
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
     const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);

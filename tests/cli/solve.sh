@@ -53,7 +53,7 @@ reader_gone() { "$program" solve "$scene" $quick --quiet -o - 2>err | head -c 10
 check "a reader that leaves early costs at most one line" reader_gone
 
 not_the_input() {
-    cp "$scene" copy.csv && ends 2 solve copy.csv $quick -o ./copy.csv && says err "is the input" && cmp "$scene" copy.csv
+    cp "$scene" copy.csv && ends 2 solve copy.csv $quick -o ./copy.csv && says err "is an input" && cmp "$scene" copy.csv
 }
 check "an output never replaces the input" not_the_input
 

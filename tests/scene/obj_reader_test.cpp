@@ -62,6 +62,8 @@ TEST_CASE("a quad becomes a parallelogram with the corner and the edges of the f
     CHECK(scene.materials[scene.material[0]].reflectance == Rgb{0.25, 0.5, 0.75});
     CHECK(scene.materials[scene.material[0]].emittance == Rgb{1, 2, 3});
     CHECK(contains(scene.materials[scene.material[0]].source, "room.mtl:1"));
+    REQUIRE(scene.material_files.size() == 1);
+    CHECK(contains(scene.material_files[0], "room.mtl"));
     CHECK(scene.warnings.empty());
     CHECK(scene.counts == "1 material, 1 emitter, 1 face -> 1 surface");
 }

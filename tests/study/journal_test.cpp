@@ -2,9 +2,12 @@
 
 #include "scene/scratch_folder.h"
 
+#include <csignal>
 #include <doctest/doctest.h>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
+#include <sys/resource.h>
 
 using namespace multipath;
 
@@ -103,4 +106,19 @@ TEST_CASE("a journal that cannot be written says so")
 {
     CHECK_THROWS_WITH(Journal("/nonexistent/runs.txt", "identity"),
                       "cannot write /nonexistent/runs.txt: No such file or directory");
+}
+
+// A limit on the size of files stands for a full disk, which takes a part of the bytes too and refuses the rest.
+TEST_CASE("a disk that is full is an error with its reason")
+{
+    const ScratchFolder folder;
+    rlimit before = {};
+    REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small = {3, before.rlim_max};
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+    const std::string path = folder.path("runs.txt");
+    CHECK_THROWS_WITH_AS(Journal(path, "study 1"), ("cannot write " + path + ": File too large").c_str(),
+                         std::runtime_error);
+    setrlimit(RLIMIT_FSIZE, &before);
 }
