@@ -8,11 +8,13 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "commands/commands.h"
+#include "scene/input_error.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -76,7 +78,7 @@ int out_of_memory()
     return exit_failed;
 }
 
-int wrong_usage(const UsageError& error, const std::vector<Command>& commands, const std::string& command)
+int wrong_usage(const std::exception& error, const std::vector<Command>& commands, const std::string& command)
 {
     const bool known =
         std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.table.name == command; });
@@ -99,9 +101,13 @@ int main(int argc, char** argv)
         return run(all, words);
     } catch (const UsageError& error) {
         return wrong_usage(error, all, words[0]);
+    } catch (const SettingsError& error) {
+        return wrong_usage(error, all, words[0]);
     } catch (const ReaderGone&) {
         return exit_failed;
     } catch (const std::bad_alloc&) {
+        return out_of_memory();
+    } catch (const std::length_error&) { // of a list: more than any memory holds
         return out_of_memory();
     } catch (const std::exception& error) {
         std::fprintf(stderr, "multipath: %s\n", error.what());

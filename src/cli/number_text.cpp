@@ -215,14 +215,26 @@ Vec3 read_vec3(std::string_view option, std::string_view text)
     return {values[0], values[1], values[2]};
 }
 
-PixelSize read_pixel_size(std::string_view option, std::string_view text)
+Vec3 read_direction(std::string_view option, std::string_view text)
+{
+    const Vec3 v = read_vec3(option, text);
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0.0)
+        refuse(option, "a direction such as 0,1,0", text);
+    const int exponent = -std::ilogb(largest);
+    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+PixelSize read_pixel_size(std::string_view option, std::string_view text, int largest)
 {
     const std::vector<std::string_view> parts = split(text, 'x');
     const std::optional<std::uint64_t> width = count_value(parts.front());
     const std::optional<std::uint64_t> height = count_value(parts.back());
-    const auto fits = [](std::optional<std::uint64_t> side) { return side && *side >= 1 && *side <= 65535; };
-    if (parts.size() != 2 || !fits(width) || !fits(height))
+    if (parts.size() != 2 || !width || !height)
         refuse(option, "a width and height in pixels such as 800x600", text);
+    const auto fits = [&](std::uint64_t side) { return side >= 1 && side <= static_cast<std::uint64_t>(largest); };
+    if (!fits(*width) || !fits(*height))
+        refuse(option, "a width and a height from 1 to " + std::to_string(largest) + " pixels", text);
     return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 

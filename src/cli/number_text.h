@@ -37,14 +37,17 @@ double read_seconds(std::string_view option, std::string_view text);
 /// Three numbers of any sign: 1,2.5,-3.
 Vec3 read_vec3(std::string_view option, std::string_view text);
 
-/// [pixels], each 1 to 65535.
+/// Three numbers, not all zero, scaled by a power of two so that the squares of large and small ones fit in a double.
+Vec3 read_direction(std::string_view option, std::string_view text);
+
+/// [pixels], each at least 1.
 struct PixelSize
 {
     int width = 0;
     int height = 0;
 };
 
-/// Width and height: 800x600.
-PixelSize read_pixel_size(std::string_view option, std::string_view text);
+/// Width and height, none above `largest`: 800x600.
+PixelSize read_pixel_size(std::string_view option, std::string_view text, int largest);
 
 } // namespace multipath

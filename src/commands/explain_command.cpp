@@ -89,14 +89,6 @@ ToldRange read_range(const CommandLine& line)
             read_count("--lines", line.text("lines"), 1, most_lines_told)};
 }
 
-Vec3 read_up(const CommandLine& line)
-{
-    const Vec3 up = read_vec3("--up", line.text("up"));
-    if (up == Vec3{})
-        throw UsageError("--up: expected a direction, got 0,0,0");
-    return up;
-}
-
 /// Text and drawing of one story.
 struct Telling
 {
@@ -137,7 +129,7 @@ int run_explain(const CommandLine& line)
     require_options_with_effect(line);
     const Stage stage = read_stage(line);
     const ToldRange range = read_range(line);
-    const Vec3 up = read_up(line);
+    const Vec3 up = read_direction("--up", line.text("up"));
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);
     const std::vector<std::string> paths = line.all("output");

@@ -105,7 +105,7 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
 {
     PictureOptions options;
     options.shown = read_shown(line);
-    const PixelSize size = read_pixel_size("--size", line.text("size"));
+    const PixelSize size = read_pixel_size("--size", line.text("size"), largest_picture_side);
     options.render.width = size.width;
     options.render.height = size.height;
     options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
@@ -118,9 +118,7 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     options.render.threads = threads;
     options.tone.tone = tone_operator(line.text("tone-map"));
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);
-    options.up = read_vec3("--up", line.text("up"));
-    if (options.up == Vec3{})
-        throw UsageError("--up: expected a direction, got 0,0,0");
+    options.up = read_direction("--up", line.text("up"));
     if (line.has("eye"))
         options.eye = read_vec3("--eye", line.text("eye"));
     if (line.has("target"))
@@ -132,6 +130,12 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     if (line.has("fov"))
         options.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
     return options;
+}
+
+void require_view(const Scene& scene, const PictureOptions& options)
+{
+    if (options.eye || options.target)
+        PixelRays(camera_for(scene, options), options.render.width, options.render.height);
 }
 
 Camera camera_for(const Scene& scene, const PictureOptions& options)

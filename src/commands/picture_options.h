@@ -36,6 +36,9 @@ OptionGroup picture_option_group();
 /// Throws UsageError.
 PictureOptions read_picture_options(const CommandLine& line, int threads);
 
+/// Throws SettingsError for a camera of the user's that has no direction in this scene: before the work.
+void require_view(const Scene& scene, const PictureOptions& options);
+
 /// The user's camera; what the user left open is chosen for the scene.
 Camera camera_for(const Scene& scene, const PictureOptions& options);
 

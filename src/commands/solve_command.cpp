@@ -118,6 +118,7 @@ int run_solve(const CommandLine& line)
 
     const Scene scene = read_scene(line);
     require_no_input(outputs, scene.file().material_files);
+    require_view(scene, job.pictures);
     if (!job.quiet) {
         print_what_was_read(scene.file());
         warn_of_line_count(job.options);

@@ -26,7 +26,11 @@ constexpr int exit_interrupted = 130;
 /// A black picture is no result.
 void require_light(const Scene& scene, const Solution& solution)
 {
-    if (!(mean(solution.balance.absorbed) > 0.0))
+    const PowerBalance& balance = solution.balance;
+    if (!(mean(balance.absorbed + balance.escaped + balance.behind) > 0.0))
+        throw SettingsError(scene.path() + ": none of " + grouped(solution.all_lines) +
+                            " lines left a source; expected more with --lines");
+    if (!(mean(balance.absorbed) > 0.0))
         throw InputError(
             scene.path() +
             ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");

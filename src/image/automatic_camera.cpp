@@ -152,7 +152,7 @@ std::vector<Camera> unobstructed(const Scene& scene, const std::vector<Camera>& 
 Camera automatic_camera(const Scene& scene, double aspect, Vec3 up)
 {
     if (!(length(up) > 0.0) || !std::isfinite(length(up)))
-        throw InputError("camera: the up direction must be a finite vector that is not zero");
+        throw SettingsError("camera: the up direction must be a finite vector that is not zero");
     const Room room = room_of(scene, up);
     const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
     const std::vector<Camera> open = unobstructed(scene, outside, aspect);

@@ -10,8 +10,6 @@ namespace multipath {
 
 namespace {
 
-constexpr int largest_side = 16384; // squared, three bytes a pixel still fit in one PNG chunk
-
 bool is_finite(Vec3 a)
 {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
@@ -19,25 +17,27 @@ bool is_finite(Vec3 a)
 
 void require_picture(int width, int height)
 {
-    if (width < 1 || height < 1 || width > largest_side || height > largest_side)
-        throw InputError("picture size " + std::to_string(width) + " x " + std::to_string(height) +
-                         ": width and height must be between 1 and " + std::to_string(largest_side));
+    if (width < 1 || height < 1 || width > largest_picture_side || height > largest_picture_side)
+        throw SettingsError("picture size " + std::to_string(width) + " x " + std::to_string(height) +
+                            ": width and height must be between 1 and " + std::to_string(largest_picture_side));
 }
 
 void require_camera(const Camera& camera)
 {
     if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
-        throw InputError("camera: eye, target and up must be finite numbers");
+        throw SettingsError("camera: eye, target and up must be finite numbers");
     if (!(camera.field_of_view > 0.0 && camera.field_of_view < 180.0))
-        throw InputError("camera: the field of view must be between 0 and 180 degrees");
+        throw SettingsError("camera: the field of view must be between 0 and 180 degrees");
     const Vec3 view = camera.target - camera.eye;
     if (length(view) == 0.0)
-        throw InputError("camera: eye and target are the same point, so there is no direction to look in");
+        throw SettingsError("camera: eye and target are the same point, so there is no direction to look in");
+    if (!std::isfinite(length(view)))
+        throw SettingsError("camera: eye and target are too far apart for a direction to be computed");
     if (length(camera.up) == 0.0)
-        throw InputError("camera: the up direction has length zero");
+        throw SettingsError("camera: the up direction has length zero");
     // Below this sine the picture would turn with rounding errors.
     if (length(cross(normalized(view), normalized(camera.up))) < 1e-6)
-        throw InputError("camera: the up direction is parallel to the view, choose another one");
+        throw SettingsError("camera: the up direction is parallel to the view, choose another one");
 }
 
 } // namespace

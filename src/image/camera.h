@@ -14,6 +14,9 @@ struct Camera
     double field_of_view = 60.0; ///< [degrees] vertical, between 0 and 180
 };
 
+/// [pixels] Squared, three bytes a pixel still fit in one PNG chunk.
+constexpr int largest_picture_side = 16384;
+
 /// The camera whose picture of `rows` rows is the middle of the given one's picture of `rows_before` rows.
 Camera cropped(Camera camera, int rows_before, int rows);
 
@@ -21,8 +24,8 @@ Camera cropped(Camera camera, int rows_before, int rows);
 class PixelRays
 {
 public:
-    /// Throws InputError for a camera without a direction, with `up` along its direction, or with an impossible
-    /// field of view, and for a picture without pixels.
+    /// Throws SettingsError for a camera without a direction, with `up` along its direction, or with an impossible
+    /// field of view, and for a picture without pixels or with a side above the largest.
     PixelRays(const Camera& camera, int width, int height);
 
     /// The ray through a point of the picture in pixels from its top left corner; (0.5, 0.5) is the first pixel's

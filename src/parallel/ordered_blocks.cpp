@@ -16,6 +16,7 @@ namespace {
 void run_workers(int threads, const std::function<void()>& worker)
 {
     std::vector<std::thread> others;
+    others.reserve(static_cast<std::size_t>(threads)); // what runs must be joined, so nothing else may fail
     try {
         for (int i = 1; i < threads; ++i)
             others.emplace_back(worker);

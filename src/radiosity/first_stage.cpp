@@ -43,7 +43,7 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&
         power_above(scene, state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
-        throw InputError(
+        throw SettingsError(
             "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
         shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;

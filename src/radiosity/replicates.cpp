@@ -65,7 +65,7 @@ public:
         : scene_(scene), options_(options), replicates_(replicates), round_(round), moments_(scene.patch_count())
     {
         if (options.lines < static_cast<std::uint64_t>(replicates))
-            throw InputError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
+            throw SettingsError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
         sum_.radiosity.resize(scene.patch_count());
         sum_.unshot.resize(scene.patch_count());
     }

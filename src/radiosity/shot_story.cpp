@@ -37,11 +37,11 @@ struct ObservedPass
 void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 {
     if (passes.empty())
-        throw InputError(
+        throw SettingsError(
             "the first shot has no pass: nothing is unshot above the threshold, or no line is left for it");
     if (pass >= passes.size())
-        throw InputError("the first shot of this run ends after pass " + std::to_string(passes.size()) + ", but pass " +
-                         std::to_string(pass + 1) + " is asked for");
+        throw SettingsError("the first shot of this run ends after pass " + std::to_string(passes.size()) +
+                            ", but pass " + std::to_string(pass + 1) + " is asked for");
 }
 
 } // namespace

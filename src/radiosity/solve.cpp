@@ -25,7 +25,7 @@ namespace {
 void require_countable(const SolveOptions& options)
 {
     if (options.method == Method::reuse && options.lines > 0xffffffffu)
-        throw InputError("the method reuse counts at most 4294967295 lines; expected fewer");
+        throw SettingsError("the method reuse counts at most 4294967295 lines; expected fewer");
 }
 
 void require_balance(const PowerBalance& balance)

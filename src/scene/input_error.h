@@ -12,4 +12,11 @@ public:
     explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// The file is sound, but what the options ask for does not go with it: wrong usage, found only when it was read.
+class SettingsError : public InputError
+{
+public:
+    using InputError::InputError;
+};
+
 } // namespace multipath

@@ -42,8 +42,8 @@ Scene::Scene(SceneFile file, double patch_size, bool two_sided)
         cells += tessellation.cell_count();
     constexpr std::uint64_t patch_limit = std::uint64_t{1} << 31;
     if (cells * (two_sided ? 2 : 1) >= patch_limit)
-        throw InputError(file_.path + ": this patch size gives " + std::to_string(cells) +
-                         " patches; expected fewer than 2^31; choose a larger one with --patch-size");
+        throw SettingsError(file_.path + ": this patch size gives " + std::to_string(cells) +
+                            " patches; expected fewer than 2^31; choose a larger one with --patch-size");
     cell_count_ = static_cast<std::uint32_t>(cells);
     patch_count_ = two_sided ? 2 * cell_count_ : cell_count_;
 

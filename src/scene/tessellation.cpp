@@ -76,7 +76,7 @@ Tessellation tessellate(const Surface& surface, double patch_size)
 {
     const CellCounts cells = cell_counts(surface, patch_size);
     if (!(cells.along_u * cells.along_v < cell_limit))
-        throw InputError("the patch size is too small: one surface alone would have 2^31 patches or more");
+        throw SettingsError("the patch size is too small: one surface alone would have 2^31 patches or more");
     return {surface.shape, static_cast<std::uint32_t>(cells.along_u), static_cast<std::uint32_t>(cells.along_v)};
 }
 

@@ -84,11 +84,11 @@ check "a first shot of the global method is refused" refused 2 "no stage first-s
 check "particles of another method are refused" refused 2 "no stage local" --stage local
 check "global lines of the local method are refused" refused 2 "no stage global" --method local --stage global
 check "a later pass of the plain first shot is refused" refused 2 "no stage extended:2" --stage extended:2
-check "a pass that does not happen is refused" refused 1 "but pass 900 is asked for" --method extended --stage extended:900
+check "a pass that does not happen is refused" refused 2 "but pass 900 is asked for" --method extended --stage extended:900
 check "no lines are refused" refused 2 "--lines: expected a count" --lines 0
 check "more than 1000 lines are refused" refused 2 "--lines: expected a count from 1 to 1000" --lines 1001
 check "line 0 is refused" refused 2 "--first: expected a count" --first 0
-check "a line beyond the last is refused" refused 1 "is asked for" --first 1M
+check "a line beyond the last is refused" refused 2 "is asked for" --first 1M
 check "an unknown sequence is refused" refused 2 "unknown sequence 'sobl'" --sequence sobl
 check "an option without effect is refused" refused 2 "--ratio has no effect" --method global --ratio 1
 check "chords of particles are refused" refused 2 "--chords has no effect" --method local --chords box

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <initializer_list>
 
 using namespace multipath;
@@ -133,11 +134,16 @@ TEST_CASE("a vector is three numbers of any sign, a picture's size two counts")
     check_refused([](auto option, auto text) { return read_vec3(option, text); },
                   {"", "1,2", "1,2,3,4", "1,,3", ",,", "1, 2,3", "1;2;3", "1,2,nan", "1,2,3,"});
 
-    const PixelSize size = read_pixel_size("--size", "800x600");
+    CHECK(read_direction("--up", "0,-1,0") == Vec3{0.0, -1.0, 0.0});
+    CHECK(read_direction("--up", "0,3e300,0") == Vec3{0.0, std::ldexp(3e300, -998), 0.0}); // 3e300 / 2^998 = 1.1...
+    CHECK_THROWS_WITH_AS(read_direction("--up", "0,0,-0"), "--up: expected a direction such as 0,1,0, got '0,0,-0'",
+                         UsageError);
+
+    const PixelSize size = read_pixel_size("--size", "800x600", 16384);
     CHECK(size.width == 800);
     CHECK(size.height == 600);
-    CHECK_THROWS_WITH_AS(read_pixel_size("--size", "800"),
+    CHECK_THROWS_WITH_AS(read_pixel_size("--size", "800", 16384),
                          "--size: expected a width and height in pixels such as 800x600, got '800'", UsageError);
-    check_refused([](auto option, auto text) { return read_pixel_size(option, text); },
-                  {"", "x", "800x", "x600", "800x600x3", "0x600", "800x-600", "800*600", "65536x1", "1e9x1"});
+    check_refused([](auto option, auto text) { return read_pixel_size(option, text, 16384); },
+                  {"", "x", "800x", "x600", "800x600x3", "0x600", "800x-600", "800*600", "16385x1", "1e9x1"});
 }

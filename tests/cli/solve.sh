@@ -94,7 +94,7 @@ broken() {
 }
 check "a broken scene is one line that names the place" broken
 
-huge() { ends 1 solve "$scene" --lines 1000 --patch-size 1e-6 && lines_are err 1 && says err "2^31"; }
+huge() { ends 2 solve "$scene" --lines 1000 --patch-size 1e-6 --memory 100000TB && lines_are err 2 && says err "2^31"; }
 check "more patches than there are numbers for is refused" huge
 
 every_sequence() {
@@ -120,7 +120,7 @@ power_of_two() {
 }
 check "a number of lines that does not suit Sobol's sequence is remarked on, once" power_of_two
 
-too_short() { ends 1 solve "$scene" --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 2 && says err "ends after 500"; }
+too_short() { ends 2 solve "$scene" --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 3 && says err "ends after 500"; }
 check "a sequence that is too short is refused" too_short
 
 budget_options() {

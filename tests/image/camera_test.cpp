@@ -65,7 +65,8 @@ TEST_CASE("a camera that has no picture is refused")
     for (const double angle : {0.0, -10.0, 180.0, std::nan("")})
         CHECK_THROWS_AS(PixelRays({eye, {0.0, 0.0, 0.0}, up, angle}, 10, 10), InputError);
     CHECK_THROWS_AS(PixelRays(oblique, 0, 10), InputError);
-    CHECK_THROWS_AS(PixelRays(oblique, 10, 100000), InputError);
+    CHECK_THROWS_AS(PixelRays(oblique, 10, 100000), SettingsError);
+    CHECK_THROWS_AS(PixelRays({{1e300, 0.0, 0.0}, target, up, 60.0}, 10, 10), SettingsError);
 }
 
 TEST_CASE("a cropped picture shows the middle rows of the whole one")
