@@ -4,6 +4,7 @@
 #include "commands/scene_options.h"
 #include "commands/solve_job.h"
 #include "radiosity/counted_reuse.h"
+#include "radiosity/memory_estimate.h"
 #include "radiosity/run_record.h"
 #include "radiosity/share_sum.h"
 #include "scene/input_error.h"
@@ -99,8 +100,9 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
         std::vector<Archive*> shares;
         for (SavedRun& run : runs)
             shares.push_back(run.arrays.get());
-        add_up_shares(shares, runs[0].parts, scene.patch_count(), count_bytes(scene.patch_count(), job.options.memory),
-                      job.options.threads, sum);
+        add_up_shares(shares, runs[0].parts, scene.patch_count(),
+                      count_bytes(scene.patch_count(), bytes_for_pairs(job.options.memory, scene)), job.options.threads,
+                      sum);
     } else {
         average(runs, scene, job.options.lines, sum);
     }

@@ -36,18 +36,16 @@ Option method_option(bool with_reuse)
 
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
 
-/// What only the method reuse knows.
-std::vector<Option> reuse_options()
+Option direct_option()
 {
-    return {{"direct",
-             0,
-             "HOW",
-             "gather",
-             "Of reuse: find the light that comes straight from the sources by rays between pairs of patches, or shoot "
-             "it like the extended first shot.",
-             false,
-             {"shoot", "gather"}},
-            {"memory", 0, "SIZE", "2GB", "Of reuse: what its table of patch pairs may take."}};
+    return {"direct",
+            0,
+            "HOW",
+            "gather",
+            "Of reuse: find the light that comes straight from the sources by rays between pairs of patches, or shoot "
+            "it like the extended first shot.",
+            false,
+            {"shoot", "gather"}};
 }
 
 } // namespace
@@ -112,8 +110,7 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
          threads_option()}};
     if (with_reuse)
-        for (Option& option : reuse_options())
-            group.options.push_back(std::move(option));
+        group.options.push_back(direct_option());
     return group;
 }
 
@@ -168,10 +165,10 @@ SolveOptions read_settings(const CommandLine& line)
     if (line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
     options.bidirectional = line.text("bidirectional") == "yes";
-    if (line.knows("memory")) {
+    if (line.knows("direct"))
         options.direct = line.text("direct") == "shoot" ? Direct::shoot : Direct::gather;
+    if (line.has("memory"))
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
-    }
     options.threads = thread_count(line);
     return options;
 }
@@ -221,7 +218,7 @@ void require_options_with_effect(const CommandLine& line, const std::vector<std:
     if (!any([](Method m) { return m == Method::local; }))
         refuse({"estimator"}, "--method local");
     if (!any(reuses))
-        refuse({"direct", "memory"}, "--method reuse");
+        refuse({"direct"}, "--method reuse");
 }
 
 std::string checked_sequence_name(const SolveOptions& options, const std::string& option)

@@ -33,7 +33,7 @@ struct PictureOptions
 /// The options of every command that makes pictures.
 OptionGroup picture_option_group();
 
-/// Throws UsageError.
+/// Throws UsageError; InputError for a picture that the memory cannot hold.
 PictureOptions read_picture_options(const CommandLine& line, int threads);
 
 /// Throws SettingsError for a camera of the user's that has no direction in this scene: before the work.

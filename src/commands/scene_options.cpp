@@ -2,6 +2,7 @@
 
 #include "cli/number_text.h"
 #include "cli/usage_error.h"
+#include "commands/memory_limit.h"
 #include "scene/obj_reader.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ OptionGroup scene_option_group()
           "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
          {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
+         memory_option(),
          {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
 }
 
@@ -31,12 +33,15 @@ Scene read_scene(const CommandLine& line)
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
     const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
+    require_memory_for_file(line, line.operands()[0]);
     SceneFile file = read_obj(line.operands()[0], emission);
     double patch_size = given_size;
     if (wanted > 0)
         patch_size = patch_size_for_count(file.surfaces, wanted);
     else if (!line.has("patch-size"))
         patch_size = default_patch_size(file.surfaces);
+    const double sides = line.has("two-sided") ? 2.0 : 1.0;
+    require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
     return Scene(std::move(file), patch_size, line.has("two-sided"));
 }
 

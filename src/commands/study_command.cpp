@@ -6,6 +6,7 @@
 #include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
+#include "commands/memory_limit.h"
 #include "commands/method_options.h"
 #include "commands/scene_options.h"
 #include "commands/study_cache.h"
@@ -13,6 +14,8 @@
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
 #include "study/study_table.h"
+
+#include <algorithm>
 
 namespace multipath {
 
@@ -102,7 +105,10 @@ int run_study_command(const CommandLine& line)
     {
         const std::unique_ptr<Journal> journal = cache.journal(study_table(), line, scene, reference);
         Progress progress("study", progress_style(line));
-        study = run_study(scene, reference, plan, *journal, threads, [&](double done) { progress.show(done); });
+        const bool reuses = std::any_of(plan.curves.begin(), plan.curves.end(),
+                                        [](const CurvePlan& c) { return c.options.method == Method::reuse; });
+        const int at_a_time = reuses ? reuse_runs_at_a_time(line, scene, threads) : threads;
+        study = run_study(scene, reference, plan, *journal, at_a_time, [&](double done) { progress.show(done); });
     }
     const Abscissa against = line.text("against") == "seconds" ? Abscissa::seconds : Abscissa::lines;
     for (PlannedOutput& output : outputs)

@@ -7,6 +7,7 @@
 #include "radiosity/item_plan.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/line_reuse.h"
+#include "radiosity/memory_estimate.h"
 #include "radiosity/multipath.h"
 #include "scene/input_error.h"
 #include "transport/line_sampling.h"
@@ -151,7 +152,7 @@ private:
         plan_global_lines();
         const std::uint64_t cast =
             reuse_counted_lines(scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
-                                count_bytes(scene_.patch_count(), options_.memory),
+                                count_bytes(scene_.patch_count(), bytes_for_pairs(options_.memory, scene_)),
                                 control(solution_.global_lines_cast, solution_.global_lines, share_), state_); // (R1)
         note_cast(cast);
     }
@@ -274,7 +275,8 @@ Preparation prepare(const Scene& scene, const SolveOptions& options)
     const bool optimum = options.method == Method::first_shot || options.method == Method::extended;
     if (optimum && !options.power_by_line)
         preparation.ratio = ratio_for(scene, options);
-    if (options.method == Method::reuse && reuse_bytes(scene.patch_count()) <= options.memory)
+    const double for_pairs = bytes_for_pairs(options.memory, scene);
+    if (options.method == Method::reuse && reuse_bytes(scene.patch_count()) <= for_pairs)
         preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
     return preparation;
 }

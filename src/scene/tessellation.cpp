@@ -80,16 +80,18 @@ Tessellation tessellate(const Surface& surface, double patch_size)
     return {surface.shape, static_cast<std::uint32_t>(cells.along_u), static_cast<std::uint32_t>(cells.along_v)};
 }
 
+double cell_count(const std::vector<Surface>& surfaces, double patch_size)
+{
+    double sum = 0.0;
+    for (const Surface& surface : surfaces) {
+        const CellCounts cells = cell_counts(surface, patch_size);
+        sum += cells.along_u * cells.along_v;
+    }
+    return sum;
+}
+
 double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t wanted)
 {
-    const auto count = [&](double patch_size) {
-        double sum = 0.0;
-        for (const Surface& surface : surfaces) {
-            const CellCounts cells = cell_counts(surface, patch_size);
-            sum += cells.along_u * cells.along_v;
-        }
-        return sum;
-    };
     Bounds bounds;
     double area = 0.0;
     for (const Surface& surface : surfaces) {
@@ -102,7 +104,7 @@ double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t 
     double enough = bounds.diagonal();
     for (int step = 0; step < 50 && enough > too_small; ++step) {
         const double middle = 0.5 * (too_small + enough);
-        (count(middle) > static_cast<double>(wanted) ? too_small : enough) = middle;
+        (cell_count(surfaces, middle) > static_cast<double>(wanted) ? too_small : enough) = middle;
     }
     return enough;
 }

@@ -71,6 +71,9 @@ inline std::uint32_t Tessellation::cell_at(double u, double v) const
 /// Throws InputError when a surface would get 2^31 cells or more.
 Tessellation tessellate(const Surface& surface, double patch_size);
 
+/// How many cells all surfaces get; a real number, since a small patch size gives more than an integer holds.
+double cell_count(const std::vector<Surface>& surfaces, double patch_size);
+
 /// The patch size [scene units] that cuts the surfaces into a number of patches close to `wanted`, never above it
 /// unless the surfaces alone are more.
 double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t wanted);

@@ -19,6 +19,17 @@ TEST_CASE("cells along an edge are edge / patch size rounded up, but not for rou
     CHECK_THROWS_AS(tessellate(surface, 1e-6), InputError);
 }
 
+TEST_CASE("cells are counted without being made, however many there would be")
+{
+    const std::vector<Surface> surfaces = {{Shape::parallelogram, {0, 0, 0}, {1, 0, 0}, {0, 2, 0}},
+                                           {Shape::triangle, {0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}}};
+    const double size = 0.1;
+    CHECK(cell_count(surfaces, size) ==
+          static_cast<double>(tessellate(surfaces[0], size).cell_count() + tessellate(surfaces[1], size).cell_count()));
+    CHECK(cell_count(surfaces, 1e-12) == doctest::Approx(2e24 + 1.25e24)); // the triangle by its longest edge, squared
+    CHECK(cell_count(surfaces, 1e-300) > 1e300);
+}
+
 // The centre of every cell is in that cell, and the cells tile the surface without turning over.
 TEST_CASE("cell numbers and cells belong together, and the cells' areas add up")
 {

@@ -1,0 +1,19 @@
+#include "radiosity/memory_estimate.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+double run_bytes(double surfaces, double patches)
+{
+    constexpr double bytes_per_surface = 700; // most while the file is read: corners, pieces, names
+    constexpr double bytes_per_patch = 400;   // counting lines in rows, or shading, or a mesh in the making
+    return bytes_per_surface * surfaces + bytes_per_patch * patches;
+}
+
+double bytes_for_pairs(double memory, const Scene& scene)
+{
+    return std::max(0.0, memory - run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()));
+}
+
+} // namespace multipath

@@ -1,0 +1,44 @@
+# What does not fit into the memory is refused before it is tried.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/cube.obj
+
+# The cube has 6 square sides of 1 m, each cut into 12904 x 12904 patches.
+# usage: too_many COMMAND OPTIONS...
+too_many() {
+    command=$1
+    shift
+    ends 1 "$command" "$scene" --patch-size 7.75e-5 --memory 8GB "$@" && silent out && lines_are err 1 &&
+        says err "999,079,296 patches need about 400 GB of memory, but --memory allows 8 GB"
+}
+check "solve refuses more patches than fit, with their number" too_many solve -o room.csv --quiet
+check "and so does check" too_many check
+check "and study" too_many study
+check "and explain" too_many explain
+finish_clean() { [ -z "$(ls -A | grep room)" ]; }
+check "no output is left behind" finish_clean
+
+machine() { ends 1 check "$scene" --patch-size 1e-9 && says err "but this machine has" && lines_are err 1; }
+check "without the option the machine is the limit" machine
+
+picture() {
+    ends 1 solve "$scene" --size 16384x16384 --memory 2GB -o room.png && lines_are err 1 &&
+        says err "a picture of 16384 x 16384 pixels needs about 10.7 GB"
+}
+check "a picture that does not fit is refused" picture
+
+file() { ends 1 check "$scene" --memory 1kB && lines_are err 1 && says err "reading it needs about"; }
+check "a file that does not fit is refused" file
+
+# With pairs within the limit, and counted in rows where they are not.
+# usage: within KILOBYTES OPTIONS...
+within() {
+    limit=$1
+    shift
+    (ulimit -v "$limit" && ends 0 solve "$scene" --lines 20000 --size 8x8 --threads 1 --quiet "$@")
+}
+# A sanitizer takes all addresses there are.
+if (ulimit -v 300000 && "$program" --version >/dev/null 2>&1); then
+    check "a run keeps to its estimate without pairs" within 250000 --patches 500k --memory 210MB -o a.csv -o a.png -o a.glb
+    check "and the pairs of reuse to the limit" within 250000 --patches 8000 --memory 200MB -o b.csv
+fi
+finish
