@@ -20,7 +20,7 @@ Q         = $(if $(V),,@)
 
 sources      = $(wildcard src/*.cpp src/*/*.cpp)
 objects      = $(sources:%.cpp=$(BUILD)/%.o)
-test_sources = $(filter-out tests/bench/%,$(wildcard tests/*.cpp tests/*/*.cpp))
+test_sources = $(filter-out tests/bench/% tests/fuzz/%,$(wildcard tests/*.cpp tests/*/*.cpp))
 test_objects = $(test_sources:%.cpp=$(BUILD)/%.o)
 
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
@@ -92,8 +92,15 @@ $(BUILD)/bench: $(bench_objects) $(filter-out $(BUILD)/src/main.o,$(objects))
 
 $(bench_objects): COMPILE += -Itests/bench $(addprefix -DEMBREE_VERSION=,$(embree))
 
+# tests/fuzz/run.sh builds these by clang++, which brings the fuzzer's main.
+fuzz_objects = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/fuzz/*.cpp))
+
+$(BUILD)/%_fuzz: $(BUILD)/tests/fuzz/%_fuzz.o $(filter-out $(BUILD)/src/main.o,$(objects))
+	@echo "  link    $@"
+	$(Q)$(CXX) $(CXXFLAGS) -fsanitize=fuzzer -pthread $^ -o $@
+
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
 .PHONY: demo paper results gallery test bench clean
--include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d)
+-include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

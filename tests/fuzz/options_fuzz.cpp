@@ -1,0 +1,86 @@
+// Any words, one to a line, behind the name of any command: options within their limits, or a UsageError. The first
+// byte chooses the command. And any text as a word of a shell: it comes back.
+
+#include "cli/command_line.h"
+#include "cli/number_text.h"
+#include "cli/planned_outputs.h"
+#include "cli/shell_words.h"
+#include "cli/usage_error.h"
+#include "commands/accuracy.h"
+#include "commands/commands.h"
+#include "commands/method_options.h"
+#include "commands/picture_options.h"
+#include "fuzz_file.h"
+#include "scene/input_error.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+using namespace multipath;
+
+namespace {
+
+void require(bool promise)
+{
+    if (!promise)
+        std::abort();
+}
+
+template <class Read>
+void unless_refused(const Read& read)
+{
+    try {
+        read();
+    } catch (const UsageError&) {
+    } catch (const InputError&) { // a picture too large for the memory
+    }
+}
+
+void read_numbers(const std::string& word)
+{
+    unless_refused([&] { require(read_count("--n", word) <= largest_count); });
+    unless_refused([&] { require(std::isfinite(read_real("--x", word, -1e300, 1e300))); });
+    unless_refused([&] { require(read_positive("--x", word) > 0.0); });
+    unless_refused([&] { require(read_share("--x", word) <= 1.0); });
+    unless_refused([&] { require(read_bytes("--x", word) >= 1); });
+    unless_refused([&] { require(read_seconds("--x", word) > 0.0); });
+    unless_refused([&] { require(std::isfinite(read_vec3("--x", word).x)); });
+    unless_refused([&] { require(read_pixel_size("--x", word, 16384).width >= 1); });
+    unless_refused([&] { output_format(word); });
+}
+
+void read_options(const CommandLine& line)
+{
+    if (line.has("help"))
+        return;
+    if (line.knows("method")) {
+        unless_refused([&] { require_options_with_effect(line); });
+        unless_refused([&] { checked_sequence_name(read_solve_options(line, line.knows("of") ? "of" : "lines")); });
+    }
+    if (line.knows("replicates") && line.knows("tolerance"))
+        unless_refused([&] { require(read_accuracy(line).replicates >= 1); });
+    if (line.knows("exposure"))
+        unless_refused([&] { read_picture_options(line, 1); });
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    static const std::vector<Command> all = commands();
+    if (size == 0)
+        return 0;
+    const std::string text(fuzz_text(data + 1, size - 1));
+    std::vector<std::string> words;
+    std::istringstream lines(text);
+    for (std::string word; std::getline(lines, word);)
+        words.push_back(word);
+    for (const std::string& word : words)
+        read_numbers(word);
+    unless_refused([&] { read_options(CommandLine(all[data[0] % all.size()].table, words)); });
+    if (text.find('\0') == std::string::npos)
+        require(split_shell_words(shell_text(words)) == words);
+    split_shell_words(text);
+    return 0;
+}
