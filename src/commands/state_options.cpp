@@ -4,6 +4,7 @@
 #include "cli/usage_error.h"
 #include "scene/input_error.h"
 
+#include <algorithm>
 #include <sys/stat.h>
 
 namespace multipath {
@@ -46,7 +47,8 @@ StateOptions read_state_options(const CommandLine& line)
 {
     StateOptions options;
     options.state = line.text("state");
-    options.save_every = read_seconds("--save-every", line.text("save-every"));
+    // Thirty years are as good as never, and far from the end of what a clock counts.
+    options.save_every = std::min(read_seconds("--save-every", line.text("save-every")), 1e9);
     if (line.has("shard"))
         options.share = read_share_of_work(line.text("shard"));
     if (line.has("state") && options.state.empty())

@@ -3,7 +3,11 @@
 . "$2/tests/cli/check.sh"
 scene=$root/scenes/cube.obj
 cp "$scene" "$root/scenes/cube.mtl" .
-"$program" solve cube.obj --lines 1000 --patches 100 --quiet -o result.csv || exit 1
+"$program" solve cube.obj --lines 1000 --patches 100 --quiet -o result.csv --state result.state || exit 1
+for share in 1 2; do
+    "$program" solve cube.obj --lines 2000 --patches 100 --quiet --method global --shard $share/2 \
+        --state share$share.state -o share.csv || exit 1
+done
 command -v timeout >/dev/null && patience="timeout 60" # seconds
 
 # What makes a run of the command short, one word each.
@@ -16,6 +20,8 @@ small_run() {
     paper) echo --scenes=nowhere --output=paper --quiet ;;
     compare) echo result.csv result.csv ;;
     reproduce) echo result.csv --quiet ;;
+    render) echo result.state --size=8x8 --samples=1 --output=out.png --quiet ;;
+    merge) echo share1.state share2.state --size=8x8 --samples=1 --output=out.png --quiet ;;
     points) echo --count=100 --output=out.csv ;;
     explain) echo cube.obj --of=1000 --patches=100 ;;
     esac
@@ -26,6 +32,7 @@ needs() {
     case $1 in
     ratio | power-per-line | threshold | steps) echo --method=extended ;;
     estimator) echo --method=local ;;
+    save-every) echo --state=saved.state --resume ;;
     gather-rays) echo --shading=gather ;;
     pairs) echo --output=out.svg ;;
     esac
@@ -37,7 +44,7 @@ valued_options() { "$program" "$1" --help | sed -n 's/^  \(-., \|    \)--\([a-z-
 # May the work fail, for a file that is not there or a memory of two bytes?
 may_fail() {
     case $1:$2 in
-    paper:* | *:output | *:keep | *:cache | *:reference | *:scenes | *:memory | *:patch-size) ;;
+    paper:* | *:output | *:keep | *:cache | *:reference | *:state | *:from | *:scenes | *:memory | *:patch-size) ;;
     *) return 1 ;;
     esac
 }
