@@ -3,6 +3,7 @@
 #include "cli/planned_outputs.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
@@ -10,7 +11,6 @@
 #include "exam/exam_table.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
 namespace multipath {
@@ -81,6 +81,7 @@ int run_selftest(const CommandLine& line)
     std::vector<std::string> comments = provenance(selftest_table(), line);
     if (!line.operands().empty()) {
         scene.emplace(read_scene(line));
+        require_no_input(outputs, scene->file().material_files);
         comments = provenance(selftest_table(), line, *scene);
         settings = settings_for(*scene, settings, threads);
         threads = 1;
@@ -92,12 +93,11 @@ int run_selftest(const CommandLine& line)
         Progress progress("selftest", progress_style(line));
         rows = take_exam(tasks, threads, [&](double done) { progress.show(done); });
     }
-    if (std::find(paths.begin(), paths.end(), "-") == paths.end())
-        std::fputs(exam_text(rows, line.has("quiet")).c_str(), stdout);
-    for (PlannedOutput& output : outputs) {
+    for (PlannedOutput& output : outputs)
         output.file.write(exam_csv(rows, comments));
-        output.file.commit();
-    }
+    commit(outputs);
+    if (std::find(paths.begin(), paths.end(), "-") == paths.end())
+        print(exam_text(rows, line.has("quiet")));
     return failures(rows) == 0 ? 0 : 1;
 }
 
