@@ -8,6 +8,7 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "commands/commands.h"
+#include "parallel/instruction_set.h"
 #include "scene/input_error.h"
 
 #include <algorithm>
@@ -55,6 +56,8 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
 
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
 {
+    if (!kernel_limit_is_known())
+        throw UsageError("MULTIPATH_KERNELS: expected avx512, avx2, sse2 or plain");
     if (words[0] == "--version") {
         print(version_text());
         return exit_done;

@@ -7,7 +7,8 @@ src=${1%/}
 complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp' -o -name '*.cc' -o -name '*.inl' \) \
     -exec awk -v src="$src" '
     BEGIN {
-        below["geometry"] = below["parallel"] = ""
+        below["parallel"] = ""
+        below["geometry"] = " parallel "
         below["sampling"] = " geometry parallel "
         below["scene"] = " geometry "
         below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
@@ -15,7 +16,7 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["exam"] = below["radiosity"] "export radiosity "
         below["viewer"] = below["image"] "image export "
         below["study"] = below["radiosity"] "image export radiosity "
-        below["cli"] = " geometry scene "
+        below["cli"] = " geometry scene parallel "
         below["commands"] = below["study"] "study exam viewer cli "
         below["main.cpp"] = below["commands"] "commands "
         for (i = 1; i < ARGC; ++i)

@@ -1,5 +1,7 @@
 #include "cli/version.h"
 
+#include "parallel/instruction_set.h"
+
 namespace multipath {
 
 namespace {
@@ -17,21 +19,6 @@ std::string compiler()
 #endif
 }
 
-std::string instruction_set()
-{
-#if defined(__AVX512F__)
-    return "x86-64 with AVX-512";
-#elif defined(__AVX2__)
-    return "x86-64 with AVX2";
-#elif defined(__x86_64__)
-    return "x86-64 (SSE2)";
-#elif defined(__aarch64__)
-    return "aarch64 (NEON)";
-#else
-    return "plain C++";
-#endif
-}
-
 } // namespace
 
 std::string version()
@@ -41,7 +28,7 @@ std::string version()
 
 std::string version_text()
 {
-    return version() + "\ncompiler: " + compiler() + "\ninstruction set: " + instruction_set() + "\n";
+    return version() + "\ncompiler: " + compiler() + "\ninstruction sets: " + usable_instruction_sets() + "\n";
 }
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #include "geometry/filter_kernel.h"
 
 #include "geometry/filter_kernels.h"
+#include "parallel/instruction_set.h"
 
 namespace multipath {
 
@@ -8,11 +9,12 @@ std::vector<const FilterKernel*> available_kernels()
 {
     std::vector<const FilterKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f"))
+    if (usable(InstructionSet::avx512))
         kernels.push_back(&avx512_kernel);
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    if (usable(InstructionSet::avx2))
         kernels.push_back(&avx2_kernel);
-    kernels.push_back(&sse2_kernel);
+    if (usable(InstructionSet::sse2))
+        kernels.push_back(&sse2_kernel);
 #endif
     kernels.push_back(&plain_kernel);
     return kernels;

@@ -74,7 +74,7 @@ struct FilterKernel
                            std::size_t count, Hit* hits, std::uint32_t* is_hit);
 };
 
-/// Those that this processor can run, the fastest first; the plain one is always there.
+/// Those whose instruction set is usable, the fastest first; the plain one is always there.
 std::vector<const FilterKernel*> available_kernels();
 
 } // namespace multipath

@@ -1,28 +1,9 @@
 #include "sampling/warp_kernel.h"
 
+#include "parallel/instruction_set.h"
 #include "sampling/warp_kernels.h"
 
 namespace multipath {
-
-namespace {
-
-const WarpKernel& fastest()
-{
-#if defined(__x86_64__)
-    __builtin_cpu_init(); // this runs before main
-    if (__builtin_cpu_supports("avx512f"))
-        return avx512_warp_kernel;
-    if (__builtin_cpu_supports("avx2"))
-        return avx2_warp_kernel;
-    return sse2_warp_kernel;
-#else
-    return plain_warp_kernel;
-#endif
-}
-
-const WarpKernel& chosen = fastest();
-
-} // namespace
 
 void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
 {
@@ -38,19 +19,26 @@ std::vector<const WarpKernel*> available_warp_kernels()
 {
     std::vector<const WarpKernel*> kernels;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f"))
+    if (usable(InstructionSet::avx512))
         kernels.push_back(&avx512_warp_kernel);
-    if (__builtin_cpu_supports("avx2"))
+    if (usable(InstructionSet::avx2))
         kernels.push_back(&avx2_warp_kernel);
-    kernels.push_back(&sse2_warp_kernel);
+    if (usable(InstructionSet::sse2))
+        kernels.push_back(&sse2_warp_kernel);
 #endif
     kernels.push_back(&plain_warp_kernel);
     return kernels;
 }
 
+namespace {
+
+const WarpKernel& fastest = *available_warp_kernels().front();
+
+} // namespace
+
 const WarpKernel& warp_kernel()
 {
-    return chosen;
+    return fastest;
 }
 
 } // namespace multipath

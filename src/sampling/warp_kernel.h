@@ -38,7 +38,7 @@ struct WarpKernel
     void (*cosine_hemisphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
 };
 
-/// Those that this processor can run, the fastest first; the plain one is always there.
+/// Those whose instruction set is usable, the fastest first; the plain one is always there.
 std::vector<const WarpKernel*> available_warp_kernels();
 
 /// The fastest of them.

@@ -24,7 +24,7 @@ struct RowKernel
     void (*multiply_three)(const float* row, std::uint32_t count, RowProduct* products);
 };
 
-/// Those that this processor can run, the fastest first; the plain one is always there.
+/// Those whose instruction set is usable, the fastest first; the plain one is always there.
 std::vector<const RowKernel*> available_row_kernels();
 
 } // namespace multipath
