@@ -29,7 +29,8 @@ Scene uneven_cube()
 
 } // namespace
 
-TEST_CASE("walks along shuffled quasi-random lines converge to the solution, along lines in order beside it")
+TEST_CASE("walks along shuffled quasi-random lines converge to the solution, along lines in order beside it" *
+          doctest::test_suite("statistics"))
 {
     const Scene scene = uneven_cube();
     SolveOptions options;

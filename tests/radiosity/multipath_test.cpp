@@ -73,7 +73,7 @@ TEST_CASE("on the grey 5CUBES the error is that of an independent implementation
 
 // The paper's section 3: two successive 2-D points are so correlated that the lines are far from uniform, however many
 // there are.
-TEST_CASE("4-D Sobol items converge, pairs of 2-D items do not")
+TEST_CASE("4-D Sobol items converge, pairs of 2-D items do not" * doctest::test_suite("statistics"))
 {
     const Scene scene = grey_five_cubes();
     const std::vector<Rgb> reference = reference_radiosity(scene);

@@ -46,7 +46,8 @@ MeanErrors mean_errors(const char* path)
 } // namespace
 
 TEST_CASE(
-    "lit towards the ceiling, the extended first shot is far better than the first shot and near local Monte Carlo")
+    "lit towards the ceiling, the extended first shot is far better than the first shot and near local Monte Carlo" *
+    doctest::test_suite("statistics"))
 {
     const MeanErrors error = mean_errors("scenes/4chairs-up.obj"); // Figures 7 and 8
     CHECK(error.first_shot >= 5.0 * error.extended);

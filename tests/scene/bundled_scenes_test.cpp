@@ -186,7 +186,7 @@ TEST_CASE("the front of the bundled Cornell box lets 30 % of the light out")
 
 // The paper, its Figures 6 to 9. The tolerances are what its rounded figures allow; f counts whole patches, so that it
 // belongs to this patch size.
-TEST_CASE("4CHAIRS gives the paper's figures, lit downwards and upwards")
+TEST_CASE("4CHAIRS gives the paper's figures, lit downwards and upwards" * doctest::test_suite("statistics"))
 {
     const Scene down = bundled_scene("4chairs");
     const Scene up = bundled_scene("4chairs-up");

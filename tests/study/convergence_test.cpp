@@ -45,7 +45,7 @@ double error_of(const Scene& scene, const SolveOptions& options, const Reference
 } // namespace
 
 // The slope's own standard error is the scale; 4 of them, and 0.05 for the leftover of the shortest walks.
-TEST_CASE("random lines have the slope -1")
+TEST_CASE("random lines have the slope -1" * doctest::test_suite("statistics"))
 {
     const Scene scene = small_room();
     StudyPlan plan;
