@@ -1,0 +1,90 @@
+# Compares the bytes of every output between builds, instruction sets and numbers of threads.
+# A build is a program that exists, or a compiler with flags, such as "clang++ -O0", which is built into a folder of this
+# name in build/. All are compared with the first one. KERNELS and THREADS are the instruction sets and the numbers of
+# threads to run each with; instruction sets that the processor lacks are left out.
+# Ends with the line "N passed, N failed".
+# usage: [KERNELS="avx512 plain"] [THREADS="1 3"] determinism.sh BUILD...
+[ $# -ge 1 ] || { echo "usage: determinism.sh BUILD..." >&2; exit 2; }
+root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
+scratch=$root/build/determinism passed=0 failed=0
+rm -rf "$scratch" && mkdir -p "$scratch" && cd "$root" || exit 1
+LC_ALL=C
+export LC_ALL MULTIPATH_KERNELS
+
+# Sets $program to the program of a build.
+find_program() {
+    program=$1
+    [ -f "$1" ] && [ -x "$1" ] && { program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1"); return; }
+    case $1 in *' '*) ;; *) echo "determinism.sh: '$1' is neither a program nor a compiler with flags" >&2; return 1 ;; esac
+    folder=build/$(echo "$1" | tr -c 'a-zA-Z0-9+\n-' _)
+    program=$root/$folder/multipath
+    make CXX="${1%% *}" CXXFLAGS="${1#* }" BUILD="$folder" "$folder/multipath" >"$scratch/build.log" 2>&1 ||
+        { cat "$scratch/build.log"; return 1; }
+}
+
+# usage: solved NAME EXTENSIONS SCENE OPTIONS...
+solved() (
+    name=$1 extensions=$2 scene=$3
+    shift 3
+    for extension in $extensions; do set -- "$@" -o "$name.$extension"; done
+    "$program" solve -q "$scene" --threads "$threads" "$@" || echo "$name: exit status $?"
+)
+
+# Everything that is compared, in the folder of the run. Scenes have parallelograms, slanted ones, and triangles; so few
+# surfaces that all are filtered, and so many that there is a hierarchy.
+results() {
+    ln -s "$root/scenes" scenes
+    for scene in 5cubes 4chairs sphere; do
+        for method in local global first-shot extended reuse; do
+            for sequence in random halton sobol-owen; do
+                solved $scene-$method-$sequence csv scenes/$scene.obj --patches 500 -n 2^13 -m $method -s $sequence
+            done
+        done
+        solved $scene-all "csv ppm png pfm ply glb obj html" scenes/$scene.obj --patches 800 -n 2^14 --size 96x72
+        solved $scene-gather pfm scenes/$scene.obj -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
+        solved $scene-two-sided csv scenes/$scene.obj --patches 500 -n 2^13 --two-sided --replicates 3
+    done
+    solved shot-reuse csv scenes/5cubes.obj -n 2^13 --direct shoot -s kronecker-shift
+    solved absorption csv scenes/5cubes.obj -n 2^13 -m local --estimator absorption
+    solved one-way csv scenes/4chairs-up.obj -n 2^13 -m global --bidirectional no --chords box --pairing 2d --line-order sequence
+    "$program" check scenes/4chairs-up.obj -n 2^13 --threads "$threads" >check.txt || echo "check: exit status $?"
+    "$program" explain scenes/4chairs.obj -n 3 --of 2^13 --threads "$threads" -o lines.svg >explain.txt || echo "explain: $?"
+    "$program" points -d 4 -s halton-permuted --discrepancy -o points.csv >points.txt || echo "points: exit status $?"
+    "$program" study scenes/5cubes.obj -q -m extended,reuse --from 2^10 --to 2^11 --replicates 2 --patches 200 \
+        --threads "$threads" -o study.svg || echo "study: exit status $?"
+    "$program" reproduce study.svg -q --threads "$threads" >reproduce.txt || echo "reproduce: exit status $?"
+    "$program" compare 5cubes-reuse-random.csv 5cubes-local-random.csv >compare.txt || echo "compare: exit status $?"
+    rm scenes
+}
+
+# usage: same_bytes BUILD        with the current kernel and number of threads
+same_bytes() {
+    run=$scratch/run
+    rm -rf "$run" && mkdir -p "$run"
+    (cd "$run" && results) >"$run/errors.txt" 2>&1
+    (cd "$run" && cksum -- *) >"$scratch/these"
+    [ -f "$scratch/first" ] || { mv "$scratch/these" "$scratch/first" && mv "$run" "$scratch/expected"; return; }
+    cmp -s "$scratch/first" "$scratch/these" && return
+    diff "$scratch/first" "$scratch/these" | sed -n 's/^[<>] [0-9]* [0-9]* /  differs: /p' | sort -u
+    cat "$run/errors.txt"
+    return 1
+}
+
+for build in "$@"; do
+    find_program "$build" || { echo "FAILED: no build '$build'"; failed=$((failed + 1)); continue; }
+    for kernel in ${KERNELS-avx512 avx2 sse2 plain}; do
+        MULTIPATH_KERNELS=$kernel
+        "$program" --version | grep -q "^instruction sets: $kernel" || { echo "left out: $kernel"; continue; }
+        for threads in ${THREADS-1 2 3 7}; do
+            if same_bytes; then
+                passed=$((passed + 1))
+            else
+                failed=$((failed + 1))
+                echo "FAILED: other bytes from $build, $kernel, $threads threads"
+            fi
+        done
+    done
+done
+[ -s "$scratch/expected/errors.txt" ] && { cat "$scratch/expected/errors.txt"; failed=$((failed + 1)); }
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ] && [ $passed -gt 1 ]
