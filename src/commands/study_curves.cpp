@@ -17,7 +17,7 @@ constexpr const char* chord_names[] = {"sphere", "box"};
 std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
                                    const std::vector<std::string_view>& choices)
 {
-    const std::vector<std::string> entries = split_list(line.text(name));
+    std::vector<std::string> entries = split_list(line.text(name));
     for (std::size_t k = 0; k < entries.size(); ++k) {
         if (entries[k].empty())
             throw UsageError("--" + name + ": expected names with a comma between them, got " +

@@ -35,7 +35,7 @@ std::string fixed(double value, int decimals)
 
 std::string scientific(double value)
 {
-    const std::string text = printed("%.*e", 1, value);
+    std::string text = printed("%.*e", 1, value);
     const std::size_t e = text.find('e');
     if (e == std::string::npos)
         return text; // not a number

@@ -112,7 +112,7 @@ private:
     }
     std::string drawing(const ReportFigure& figure) const
     {
-        const std::string bytes = file_bytes(folder_ + "/" + figure.file);
+        std::string bytes = file_bytes(folder_ + "/" + figure.file);
         if (ends_with(figure.file, ".svg"))
             return bytes;
         return "<img alt=\"" + html_escaped(figure.caption) + "\" src=\"data:image/png;base64," + base64(bytes) +
