@@ -24,9 +24,9 @@ tally() {
     failed=$((failed + 1))
 }
 
-(cd "$root" && "$unit_tests" $UNIT_ARGS) >"$scratch/unit_tests.log" 2>&1
-tally unit_tests $? "$scratch/unit_tests.log" "$(sed -n \
-    's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests.log")"
+# Mostly on one processor: the scripts run meanwhile.
+(cd "$root" && "$unit_tests" $UNIT_ARGS) >"$scratch/unit_tests.log" 2>&1 &
+unit_tests_process=$!
 
 for script in "$root/tests/include_order_test.sh" "$root"/tests/cli/*.sh; do
     name=$(basename "$script" .sh)
@@ -36,6 +36,10 @@ for script in "$root/tests/include_order_test.sh" "$root"/tests/cli/*.sh; do
     tally "$name.sh" $? "$scratch/$name.log" "$(tail -n 1 "$scratch/$name.log" |
         sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p')"
 done
+
+wait $unit_tests_process
+tally unit_tests $? "$scratch/unit_tests.log" "$(sed -n \
+    's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests.log")"
 
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

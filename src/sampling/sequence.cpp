@@ -83,7 +83,7 @@ std::vector<std::uint64_t> parse_list(const std::string& text)
 
 std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensions)
 {
-    const std::vector<std::uint64_t> bases = text.empty() ? default_bases(dimensions) : parse_list(text);
+    std::vector<std::uint64_t> bases = text.empty() ? default_bases(dimensions) : parse_list(text);
     if (bases.size() != static_cast<std::size_t>(dimensions))
         throw std::invalid_argument("one base per dimension is needed, here " + std::to_string(dimensions) + ", but '" +
                                     text + "' has " + std::to_string(bases.size()));
