@@ -54,7 +54,7 @@ results() {
         --threads "$threads" -o study.svg || echo "study: exit status $?"
     "$program" reproduce study.svg -q --threads "$threads" >reproduce.txt || echo "reproduce: exit status $?"
     "$program" compare 5cubes-reuse-random.csv 5cubes-local-random.csv >compare.txt || echo "compare: exit status $?"
-    rm scenes
+    rm -r scenes study.cache
 }
 
 # usage: same_bytes BUILD        with the current kernel and number of threads
