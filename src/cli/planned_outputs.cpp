@@ -88,6 +88,12 @@ OutputFormat output_format(const std::string& path, const std::vector<OutputForm
                      did_you_mean(extension, candidates));
 }
 
+bool wants_pictures(const std::vector<std::string>& paths)
+{
+    return paths.empty() || std::any_of(paths.begin(), paths.end(),
+                                        [](const std::string& path) { return is_picture(output_format(path)); });
+}
+
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
                                         const std::vector<OutputFormat>& formats)
 {

@@ -16,6 +16,12 @@ struct PlannedOutput
     OutputFile file;
 };
 
+/// One of colours, not of numbers or meshes.
+inline bool is_picture(OutputFormat format)
+{
+    return format == OutputFormat::ppm || format == OutputFormat::png || format == OutputFormat::pfm;
+}
+
 /// What `solve` writes.
 inline const std::vector<OutputFormat> solution_formats = {OutputFormat::ppm, OutputFormat::pfm,  OutputFormat::png,
                                                            OutputFormat::csv, OutputFormat::ply,  OutputFormat::glb,
@@ -24,6 +30,9 @@ inline const std::vector<OutputFormat> solution_formats = {OutputFormat::ppm, Ou
 /// The one of `formats` that a file's extension names; `-` is the first of them. Throws UsageError with the list of
 /// extensions.
 OutputFormat output_format(const std::string& path, const std::vector<OutputFormat>& formats = solution_formats);
+
+/// Is one of these a picture, or, without any, will there be one?
+bool wants_pictures(const std::vector<std::string>& paths);
 
 /// Opens all outputs, so that what cannot be written is found before the work. Throws UsageError for an extension that
 /// is not among the formats, a file named twice, or one that is also an input; OutputError for what cannot be written.

@@ -11,8 +11,9 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> without_effect = {
-    "threads", "output", "quiet", "cache", "progress", "json", "verbose", "state", "save-every", "resume", "from-state"};
+constexpr std::array<std::string_view, 11> without_effect = {"threads",    "output", "quiet",     "cache",
+                                                             "progress",   "json",   "verbose",   "state",
+                                                             "save-every", "resume", "from-state"};
 
 /// A default that holds only as long as another option has its own: written out, it would be refused beside that
 /// option, or mean something else.

@@ -24,7 +24,8 @@ CommandTable check_table()
                {"lines", 'n', "N", "2^20", "Lines for each measured figure."},
                threads_option()}},
              scene_option_group()},
-            "Exit code 0: nothing that would make a wrong result; 1: something would, or the scene cannot be read.\n"};
+            "Exit code 0: nothing that would make a wrong result; 1: something would, or the scene cannot\n"
+            "be read.\n"};
 }
 
 /// All that a scene emits through one material.

@@ -20,18 +20,18 @@ namespace {
 
 CommandTable merge_table()
 {
-    return {
-        "merge",
-        "add up the shares of one run (solve --shard)",
-        {{"STATE", true}},
-        {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
-        "Shares of the method 'reuse' give the same bytes as one run alone. Their first round counts lines; for the\n"
-        "second, which looks closer at some pairs of patches, write the sum as a state and go on from it in shares\n"
-        "again, or let 'merge' do it: it does whatever is left before it writes anything but a state.\n"
-        "Shares of the other methods are runs of their own; they are averaged by their lines.\n"
-        "\n"
-        "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
-        "  multipath merge 1.state 2.state -o room.png -o room.csv\n"};
+    return {"merge",
+            "add up the shares of one run (solve --shard)",
+            {{"STATE", true}},
+            {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
+            "Shares of the method 'reuse' give the same bytes as one run alone. Their first round counts\n"
+            "lines; for the second, which looks closer at some pairs of patches, write the sum as a state\n"
+            "and go on from it in shares again (solve --from-state), or let 'merge' do it: it does whatever\n"
+            "is left before it writes anything but a state. Shares of the other methods are runs of their\n"
+            "own; they are averaged by their lines.\n"
+            "\n"
+            "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
+            "  multipath merge 1.state 2.state -o room.png -o room.csv\n"};
 }
 
 /// Throws InputError unless these are all shares of one run.

@@ -1,6 +1,7 @@
 #include "commands/picture_options.h"
 
 #include "cli/number_text.h"
+#include "cli/planned_outputs.h"
 #include "cli/usage_error.h"
 #include "commands/memory_limit.h"
 #include "image/automatic_camera.h"
@@ -117,7 +118,9 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
         throw UsageError("--gather-rays has no effect without --shading gather; expected both");
     options.render.gather_rays = static_cast<int>(read_count("--gather-rays", line.text("gather-rays"), 1, 1 << 20));
     options.render.threads = threads;
-    require_memory_for_picture(line, size.width, size.height, options.render.shading == Shading::gather);
+    const bool is_share = line.knows("shard") && line.has("shard"); // without outputs of its own
+    if (wants_pictures(line.all("output")) && !(is_share && line.all("output").empty()))
+        require_memory_for_picture(line, size.width, size.height, options.render.shading == Shading::gather);
     options.tone.tone = tone_operator(line.text("tone-map"));
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);
     options.up = read_direction("--up", line.text("up"));

@@ -18,12 +18,6 @@ namespace multipath {
 
 namespace {
 
-bool is_picture(const PlannedOutput& output)
-{
-    return output.format == OutputFormat::ppm || output.format == OutputFormat::png ||
-           output.format == OutputFormat::pfm;
-}
-
 Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown, int threads)
 {
     switch (shown) {
@@ -81,7 +75,8 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
     for (const std::string& part : comments)
         comment += (comment.empty() ? "" : "; ") + part;
 
-    const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
+    const bool pictures = std::any_of(outputs.begin(), outputs.end(),
+                                      [](const PlannedOutput& output) { return is_picture(output.format); });
     const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
     const Quantity quantity =
         pictures ? shown_quantity(scene, solution, picture_options.shown, picture_options.render.threads) : Quantity{};

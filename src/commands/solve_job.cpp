@@ -117,9 +117,16 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         require_light(scene, solution);
     write_results(job, scene, solution, outputs, keeper.last_bytes());
 
-    const SolveSummary summary{
-        scene,         job.options,           solution, job.line.text("method"), job.sequence, seconds_since(job.start),
-        seconds_trace, seconds_to_first_lines, !keeper.stopped(), !keeper.resumed()};
+    const SolveSummary summary{scene,
+                               job.options,
+                               solution,
+                               job.line.text("method"),
+                               job.sequence,
+                               seconds_since(job.start),
+                               seconds_trace,
+                               seconds_to_first_lines,
+                               !keeper.stopped(),
+                               !keeper.resumed()};
     if (job.line.has("json"))
         print(summary_json(summary).document());
     if (!job.quiet) {

@@ -73,6 +73,7 @@ void ArchivedScene::visit(Archive& archive)
     archive.list<std::uint32_t>("line", file.line);
     archive.value<double>("patch size", patch_size);
     archive.value<std::uint64_t>("two-sided", two_sided);
+    archive.value<std::uint64_t>("patches", patches);
     archive.value<std::uint64_t>("hash", hash);
     require_below(file.material, file.materials.size());
     require_below(file.group, file.groups.size());
@@ -80,11 +81,17 @@ void ArchivedScene::visit(Archive& archive)
 
 ArchivedScene archived(const Scene& scene)
 {
-    return {scene.file(), scene.patch_size(), scene.two_sided() ? 1u : 0u, scene.hash()};
+    return {scene.file(), scene.patch_size(), scene.two_sided() ? 1u : 0u, scene.patch_count(), scene.hash()};
 }
 
 Scene restored(const ArchivedScene& archived)
 {
+    const double sides = archived.two_sided != 0 ? 2.0 : 1.0;
+    const bool fits =
+        archived.patch_size > 0.0 && sides * cell_count(archived.file.surfaces, archived.patch_size) ==
+                                         static_cast<double>(archived.patches); // before memory is taken for them
+    if (!fits)
+        throw ArchiveError("the state is damaged: its scene has other patches");
     Scene scene(archived.file, archived.patch_size, archived.two_sided != 0);
     if (scene.hash() != archived.hash)
         throw ArchiveError("the state is damaged: its scene is not the one that was solved");

@@ -13,6 +13,7 @@ struct ArchivedScene
     SceneFile file;
     double patch_size = 0.0; ///< [scene units]
     std::uint64_t two_sided = 0;
+    std::uint64_t patches = 0;
     std::uint64_t hash = 0; ///< of the scene
 
     void visit(Archive& archive);

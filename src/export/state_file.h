@@ -30,8 +30,9 @@ protected:
     void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
     std::size_t length(const std::string& name, Scalar scalar) override;
 
-private:
     void put(std::string_view bytes); ///< and zeros up to a multiple of eight
+
+private:
     /// `bytes` in the order of files.
     void put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes);
 

@@ -10,8 +10,8 @@ namespace multipath {
 
 /// Where long work can be left and taken up again, with the same bits as if it had never been left.
 ///
-/// Work consists of parts within parts. Each says what it needs to go on from here: what it has found so far and how far
-/// it is. All that is under way at a pause is saved together. To take work up again it is simply begun again: every
+/// Work consists of parts within parts. Each says what it needs to go on from here: what it has found so far and how
+/// far it is. All that is under way at a pause is saved together. To take work up again it is simply begun again: every
 /// part that was under way finds what was saved, and skips what is done.
 class Checkpoint
 {

@@ -22,10 +22,7 @@ struct Share
 
 private:
     /// pieces * n / of without overflow.
-    std::uint64_t before(std::uint64_t n, std::uint64_t pieces) const
-    {
-        return pieces / of * n + pieces % of * n / of;
-    }
+    std::uint64_t before(std::uint64_t n, std::uint64_t pieces) const { return pieces / of * n + pieces % of * n / of; }
 };
 
 /// How work is carried out; the result does not depend on it.

@@ -159,8 +159,9 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
         counted.lines = counts.lines;
         counted.estimate = estimate_exchange(scene, unoccluded.table(), counts, crossing_area(), run.threads);
         counted.losses = losses(counts, crossing_area());
-        counted.first_guess =
-            plan.rays > 0 ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads) : source;
+        counted.first_guess = plan.rays > 0
+                                  ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads)
+                                  : source;
     }
     const std::uint64_t lines_cast = counted.lines;
     if (plan.rays > 0 && !run.stopped())

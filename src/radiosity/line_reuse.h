@@ -25,8 +25,8 @@ double reuse_bytes(std::uint32_t patches);
 
 /// Distributes all unshot power: global lines tell which patches see each other and how well, rays look closer at the
 /// pairs that matter, and the light is found by solving for it (R1) instead of carrying it along the lines.
-/// `unoccluded`: see unoccluded_exchange. Returns how many global lines were cast: fewer if the run is stopped, and then
-/// the light is solved for with what these told. A checkpoint must hold the state, too.
+/// `unoccluded`: see unoccluded_exchange. Returns how many global lines were cast: fewer if the run is stopped, and
+/// then the light is solved for with what these told. A checkpoint must hold the state, too.
 std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                           const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state);
 

@@ -174,8 +174,8 @@ Solution solve_until(const Scene& scene, const SolveOptions& options, int replic
             record.goal = record.pieces == 0 ? first_lines : 2 * record.lines;
         SolveOptions round_options = options;
         round_options.lines = record.goal;
-        Solution solution = ReplicateRun(scene, round_options, replicates, record.pieces)
-                                .solve_all(preparation, progress, checkpoint);
+        Solution solution =
+            ReplicateRun(scene, round_options, replicates, record.pieces).solve_all(preparation, progress, checkpoint);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : solution;
         solution.all_lines += record.solution.all_lines;

@@ -147,18 +147,18 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
         return static_cast<std::uint32_t>(std::min<std::uint64_t>(block * patches_per_block, patches));
     };
     std::uint64_t next_block = 0;
-    const Checkpoint::Part part(run.checkpoint, "shadow rays", [&](Archive& archive) {
-        archive.value<std::uint64_t>("next block", next_block);
-    });
+    const Checkpoint::Part part(run.checkpoint, "shadow rays",
+                                [&](Archive& archive) { archive.value<std::uint64_t>("next block", next_block); });
     std::vector<std::vector<Item>> items(static_cast<std::size_t>(slot_count(run.threads)));
-    resumable_blocks(next_block, (patches + patches_per_block - 1) / patches_per_block, run,
-                   [&](std::uint64_t block, int slot) {
-                       for (std::uint32_t patch = first_patch(block); patch < first_patch(block + 1); ++patch)
-                           look_from(patch, items[static_cast<std::size_t>(slot)]);
-                   },
-                   [&](std::uint64_t block, int) {
-                       run.count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));
-                   });
+    resumable_blocks(
+        next_block, (patches + patches_per_block - 1) / patches_per_block, run,
+        [&](std::uint64_t block, int slot) {
+            for (std::uint32_t patch = first_patch(block); patch < first_patch(block + 1); ++patch)
+                look_from(patch, items[static_cast<std::size_t>(slot)]);
+        },
+        [&](std::uint64_t block, int) {
+            run.count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));
+        });
     return whole(before[first_patch(next_block)]);
 }
 

@@ -20,8 +20,8 @@ struct Shot
 
 /// Sends the rays of all shots, which take the items from first_item on, one each in order. Every receiver adds what
 /// arrives to its incident power and what it reflects to its unshot power (S1). The shooters' unshot power is spent
-/// beforehand (see spend in first_shot.h). If the run is stopped, the power of the other rays stays unshot. A checkpoint
-/// must hold the shots and the state besides what this function makes it hold.
+/// beforehand (see spend in first_shot.h). If the run is stopped, the power of the other rays stays unshot. A
+/// checkpoint must hold the shots and the state besides what this function makes it hold.
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            const RunControl& run, PowerState& state);
 

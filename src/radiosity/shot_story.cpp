@@ -59,7 +59,8 @@ ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::s
             told = {first_item, shots, state};
     };
     PowerState state(scene);
-    const std::vector<ShotPass> passes = shoot_first(scene, *sequence, items.first_shot, options, {options.threads}, state, keep_told_pass);
+    const std::vector<ShotPass> passes =
+        shoot_first(scene, *sequence, items.first_shot, options, {options.threads}, state, keep_told_pass);
     require_pass(passes, pass);
     require_in_stage(range, ray_count(told.shots), "rays");
 

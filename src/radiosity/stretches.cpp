@@ -49,8 +49,9 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
             share.of > 1 && walks
                 ? stretch_options(scene, options, share.number, share.begin(record.goal), share.end(record.goal))
                 : stretch_options(scene, options, record.pieces, record.lines, record.goal);
-        Solution found = replicates > 1 ? solve_replicates(scene, preparation, stretch, replicates, progress, checkpoint)
-                                        : solve(scene, preparation, stretch, progress, checkpoint, walks ? Share{} : share);
+        Solution found = replicates > 1
+                             ? solve_replicates(scene, preparation, stretch, replicates, progress, checkpoint)
+                             : solve(scene, preparation, stretch, progress, checkpoint, walks ? Share{} : share);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : found;
         record.solution = record.pieces > 0 ? combined(scene, {record.solution, found}) : std::move(found);

@@ -152,7 +152,7 @@ check "so is a file that is missing" refused "none.csv: cannot be read" none.csv
 check "and a folder" refused "scenes: cannot be read" scenes
 check "another program is not run" recording "touch stolen.csv" "expected a multipath command in its record, got \`touch stolen.csv\`"
 check "nor a second command" recording "multipath points; touch stolen.csv" "expected a command of plain and quoted words"
-check "nor an unknown command" recording "multipath steal x" "expected a multipath command that writes files (solve, render, merge, study, paper, points, explain), got 'steal'"
+check "nor an unknown command" recording "multipath steal x" "expected a multipath command that writes files (solve, render, merge, study, paper, points, explain, selftest), got 'steal'"
 check "nor one that writes nothing" recording "multipath check $scene" "expected a multipath command that writes files"
 check "nor reproduce itself" recording "multipath reproduce hostile.csv" "expected a multipath command that writes files"
 check "nothing is written where a record says" recording "multipath points -o stolen.csv" "the command in its record has --output"

@@ -1,14 +1,14 @@
 # Feeds made-up bytes to everything that reads what others wrote: SECONDS for each tests/fuzz/NAME_fuzz.cpp, from the
 # examples in tests/fuzz/corpus/NAME on. Ends with the line "N passed, N failed". What makes a target crash, hang or
 # take a gigabyte is kept as build/fuzz/NAME-crash-..., and `build/fuzz/NAME_fuzz FILE` shows it again.
-# CXX may name another clang++. Without any there is nothing to run and nothing fails.
+# CXX may name another clang++, BUILD a folder of objects that were compiled with the flags below. Without any there is nothing to run and nothing fails.
 # usage: run.sh SECONDS [NAME...]
 [ $# -ge 1 ] || { echo "usage: run.sh SECONDS [NAME...]" >&2; exit 2; }
 seconds=$1
 shift
 cd "$(dirname "$0")/../.." || exit 1
 compiler=${CXX:-clang++}
-build=build/fuzz
+build=${BUILD:-build/fuzz}
 command -v "${compiler##* }" >/dev/null || { echo "skipped: fuzzing needs clang++"; exit 0; }
 [ $# -gt 0 ] || set -- $(ls tests/fuzz | sed -n 's/_fuzz\.cpp$//p')
 

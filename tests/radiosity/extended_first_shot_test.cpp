@@ -12,7 +12,6 @@ using namespace multipath;
 
 namespace {
 
-
 Scene lit_room(double reflectance)
 {
     SceneBuilder builder;
@@ -56,8 +55,7 @@ TEST_CASE("progressive ray refinement shoots the reflected light of each pass in
     PowerState state(scene);
     ExtendedShotOptions options;
     options.power_by_line = 1e-4;
-    const std::vector<ShotPass> passes =
-        shoot_extended(scene, *make_sequence("random", 1), 0, options, {1}, state);
+    const std::vector<ShotPass> passes = shoot_extended(scene, *make_sequence("random", 1), 0, options, {1}, state);
     CHECK(passes.size() >= 5);
     for (std::size_t k = 1; k < 5; ++k)
         CHECK(passes[k].power / passes[k - 1].power ==

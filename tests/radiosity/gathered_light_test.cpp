@@ -13,7 +13,6 @@ using namespace multipath;
 
 namespace {
 
-
 GatheredLight gathered(const Scene& scene, std::uint64_t rays, std::uint64_t seed = 1, const char* sequence = "random",
                        int threads = 2)
 {

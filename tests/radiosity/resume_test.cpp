@@ -73,12 +73,12 @@ int check_all_pauses(const Scene& scene, const SolveOptions& options, int replic
 TEST_CASE("work that was left at any moment and taken up again gives the same bits")
 {
     const Scene scene = room();
-    for (const Method method :
-         {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
         for (const char* sequence : {"random", "sobol", "halton-permuted"}) {
             CAPTURE(static_cast<int>(method));
             CAPTURE(sequence);
-            CHECK(check_all_pauses(scene, options_of(method, sequence, 40000), 1, method == Method::reuse ? 101 : 7) >= 6);
+            CHECK(check_all_pauses(scene, options_of(method, sequence, 40000), 1, method == Method::reuse ? 101 : 7) >=
+                  6);
         }
     }
 }
@@ -87,14 +87,23 @@ TEST_CASE("the variants of line reuse are taken up again, too")
 {
     const Scene scene = room();
     SolveOptions options = options_of(Method::reuse, "sobol", 40000);
-    SUBCASE("direct light that is shot") { options.direct = Direct::shoot; }
-    SUBCASE("counts of the pairs that are joined only") { options.memory = 1e5; }
+    SUBCASE("direct light that is shot")
+    {
+        options.direct = Direct::shoot;
+    }
+    SUBCASE("counts of the pairs that are joined only")
+    {
+        options.memory = 1e5;
+    }
     SUBCASE("counts that do not fit and are solved in rounds")
     {
         options.memory = 1e3;
         options.lines = 600000;
     }
-    SUBCASE("few rays, so that the lights are shot") { options.lines = 6000; }
+    SUBCASE("few rays, so that the lights are shot")
+    {
+        options.lines = 6000;
+    }
     CHECK(check_all_pauses(scene, options, 1, options.lines > 100000 ? 31 : 23) >= 3);
 }
 
@@ -163,8 +172,7 @@ TEST_CASE("a finished run goes on to more lines, also when that is interrupted")
 TEST_CASE("what is found when the work is left keeps the balance of power, and comes nearer to the result")
 {
     const Scene scene = room();
-    for (const Method method :
-         {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
         CAPTURE(static_cast<int>(method));
         const SolveOptions options = options_of(method, "sobol", 100000);
         const Solution whole = solved(scene, options, 1, nullptr);

@@ -70,7 +70,7 @@ TEST_CASE("an emitter that faces away from everything is found")
     m.builder.rectangle({0, 2.5, 0}, {0, 0, 1}, {1, 0, 0}, m.lamp); // above the ceiling, looks up
     const Finding finding = find(findings_of(m.builder.scene(0.5)), "emitter");
     CHECK(finding.makes_wrong_result);
-    CHECK(finding.place == "test:7");
+    CHECK(finding.place == "memory:7");
     CHECK(mentions(finding, "lights nothing"));
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("doubled faces, bright materials and strange scales are named")
     builder.rectangle({500, 0, 500}, {0, 0, 100}, {100, 0, 0}, white);
     const std::vector<Finding> findings = findings_of(builder.scene(1000));
     CHECK(find(findings, "duplicate").makes_wrong_result);
-    CHECK(find(findings, "duplicate").place == "test:7");
+    CHECK(find(findings, "duplicate").place == "memory:7");
     CHECK(mentions(find(findings, "reflectance"), "97 %"));
     CHECK(mentions(find(findings, "scale"), "m across"));
     CHECK(findings.front().makes_wrong_result); // wrong results first

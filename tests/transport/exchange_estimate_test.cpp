@@ -75,8 +75,7 @@ struct Case
     double crossing_area(std::uint64_t cast) const { return 1.0 / lines.expected_crossings(1.0, cast); }
     ExchangeEstimate estimate(std::uint64_t cast, std::uint64_t seed, int threads = 2) const
     {
-        const PairCounts counts =
-            count_pairs(scene, lines, *make_sequence("random", seed), 0, cast, {threads});
+        const PairCounts counts = count_pairs(scene, lines, *make_sequence("random", seed), 0, cast, {threads});
         return estimate_exchange(scene, unoccluded, counts, crossing_area(cast), threads);
     }
 };
