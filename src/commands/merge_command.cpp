@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 #include <utility>
 
 namespace multipath {
@@ -120,6 +120,7 @@ int run_merge(const CommandLine& line)
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
     inputs.push_back(runs[0].description.scene.file.path);
+    watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file.path), inputs);
     const Scene scene = restored(runs[0].description.scene);

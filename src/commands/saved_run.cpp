@@ -26,6 +26,11 @@ SavedRun read_saved_run(const std::string& path)
     return read_saved_run(std::make_unique<StateReader>(path));
 }
 
+bool is_finished(const SavedRun& saved)
+{
+    return saved.parts == std::vector<std::string>{RunRecord::part};
+}
+
 Solution finished_solution(const SavedRun& saved, const Scene& scene)
 {
     RunRecord record;

@@ -24,6 +24,9 @@ struct SavedRun
 SavedRun read_saved_run(const std::string& path);
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 
+/// Has the run reached the number of lines that it was asked for?
+bool is_finished(const SavedRun& saved);
+
 /// Of the pieces of the run that are finished. Throws InputError without any.
 Solution finished_solution(const SavedRun& saved, const Scene& scene);
 

@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
@@ -99,7 +100,10 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
         saved.description.share = wanted.share;
     require_same_run(saved.description, state.from, wanted);
     if (!job.quiet)
-        std::fprintf(stderr, "goes on from %s\n", state.from.c_str());
+        std::fprintf(stderr,
+                     is_finished(saved) ? "%s is of a finished run; more --lines go on from there\n"
+                                        : "goes on from %s\n",
+                     state.from.c_str());
     keeper.resume(std::move(saved));
 }
 
@@ -114,9 +118,12 @@ int run_solve(const CommandLine& line)
     for (const std::string& path : {state.state, state.from})
         if (!path.empty())
             inputs.push_back(path);
+    watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line);
+    if (interrupted())
+        return exit_interrupted;
     require_no_input(outputs, scene.file().material_files);
     require_view(scene, job.pictures);
     if (!job.quiet) {

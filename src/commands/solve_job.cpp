@@ -21,8 +21,6 @@ namespace multipath {
 
 namespace {
 
-constexpr int exit_interrupted = 130;
-
 /// A black picture is no result.
 void require_light(const Scene& scene, const Solution& solution)
 {
@@ -96,7 +94,6 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     const SolveJob::Clock::time_point solve_start = SolveJob::Clock::now();
     double seconds_to_first_lines = 0.0;
     Solution solution;
-    watch_interrupts();
     {
         Progress progress("solving", progress_style(job.line));
         const auto show = [&](double done) {

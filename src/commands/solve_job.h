@@ -13,6 +13,8 @@
 
 namespace multipath {
 
+constexpr int exit_interrupted = 130;
+
 /// What `solve` is asked for, read from its command line.
 struct SolveJob
 {

@@ -135,6 +135,20 @@ void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, co
 
 } // namespace
 
+void receive(const GatheredLight& light, const Scene& scene, bool found, PowerState& state)
+{
+    const Rgb source = scene.source_power();
+    const Rgb kept = found ? Rgb{} : light.escaped;
+    const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
+    const Rgb kept_share = {share(kept.r, source.r), share(kept.g, source.g), share(kept.b, source.b)};
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        state.incident[i] += light.incident[i];
+        state.unshot[i] = scene.reflectance(i) * light.incident[i] + kept_share * state.unshot[i];
+    }
+    state.escaped += light.escaped - kept;
+    state.behind += light.behind;
+}
+
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   std::uint64_t rays, const RunControl& run)
 {

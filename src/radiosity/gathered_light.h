@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parallel/run_control.h"
+#include "radiosity/power_state.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 
@@ -20,6 +21,10 @@ struct GatheredLight
     Rgb escaped;
     Rgb behind; ///< [W] met a surface on a side that has no patch
 };
+
+/// The sources have sent their light, and the patches have it. If not all of it was `found`, what no patch has is not
+/// lost: the sources keep it.
+void receive(const GatheredLight& light, const Scene& scene, bool found, PowerState& state);
 
 /// Direct light found from the receiver's end: exact but for the share of each light that each patch sees, which shadow
 /// rays tell. Takes the items from first_item on, one for each of up to `rays` rays. Lights for which there is less

@@ -142,7 +142,7 @@ private:
     {
         const GatheredLight light =
             gather_direct_light(scene_, *sequence_, first_item_, local_share(0.25), control(1, 1));
-        receive(light);
+        receive(light, scene_, !stopped(), state_);
         solution_.local_lines += light.lines;
     }
 
@@ -157,8 +157,22 @@ private:
         note_cast(cast);
     }
 
+    /// The run was stopped before any global line: few of them show where the light goes that was not sent yet.
+    void send_the_rest()
+    {
+        const GlobalPass pass{0, std::min<std::uint64_t>(options_.lines, 1u << 18), options_.bidirectional};
+        const std::unique_ptr<Sequence> random = make_line_sequence("random", ~options_.seed, options_.pairing);
+        solution_.global_lines = solution_.global_lines_cast =
+            cast_global_lines(scene_, lines_, *random, pass, {options_.threads}, state_);
+    }
+
     Solution finish()
     {
+        if (stopped()) // fewer rays than planned, too
+            solution_.local_lines =
+                static_cast<std::uint64_t>(done_) - std::min(static_cast<std::uint64_t>(done_), solution_.global_lines);
+        if (stopped() && share_.of == 1 && solution_.global_lines_cast == 0)
+            send_the_rest();
         solution_.balance = power_balance(scene_, state_);
         require_balance(solution_.balance);
         solution_.radiosity = radiosity(scene_, state_);
@@ -198,22 +212,6 @@ private:
         solution_.shot_passes = shoot_extended(scene_, *sequence_, first_item_ + solution_.local_lines, shot,
                                                control(1, 1), state_); // (S2)
         count_shots();
-    }
-
-    /// The sources have sent all their light, and the patches have it. If the work was stopped, what no patch has is
-    /// not lost: the sources keep it.
-    void receive(const GatheredLight& light)
-    {
-        const Rgb source = scene_.source_power();
-        const Rgb kept = stopped() ? light.escaped : Rgb{};
-        const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
-        const Rgb kept_share = {share(kept.r, source.r), share(kept.g, source.g), share(kept.b, source.b)};
-        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i) {
-            state_.incident[i] += light.incident[i];
-            state_.unshot[i] = scene_.reflectance(i) * light.incident[i] + kept_share * state_.unshot[i];
-        }
-        state_.escaped += light.escaped - kept;
-        state_.behind += light.behind;
     }
 
     /// The global lines get what is left, also what a first shot had no use for.

@@ -47,8 +47,8 @@ check "a killed run that is resumed gives the same bytes, for every method" kill
 finished() {
     rm -f done.state
     ends 0 solve "$scene" $quick --lines 20000 --state done.state -o first.csv && cp done.state before.state || return
-    ends 0 solve "$scene" $quick --lines 20000 --state done.state --resume -o again.csv &&
-        cmp first.csv again.csv && cmp done.state before.state
+    ends 0 solve "$scene" --patch-size 0.4 --lines 20000 --state done.state --resume -o again.csv &&
+        says err "done.state is of a finished run" && cmp first.csv again.csv && cmp done.state before.state
 }
 check "a finished run that is resumed writes the same outputs and leaves the state alone" finished
 

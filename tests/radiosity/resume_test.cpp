@@ -183,7 +183,8 @@ TEST_CASE("what is found when the work is left keeps the balance of power, and c
             if (left.finished())
                 break;
             CHECK(then.balance.relative_error() < 1e-9);
-            CHECK(then.all_lines <= whole.all_lines);
+            CHECK(then.all_lines <= whole.all_lines + (1u << 18)); // to send on what was not sent
+            CHECK(mean(then.balance.absorbed) == doctest::Approx(mean(whole.balance.absorbed)).epsilon(0.3));
         }
         TestCheckpoint late(pause - 9);
         const Solution almost = solved(scene, options, 1, &late);
