@@ -38,25 +38,25 @@ FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, 
     parallel_blocks(static_cast<std::uint64_t>(height), threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
         VisibleHits visible(scene);
-        std::vector<Item> items;
+        RayFan fan;
         for (int x = 0; x < width; ++x)
             if (const std::optional<Hit> hit = visible.first(pixels.through(x + 0.5, y + 0.5)))
-                grid_.set(x, y, indirect_light_.at(place_of(scene, *hit), number_in_squares(x, y), items));
+                grid_.set(x, y, indirect_light_.at(place_of(scene, *hit), number_in_squares(x, y), fan));
     });
 }
 
-Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, std::vector<Item>& items) const
+Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
 {
     const Place place = place_of(scene_, hit);
     const std::uint64_t pixel = number_in_squares(x, y);
     const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
     std::optional<Rgb> irradiance = grid_.irradiance(place, x, y);
     if (!irradiance) // something that no middle of a pixel around shows
-        irradiance = indirect_light_.at(place, pixel, items).irradiance;
-    items.resize(rays_to_sources_);
-    sequence_->generate(number * rays_to_sources_, items);
+        irradiance = indirect_light_.at(place, pixel, fan).irradiance;
+    fan.items.resize(rays_to_sources_);
+    sequence_->generate(number * rays_to_sources_, fan.items);
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
-    *irradiance += source_light_.irradiance(place, items, offset);
+    *irradiance += source_light_.irradiance(place, fan, offset);
     const Material& material = scene_.materials()[scene_.file().material[hit.surface]];
     return (hit.front ? material.emittance : Rgb{}) + material.reflectance * *irradiance;
 }

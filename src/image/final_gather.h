@@ -4,6 +4,7 @@
 #include "image/camera.h"
 #include "image/indirect_grid.h"
 #include "image/indirect_light.h"
+#include "image/ray_fan.h"
 #include "image/source_light.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
@@ -33,8 +34,8 @@ public:
                 GatherRays rays, int threads);
 
     /// [W/m^2] Radiosity where a line through pixel (x, y) meets a side that exists. `sample` tells the lines of one
-    /// pixel apart, 0 <= sample < samples; `items` is room to work in.
-    Rgb at(const Hit& hit, int x, int y, int sample, int samples, std::vector<Item>& items) const;
+    /// pixel apart, 0 <= sample < samples; `fan` is room to work in.
+    Rgb at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const;
 
 private:
     const Scene& scene_;

@@ -3,7 +3,6 @@
 #include "sampling/warp.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace multipath {
 
@@ -32,29 +31,32 @@ IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosi
 {
 }
 
-IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, std::vector<Item>& items) const
+IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, RayFan& fan) const
 {
     if (rays_ == 0)
         return {place, {}, 0.0};
-    items.resize(rays_);
-    sequence_->generate(number * rays_, items);
+    fan.items.resize(rays_);
+    sequence_->generate(number * rays_, fan.items);
     // Oblique to the edges, so that regular numbers do not aim exactly at the edges of rooms.
     const Vec3 along_edge = normalized(scene_.surfaces()[place.surface].edge_u);
     const Vec3 tangent = 0.6 * along_edge + 0.8 * cross(place.normal, along_edge);
     const Vec3 bitangent = cross(place.normal, tangent);
+    fan.rays.clear();
+    for (const Item& item : fan.items) {
+        const Vec3 local = square_to_cosine_hemisphere(item[0], item[1]);
+        fan.rays.push_back({place.point, local.x * tangent + local.y * bitangent + local.z * place.normal});
+    }
+    const FirstHits& hits = fan.trace(scene_, place.surface);
     Rgb sum;
     double nearness = 1.0 / scene_.bounds().diagonal();
-    for (const Item& item : items) {
-        const Vec3 local = square_to_cosine_hemisphere(item[0], item[1]);
-        const Vec3 direction = local.x * tangent + local.y * bitangent + local.z * place.normal;
-        const std::optional<Hit> hit = scene_.intersector().closest_hit_from(place.surface, {place.point, direction});
-        if (!hit)
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+        if (!hits.is_hit(k))
             continue;
-        nearness += 1.0 / hit->t;
-        if (hit->front || scene_.two_sided())
-            sum += reflected_light_.at(*hit);
+        nearness += 1.0 / hits[k].t;
+        if (hits[k].front || scene_.two_sided())
+            sum += reflected_light_.at(hits[k]);
     }
-    const auto count = static_cast<double>(items.size());
+    const auto count = static_cast<double>(fan.items.size());
     return {place, 1.0 / count * sum, count / nearness};
 }
 

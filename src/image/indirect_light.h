@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/place.h"
+#include "image/ray_fan.h"
 #include "image/smooth_shading.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
@@ -31,8 +32,8 @@ public:
     IndirectLight(const IndirectLight&) = delete;
     IndirectLight& operator=(const IndirectLight&) = delete;
 
-    /// Places with neighbouring numbers get rays that complement each other. `items` is room to work in.
-    IndirectSample at(const Place& place, std::uint64_t number, std::vector<Item>& items) const;
+    /// Places with neighbouring numbers get rays that complement each other. `fan` is room to work in.
+    IndirectSample at(const Place& place, std::uint64_t number, RayFan& fan) const;
 
 private:
     const Scene& scene_;

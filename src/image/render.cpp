@@ -44,7 +44,7 @@ public:
     struct Tools
     {
         VisibleHits visible;
-        std::vector<Item> items;
+        RayFan fan;
     };
 
     /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
@@ -76,7 +76,7 @@ private:
     Rgb shade(const Hit& hit, Sample sample, Tools& tools) const
     {
         if (gather_)
-            return gather_->at(hit, sample.x, sample.y, sample.number, grid_ * grid_, tools.items);
+            return gather_->at(hit, sample.x, sample.y, sample.number, grid_ * grid_, tools.fan);
         return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
     }
 

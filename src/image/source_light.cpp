@@ -91,38 +91,46 @@ std::vector<SourceLight::View> SourceLight::views(const Place& place, double off
     return result;
 }
 
-bool SourceLight::is_free(const Place& place, const View& view, Vec3 direction) const
-{
-    const std::optional<Hit> hit = scene_.intersector().closest_hit_from(place.surface, {place.point, direction});
-    return hit && hit->surface == view.surface && hit->front;
-}
-
-Rgb SourceLight::irradiance(const Place& place, const std::vector<Item>& items, double offset) const
+Rgb SourceLight::irradiance(const Place& place, RayFan& fan, double offset) const
 {
     const std::vector<View> views = this->views(place, offset);
     Rgb unhidden;
     for (const View& view : views)
         unhidden += view.irradiance;
-    const double per_ray = mean(unhidden) / static_cast<double>(items.size());
-    Rgb sent;
-    Rgb arrived;
-    std::size_t ray = 0;
+    const double per_ray = mean(unhidden) / static_cast<double>(fan.items.size());
+    struct Sent
+    {
+        std::uint32_t source; ///< surface
+        Rgb weight;
+    };
+    std::vector<Sent> sent;
+    sent.reserve(fan.items.size());
+    fan.rays.clear();
     double sum = offset; // of rays deserved
     for (const View& view : views) {
         sum += mean(view.irradiance) / per_ray;
-        if (!(static_cast<double>(ray) + 1.0 <= sum))
+        if (!(static_cast<double>(sent.size()) + 1.0 <= sum))
             continue;
         const SeenPolygon seen(view.outline, place.point);
-        for (; static_cast<double>(ray) + 1.0 <= sum && ray < items.size() && seen.solid_angle() > 0.0; ++ray) {
-            const Vec3 direction = seen.direction(items[ray][0], items[ray][1]);
+        while (static_cast<double>(sent.size()) + 1.0 <= sum && sent.size() < fan.items.size() &&
+               seen.solid_angle() > 0.0) {
+            const Item& item = fan.items[sent.size()];
+            const Vec3 direction = seen.direction(item[0], item[1]);
             const double cosine = std::max(0.0, dot(direction, place.normal));
-            const Rgb weight = cosine * seen.solid_angle() / view.form_factor / mean(view.irradiance) * view.irradiance;
-            sent += weight;
-            if (is_free(place, view, direction))
-                arrived += weight;
+            sent.push_back({view.surface,
+                            cosine * seen.solid_angle() / view.form_factor / mean(view.irradiance) * view.irradiance});
+            fan.rays.push_back({place.point, direction});
         }
     }
-    return unhidden * quotient(arrived, sent);
+    const FirstHits& hits = fan.trace(scene_, place.surface);
+    Rgb all;
+    Rgb arrived;
+    for (std::size_t k = 0; k < sent.size(); ++k) {
+        all += sent[k].weight;
+        if (hits.is_hit(k) && hits[k].surface == sent[k].source && hits[k].front)
+            arrived += sent[k].weight;
+    }
+    return unhidden * quotient(arrived, all);
 }
 
 } // namespace multipath

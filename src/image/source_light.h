@@ -2,7 +2,7 @@
 
 #include "geometry/flat_polygon.h"
 #include "image/place.h"
-#include "sampling/sequence.h"
+#include "image/ray_fan.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
@@ -20,9 +20,9 @@ public:
     /// The scene must outlive this object.
     explicit SourceLight(const Scene& scene);
 
-    /// [W/m^2] At a place, by one ray for each item, which takes the item's first two numbers. `offset` in [0, 1)
-    /// decides which sources get the rays if these are few, and is to differ from place to place.
-    Rgb irradiance(const Place& place, const std::vector<Item>& items, double offset) const;
+    /// [W/m^2] At a place, by one ray for each item of the fan, which takes the item's first two numbers. `offset` in
+    /// [0, 1) decides which sources get the rays if these are few, and is to differ from place to place.
+    Rgb irradiance(const Place& place, RayFan& fan, double offset) const;
 
 private:
     struct Source
@@ -42,7 +42,6 @@ private:
     };
 
     std::vector<View> views(const Place& place, double offset) const;
-    bool is_free(const Place& place, const View& view, Vec3 direction) const;
 
     const Scene& scene_;
     std::vector<Source> sources_;

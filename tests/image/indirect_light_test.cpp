@@ -30,9 +30,9 @@ TEST_CASE("indirect light is what a patch reflects times its form factor, withou
     builder.rectangle({-0.5, 1.0, -0.5}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.5, 10.0));
     const Scene scene = builder.scene(1.0);
     const IndirectLight light(scene, {grey(0.0), grey(13.0)}, 4096, 1);
-    std::vector<Item> items;
+    RayFan fan;
     // The outline crosses about the root of the number of the strata: 4 of the resulting errors.
-    CHECK(light.at(floor_place, 0, items).irradiance.g ==
+    CHECK(light.at(floor_place, 0, fan).irradiance.g ==
           doctest::Approx(3.0 * 0.239456).epsilon(4.0 * std::pow(4096.0, -0.75) / 0.239456));
 }
 
@@ -44,8 +44,8 @@ TEST_CASE("the distance of a sample is the harmonic mean of what it sees")
     builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
     builder.rectangle({-1e4, 1.0, -1e4}, {2e4, 0.0, 0.0}, {0.0, 0.0, 2e4}, builder.grey(0.5, 1.0));
     const Scene scene = builder.scene(1e5);
-    std::vector<Item> items;
-    const IndirectSample sample = IndirectLight(scene, {grey(0.0), grey(1.0)}, 1024, 1).at(floor_place, 0, items);
+    RayFan fan;
+    const IndirectSample sample = IndirectLight(scene, {grey(0.0), grey(1.0)}, 1024, 1).at(floor_place, 0, fan);
     CHECK(sample.distance == doctest::Approx(1.5).epsilon(0.01)); // smooth: far below the error of random rays, 0.015
 }
 

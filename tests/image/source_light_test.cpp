@@ -12,11 +12,15 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-std::vector<Item> rays(std::size_t count)
+const Place origin = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+
+/// [W/m^2] At the origin, by so many rays.
+Rgb irradiance_by(std::size_t rays, const SourceLight& light, double offset)
 {
-    std::vector<Item> items(count);
-    make_sequence("sobol-owen", 7)->generate(0, items);
-    return items;
+    RayFan fan;
+    fan.items.resize(rays);
+    make_sequence("sobol-owen", 7)->generate(0, fan.items);
+    return light.irradiance(origin, fan, offset);
 }
 
 /// A spot of floor whose middle is the origin, as the first surface of a scene.
@@ -25,8 +29,6 @@ SceneBuilder with_floor()
     SceneBuilder builder;
     return builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
 }
-
-const Place origin = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
 /// Form factor from a spot to a rectangle a x b parallel to it at distance 1, one corner right above the spot (Howell,
 /// A Catalog of Radiation Heat Transfer Configuration Factors, B-3).
@@ -51,7 +53,7 @@ TEST_CASE("the irradiance from a source in full sight is exact with a single ray
     const Scene scene = with_lamp({3.0, 2.0, 0.0}).scene(1.0);
     const double factor = 4.0 * corner_factor(0.5, 0.5);
     for (const double offset : {0.0, 0.3, 0.999}) {
-        const Rgb irradiance = SourceLight(scene).irradiance(origin, rays(1), offset);
+        const Rgb irradiance = irradiance_by(1, SourceLight(scene), offset);
         CHECK(irradiance.r == doctest::Approx(3.0 * factor).epsilon(1e-12)); // rounding
         CHECK(irradiance.g == doctest::Approx(2.0 * factor).epsilon(1e-12));
         CHECK(irradiance.b == 0.0);
@@ -66,20 +68,19 @@ TEST_CASE("of a source half hidden arrives half")
         builder.rectangle({0.0, 0.5, -2.0}, {0.0, 0.0, 4.0}, {2.0, 0.0, 0.0}, builder.grey(0.5, 0.0)).scene(1.0);
     const double half = 2.0 * corner_factor(0.5, 0.5);
     // An edge crosses about the root of the number of the strata: 4 of the resulting errors.
-    CHECK(SourceLight(scene).irradiance(origin, rays(256), 0.0).r ==
-          doctest::Approx(half).epsilon(4.0 * std::pow(256.0, -0.75)));
+    CHECK(irradiance_by(256, SourceLight(scene), 0.0).r == doctest::Approx(half).epsilon(4.0 * std::pow(256.0, -0.75)));
 }
 
 TEST_CASE("behind a board nothing arrives, nor from a source that faces away or lies below the horizon")
 {
     SceneBuilder hidden = with_lamp({1.0, 1.0, 1.0});
     hidden.rectangle({-1.0, 0.5, -1.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, hidden.grey(0.5, 0.0));
-    CHECK(SourceLight(hidden.scene(1.0)).irradiance(origin, rays(16), 0.0) == Rgb{});
+    CHECK(irradiance_by(16, SourceLight(hidden.scene(1.0)), 0.0) == Rgb{});
 
     SceneBuilder away = with_floor();
     away.rectangle({-0.5, 1.0, -0.5}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, away.grey(0.0, 1.0));
     away.rectangle({-0.5, -1.0, -0.5}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, away.grey(0.0, 1.0));
-    CHECK(SourceLight(away.scene(1.0)).irradiance(origin, rays(16), 0.0) == Rgb{});
+    CHECK(irradiance_by(16, SourceLight(away.scene(1.0)), 0.0) == Rgb{});
 }
 
 // The same square in 10 x 10 sources: more than are looked at from one place. With equal power, each looked at stands
@@ -96,7 +97,7 @@ TEST_CASE("many sources give on the average what they give together")
     double sum = 0.0;
     constexpr int offsets = 100;
     for (int k = 0; k < offsets; ++k)
-        sum += light.irradiance(origin, rays(4), (k + 0.5) / offsets).r;
+        sum += irradiance_by(4, light, (k + 0.5) / offsets).r;
     // Every hundredth of an offset is as good as any, for choices that are multiples of 0.32.
     CHECK(sum / offsets == doctest::Approx(4.0 * corner_factor(0.5, 0.5)).epsilon(1e-9));
 }
@@ -110,7 +111,7 @@ TEST_CASE("a hidden source takes nothing from another one's colour")
     builder.rectangle({-1.0, 1.0, -1.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.material({}, {0.0, 1.0, 0.0}));
     builder.rectangle({0.0, 0.5, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.5, 0.0));
     const Scene scene = builder.scene(2.0);
-    const Rgb irradiance = SourceLight(scene).irradiance(origin, rays(16), 0.5);
+    const Rgb irradiance = irradiance_by(16, SourceLight(scene), 0.5);
     CHECK(irradiance.r == 0.0);
     CHECK(irradiance.g == doctest::Approx(corner_factor(1.0, 1.0)).epsilon(1e-12)); // rounding
 }
