@@ -60,10 +60,14 @@ void require_all_shares(std::vector<SavedRun>& runs)
 
 void require_same_stage(const std::vector<SavedRun>& runs)
 {
-    for (const SavedRun& run : runs)
+    for (const SavedRun& run : runs) {
         if (run.parts != runs[0].parts)
             throw InputError(run.name() + " is not as far as " + runs[0].name() +
                              "; expected shares that are finished: --resume goes on with one");
+        if (!run.arrays->has_same(*runs[0].arrays, "run/incident"))
+            throw InputError(run.name() + " has found other direct light than " + runs[0].name() +
+                             "; expected shares by the same version of multipath");
+    }
 }
 
 /// The average of shares that are runs of their own.
