@@ -20,6 +20,12 @@ done
 check "replicates, on both sides" clean solve sphere.obj $few --two-sided --replicates 2 -o sphere.csv
 check "pictures and meshes" clean solve 5cubes.obj $few --size 24x18 --samples 1 -o a.png -o a.pfm -o a.ply -o a.glb -o a_lit.obj
 check "a gathered picture" clean solve sphere.obj $few --size 12x9 --samples 1 --shading gather --gather-rays 2 -o g.ppm
+for shard in 1 2; do
+    check "a shard of two" clean solve 5cubes.obj $few --shard $shard/2 --state shard-$shard.state --save-every 0.01s
+done
+check "merge" clean merge shard-1.state shard-2.state --threads 2 -q -o merged.csv -o merged.state
+check "render" clean render merged.state --threads 2 -q --size 24x18 --samples 1 -o merged.ppm
+check "selftest" clean selftest --case points --threads 2
 check "check" clean check 5cubes.obj --lines 1000 --threads 2
 check "explain" clean explain 5cubes.obj -n 2 --of 500 --threads 2 -o lines.svg
 check "reproduce" clean reproduce lines.svg -q
