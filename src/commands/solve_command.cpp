@@ -75,6 +75,8 @@ void require_outputs_of_share(const CommandLine& line, const SolveJob& job, cons
     if (job.accuracy.replicates > 1)
         throw UsageError("--shard: shares of replicates cannot be added up; expected no --replicates, --tolerance or "
                          "--time with it");
+    if (job.options.lines < state.share.of)
+        throw UsageError("--shard: more shards than lines; expected at most " + std::to_string(job.options.lines));
     const std::vector<std::string> outputs = line.all("output");
     const auto is_state = [](const std::string& path) { return has_extension(path, OutputFormat::state); };
     if (state.state.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))

@@ -12,6 +12,7 @@ void SharedRange::visit(Archive& archive)
     archive.value<std::uint64_t>("first piece", first);
     archive.value<std::uint64_t>("next piece", next);
     archive.value<std::uint64_t>("end piece", end);
+    archive.value<std::uint64_t>("shares", shares);
     if (first > next || next > end || end > all)
         throw ArchiveError("the state is damaged: no such pieces of work");
 }
@@ -29,14 +30,14 @@ SharedRange united(std::vector<SharedRange> ranges)
     }
     if (done != ranges[0].all)
         throw ArchiveError("the shares are not all there; expected each share of the run");
-    return {done, 0, done, done};
+    return {done, 0, done, done, 1};
 }
 
 void shared_blocks(SharedRange& range, const RunControl& run, const std::function<void(std::uint64_t, int)>& produce,
                    const std::function<void(std::uint64_t, int)>& consume)
 {
     resumable_blocks(range.next, range.end, run, produce, consume);
-    if (!range.is_whole() && !run.stopped())
+    if (range.is_share() && !run.stopped())
         run.checkpoint->hand_in();
 }
 

@@ -15,12 +15,14 @@ struct SharedRange
     std::uint64_t first = 0;
     std::uint64_t next = 0; ///< first ... next - 1 are done
     std::uint64_t end = 0;
+    std::uint64_t shares = 1; ///< into which the work is cut; 1 also after they were united
 
     static SharedRange of(std::uint64_t all, Share share)
     {
-        return {all, share.begin(all), share.begin(all), share.end(all)};
+        return {all, share.begin(all), share.begin(all), share.end(all), share.of};
     }
-    bool is_whole() const { return end - first == all; }
+    /// Has others' work to be added? A share may have all pieces, if there are few.
+    bool is_share() const { return shares > 1; }
 
     void visit(Archive& archive); ///< for a checkpoint; throws ArchiveError for what cannot be
 };

@@ -176,7 +176,7 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
         counted.lines_cast = range.next - range.first;
         round = next_block = 0;
     }
-    if (range.is_whole() || run.stopped())
+    if (!range.is_share() || run.stopped())
         return counted;
     if (range.next < range.end)
         throw InputError("the counts of this share of the lines fill the memory; expected more of it, or more shares");

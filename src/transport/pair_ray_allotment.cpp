@@ -125,7 +125,7 @@ SharedRange PairRayAllotment::rows_of(Share share) const
         return std::min(n, static_cast<std::uint64_t>(row));
     };
     const std::uint64_t first = first_row(share.number);
-    return {n, first, first, first_row(share.number + 1)};
+    return {n, first, first, first_row(share.number + 1), share.of};
 }
 
 void PairRayAllotment::visit(Archive& archive)

@@ -99,7 +99,7 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
         return;
     const std::uint32_t n = scene.patch_count();
     PairRayAllotment allotment(estimate, scene, unoccluded, crossing_area, radiosity);
-    SharedRange rows = {n, 0, 0, n};
+    SharedRange rows = {n, 0, 0, n, 1};
     const Checkpoint::Part part(run.checkpoint, "pair rays", [&](Archive& archive) {
         allotment.visit(archive);
         rows.visit(archive);

@@ -123,7 +123,7 @@ merged() {
         ends 0 merge count-3.state count-1.state count-2.state --quiet -o sum.csv && cmp whole.csv sum.csv
 }
 fresh() { rm -f count-*.state ray-*.state counted.state; }
-merge_reuse() { fresh; merged --lines 50000 && fresh && merged --lines 50001 --memory 1MB --sequence random; }
+merge_reuse() { fresh; merged --lines 1000 && fresh && merged --lines 50000 && fresh && merged --lines 50001 --memory 1MB --sequence random; }
 check "merged shares of reuse give the bytes of one run" merge_reuse
 
 rounds() {
@@ -158,6 +158,7 @@ check "merge refuses what is missing, there twice, or of other runs" refused_mer
 
 shard_options() {
     ends 2 solve "$scene" --shard 4/3 --state x.state && ends 2 solve "$scene" --shard 0/3 --state x.state &&
+        ends 2 solve "$scene" --shard 1/3 --lines 2 --state x.state && says err "more shards than lines" &&
         ends 2 solve "$scene" --shard 1 --state x.state && says err "3/16" && ends 2 solve "$scene" --shard 1/3 &&
         says err "--state" && ends 2 solve "$scene" --shard 1/3 --state x.state -o x.png && says err "nothing alone" &&
         ends 2 solve "$scene" --shard 1/3 --replicates 2 --state x.state && says err "replicates" && [ ! -e x.state ]
