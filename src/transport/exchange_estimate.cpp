@@ -3,7 +3,7 @@
 // from the chance by which lines meet the two patches at all. That chance shows in all lines through them, whose
 // expectation G / a is known; so it can be taken out (a control variate):
 //
-//   G V ~ beta G + a (joined - beta * through)
+//   G V ~ beta G + a (joined - beta * through)          (R2)
 //
 // is right on the average for any beta, and has no error at all where beta = V = 1 or beta = V = 0, the fate of most
 // pairs. The best beta is V itself; neighbouring pairs tell it well enough. So beta is taken from blocks of patches,

@@ -1,5 +1,5 @@
-// Least squares with constraints: to minimise the sum of d_ij^2 / var_ij over all pairs, where sum over j of (G_ij +
-// d_ij) is given for every i, Lagrange's multipliers mu give d_ij = var_ij (mu_i + mu_j). They solve
+// Least squares with constraints (R3): to minimise the sum of d_ij^2 / var_ij over all pairs, where sum over j of (G_ij
+// + d_ij) is given for every i, Lagrange's multipliers mu give d_ij = var_ij (mu_i + mu_j). They solve
 //
 //   (sum over j of var_ij) mu_i + sum over j of var_ij mu_j = what row i lacks,
 //
