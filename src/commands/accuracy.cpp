@@ -20,7 +20,8 @@ constexpr std::uint64_t first_round_lines = 1u << 16;
 class RoundLimit
 {
 public:
-    explicit RoundLimit(const Accuracy& accuracy) : accuracy_(accuracy) {}
+    /// With fewer lines than `least_lines` an error is not believed.
+    RoundLimit(const Accuracy& accuracy, std::uint64_t least_lines) : accuracy_(accuracy), least_lines_(least_lines) {}
 
     bool go_on(const Round& round)
     {
@@ -28,7 +29,8 @@ public:
         const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
         const double after_next = seconds(now - start_) + 2.0 * seconds(now - round_start_);
         round_start_ = now;
-        const bool reached = accuracy_.tolerance && round.relative_standard_error <= *accuracy_.tolerance;
+        const bool reached =
+            accuracy_.tolerance && round.lines >= least_lines_ && round.relative_standard_error <= *accuracy_.tolerance;
         const bool too_late = accuracy_.seconds && after_next > *accuracy_.seconds;
         const bool too_many = accuracy_.most_lines && 2 * round.lines > *accuracy_.most_lines;
         return !reached && !too_late && !too_many;
@@ -38,6 +40,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     const Accuracy& accuracy_;
+    std::uint64_t least_lines_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point round_start_ = start_;
 };
@@ -89,7 +92,7 @@ Solution solve_accurately(const Scene& scene, const SolveOptions& options, const
 {
     if (!accuracy.in_rounds())
         return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, share);
-    RoundLimit limit(accuracy);
+    RoundLimit limit(accuracy, lines_for_error(scene, options.method, accuracy.replicates));
     const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
     return solve_until(
         scene, options, accuracy.replicates, first, [&](const Round& round) { return limit.go_on(round); }, progress,

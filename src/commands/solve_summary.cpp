@@ -1,5 +1,6 @@
 #include "commands/solve_summary.h"
 
+#include "radiosity/replicates.h"
 #include "scene/text_format.h"
 
 #include <cmath>
@@ -50,6 +51,10 @@ std::string summary_text(const SolveSummary& s)
                        s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
                            ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
                            : "");
+    const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
+    if (s.solution.relative_standard_error && lines < lines_for_error(s.scene, s.options.method, s.solution.replicates))
+        text += "warning    with fewer than 64 lines per patch in each replicate the error may be several times larger "
+                "than this; more lines or fewer replicates help\n";
     text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) W/m^2\n", mean(b), b.r, b.g, b.b);
     text += format("power      emitted %.6g W: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
                    "surfaces; balance to %.0e\n",

@@ -152,6 +152,12 @@ private:
 
 } // namespace
 
+std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
+{
+    constexpr std::uint64_t per_patch = 64;
+    return method == Method::reuse ? per_patch * scene.patch_count() * static_cast<std::uint64_t>(replicates) : 0;
+}
+
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                           int replicates, const ProgressCallback& progress, Checkpoint* checkpoint)
 {

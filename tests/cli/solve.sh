@@ -184,5 +184,13 @@ gathered() {
     cmp 1.ppm 2.ppm && ends 0 solve "$scene" --lines 2^14 -q --size 64x48 -o smooth.ppm && ! cmp -s 1.ppm smooth.ppm &&
         ends 2 solve "$scene" --gather-rays 8 && says err "no effect without --shading gather"
 }
+few_lines() {
+    ends 0 solve "$scene" --patches 400 --lines 80000 --replicates 4 -o few.csv && says err "64 lines per patch" || return
+    ends 0 solve "$scene" --patches 400 --lines 120000 --replicates 4 -o more.csv && ! grep -q "64 lines per patch" err || return
+    ends 0 solve "$scene" --patches 400 --tolerance 50% -o tolerance.csv && ! grep -q "64 lines per patch" err || return
+    ends 0 solve "$scene" --patches 400 --lines 8000 --replicates 4 --method local -o local.csv && ! grep -q "64 lines" err
+}
+check "an error from few lines per patch is not trusted" few_lines
+
 check "a gathered picture is the same for any number of threads, and unlike an interpolated one" gathered
 finish
