@@ -1,6 +1,9 @@
 #include "export/scene_archive.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -48,6 +51,37 @@ void visit_surfaces(Archive& archive, std::vector<Surface>& surfaces)
                             corners[3 * s + 2]});
 }
 
+// What the readers of scenes make sure of, and the rest of the program relies on.
+
+bool all_within(std::initializer_list<double> values, double low, double high)
+{
+    return std::all_of(values.begin(), values.end(), [&](double x) { return low <= x && x <= high; });
+}
+
+bool is_sound(const Surface& surface)
+{
+    constexpr double far = 1e30;
+    const auto near = [&](Vec3 v) { return all_within({v.x, v.y, v.z}, -far, far); };
+    const double area = surface.area();
+    return near(surface.origin) && near(surface.edge_u) && near(surface.edge_v) && area > 0.0 && std::isfinite(area);
+}
+
+bool is_sound(const Material& material)
+{
+    const Rgb rho = material.reflectance;
+    const Rgb emittance = material.emittance;
+    return all_within({rho.r, rho.g, rho.b}, 0.0, 1.0) &&
+           all_within({emittance.r, emittance.g, emittance.b}, 0.0, 1e30);
+}
+
+template <class List>
+void require_sound(const List& list)
+{
+    for (const auto& element : list)
+        if (!is_sound(element))
+            throw ArchiveError("the state is damaged: no such surface or material");
+}
+
 void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 {
     for (const std::uint32_t number : numbers)
@@ -75,6 +109,8 @@ void ArchivedScene::visit(Archive& archive)
     archive.value<std::uint64_t>("two-sided", two_sided);
     archive.value<std::uint64_t>("patches", patches);
     archive.value<std::uint64_t>("hash", hash);
+    require_sound(file.surfaces);
+    require_sound(file.materials);
     require_below(file.material, file.materials.size());
     require_below(file.group, file.groups.size());
 }
