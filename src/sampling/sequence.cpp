@@ -5,6 +5,8 @@
 #include "sampling/random.h"
 #include "sampling/sobol_sequence.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -90,7 +92,7 @@ std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensi
     return bases;
 }
 
-std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, int dimensions)
+std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, std::uint64_t /*seed*/, int dimensions)
 {
     const std::size_t colon = arguments.find(':');
     const std::string count = arguments.substr(0, colon);
@@ -106,6 +108,61 @@ std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, int dime
     return make_hammersley_sequence(number[0], bases_or_default(bases, dimensions - 1));
 }
 
+using SequencePointer = std::unique_ptr<Sequence>;
+
+template <SobolKind kind>
+SequencePointer make_sobol(const std::string&, std::uint64_t seed, int dimensions)
+{
+    return make_sobol_sequence(kind, seed, dimensions);
+}
+
+template <HaltonKind kind>
+SequencePointer make_halton(const std::string& bases, std::uint64_t seed, int dimensions)
+{
+    return make_halton_sequence(kind, bases_or_default(bases, dimensions), seed);
+}
+
+template <bool from_random_start>
+SequencePointer make_kronecker(const std::string&, std::uint64_t seed, int dimensions)
+{
+    return make_kronecker_sequence(from_random_start, seed, dimensions);
+}
+
+SequencePointer make_random(const std::string&, std::uint64_t seed, int dimensions)
+{
+    return std::make_unique<RandomSequence>(seed, dimensions);
+}
+
+struct MadeKind
+{
+    SequenceKind kind;
+    SequencePointer (*make)(const std::string& arguments, std::uint64_t seed, int dimensions);
+};
+
+constexpr std::array<MadeKind, 10> made_kinds = {{
+    {{"random", "", "pseudo-random numbers by counter"}, make_random},
+    {{"sobol", "", "Sobol's sequence"}, make_sobol<SobolKind::plain>},
+    {{"sobol-shift", "", "the same, shifted digit by digit"}, make_sobol<SobolKind::shift>},
+    {{"sobol-owen", "", "the same, nested uniform scrambling"}, make_sobol<SobolKind::owen>},
+    {{"halton", "[:BASES]", "radical inverses in coprime bases"}, make_halton<HaltonKind::plain>},
+    {{"halton-shift", "[:BASES]", "the same, shifted modulo 1"}, make_halton<HaltonKind::shift>},
+    {{"halton-permuted", "[:BASES]", "the same, permuted digits"}, make_halton<HaltonKind::permuted>},
+    {{"kronecker", "", "powers of a golden ratio, modulo 1"}, make_kronecker<false>},
+    {{"kronecker-shift", "", "the same from a random start"}, make_kronecker<true>},
+    {{"hammersley", ":N[:BASES]", "N items, the first number n/N"}, make_hammersley},
+}};
+
+/// "random, sobol, ... or hammersley:N[:BASES]"
+std::string known_kinds()
+{
+    std::string text;
+    for (const MadeKind& made : made_kinds) {
+        text += &made == &made_kinds.front() ? "" : &made == &made_kinds.back() ? " or " : ", ";
+        text.append(made.kind.name).append(made.kind.arguments);
+    }
+    return text;
+}
+
 } // namespace
 
 void Sequence::generate(std::uint64_t first, std::vector<Item>& items) const
@@ -114,39 +171,29 @@ void Sequence::generate(std::uint64_t first, std::vector<Item>& items) const
         place = item(first++);
 }
 
+std::vector<SequenceKind> sequence_kinds()
+{
+    std::vector<SequenceKind> kinds;
+    for (const MadeKind& made : made_kinds)
+        kinds.push_back(made.kind);
+    return kinds;
+}
+
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions)
 {
     const std::size_t colon = name.find(':');
     const std::string kind = name.substr(0, colon);
     const bool has_arguments = colon != std::string::npos;
     const std::string arguments = has_arguments ? name.substr(colon + 1) : "";
-    const bool takes_arguments = kind.compare(0, 6, "halton") == 0 || kind == "hammersley";
-    if (has_arguments && (!takes_arguments || arguments.empty()))
-        throw std::invalid_argument("cannot read the sequence '" + name +
-                                    "': " + (takes_arguments ? "nothing follows the colon" : kind + " takes no bases"));
-    if (kind == "random")
-        return std::make_unique<RandomSequence>(seed, dimensions);
-    if (kind == "sobol")
-        return make_sobol_sequence(SobolKind::plain, seed, dimensions);
-    if (kind == "sobol-shift")
-        return make_sobol_sequence(SobolKind::shift, seed, dimensions);
-    if (kind == "sobol-owen")
-        return make_sobol_sequence(SobolKind::owen, seed, dimensions);
-    if (kind == "halton")
-        return make_halton_sequence(HaltonKind::plain, bases_or_default(arguments, dimensions), seed);
-    if (kind == "halton-shift")
-        return make_halton_sequence(HaltonKind::shift, bases_or_default(arguments, dimensions), seed);
-    if (kind == "halton-permuted")
-        return make_halton_sequence(HaltonKind::permuted, bases_or_default(arguments, dimensions), seed);
-    if (kind == "kronecker" || kind == "kronecker-shift")
-        return make_kronecker_sequence(kind == "kronecker-shift", seed, dimensions);
-    if (kind == "hammersley")
-        return make_hammersley(arguments, dimensions);
-    throw std::invalid_argument(
-        "unknown sequence '" + name +
-        "'; expected random, sobol, sobol-shift, sobol-owen, halton, halton-shift, halton-permuted "
-        "(with bases such as halton:2,7,3,5), kronecker, "
-        "kronecker-shift or hammersley:N");
+    const auto* const made = std::find_if(made_kinds.begin(), made_kinds.end(),
+                                          [&](const MadeKind& candidate) { return candidate.kind.name == kind; });
+    if (made == made_kinds.end())
+        throw std::invalid_argument("unknown sequence '" + name + "'; expected " + known_kinds());
+    if (has_arguments && (made->kind.arguments.empty() || arguments.empty()))
+        throw std::invalid_argument(
+            "cannot read the sequence '" + name +
+            "': " + (made->kind.arguments.empty() ? kind + " takes no bases" : "nothing follows the colon"));
+    return made->make(arguments, seed, dimensions);
 }
 
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)

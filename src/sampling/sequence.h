@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace multipath {
@@ -42,10 +43,20 @@ public:
 /// arrangement that the paper found to fail for quasi-random sequences (its section 3).
 enum class Pairing { four_dimensional, two_dimensional };
 
-/// `random`; `sobol`, `sobol-shift`, `sobol-owen`; `halton`, `halton-shift`, `halton-permuted`, each with an optional
-/// list of pairwise coprime bases such as `halton:2,7,3,5`; `hammersley:N` for N points, with optional bases
-/// `hammersley:N:2,3,5`. The seed chooses among the random and the randomised ones. Throws std::invalid_argument with
-/// the reason.
+/// What a sequence is called, and what may follow its name: a list of pairwise coprime bases as in `halton:2,7,3,5`, or
+/// a number of points as in `hammersley:4096`.
+struct SequenceKind
+{
+    std::string_view name;
+    std::string_view arguments; ///< "[:BASES]"; brackets around what may be left out; empty: nothing
+    std::string_view summary;   ///< a few words
+};
+
+/// All that make_sequence() knows.
+std::vector<SequenceKind> sequence_kinds();
+
+/// The name of one of sequence_kinds() with its arguments. The seed chooses among the random and the randomised ones.
+/// Throws std::invalid_argument with the reason.
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions = 4);
 
 /// The same for lines: four dimensions, arranged as `pairing` says.

@@ -120,6 +120,17 @@ TEST_CASE("bases that cannot work are refused with the reason")
     CHECK(mentions("niederreiter", "unknown sequence"));
 }
 
+TEST_CASE("every kind of sequence is made by its name, without what may be left out, and is in the list of the refusal")
+{
+    for (const SequenceKind& kind : sequence_kinds()) {
+        const std::string name(kind.name);
+        CAPTURE(name);
+        const bool needs_arguments = !kind.arguments.empty() && kind.arguments[0] != '[';
+        CHECK(make_sequence(name + (needs_arguments ? ":64" : ""), 1)->name().compare(0, name.size(), name) == 0);
+        CHECK_THROWS_WITH_AS(make_sequence("niederreiter", 0), doctest::Contains(name.c_str()), std::invalid_argument);
+    }
+}
+
 TEST_CASE("dimensions beyond what a kind has are refused")
 {
     CHECK_THROWS_WITH_AS(make_sequence("sobol", 0, 7), doctest::Contains("6 dimensions"), std::invalid_argument);
