@@ -13,22 +13,17 @@ namespace multipath {
 
 namespace {
 
-struct KnownExtension
-{
-    const char* extension;
-    OutputFormat format;
-};
-
-constexpr std::array<KnownExtension, 10> known_extensions = {{{".ppm", OutputFormat::ppm},
-                                                              {".pfm", OutputFormat::pfm},
-                                                              {".png", OutputFormat::png},
-                                                              {".csv", OutputFormat::csv},
-                                                              {".svg", OutputFormat::svg},
-                                                              {".ply", OutputFormat::ply},
-                                                              {".glb", OutputFormat::glb},
-                                                              {".obj", OutputFormat::obj},
-                                                              {".html", OutputFormat::html},
-                                                              {".state", OutputFormat::state}}};
+constexpr std::array<FormatDescription, 10> known_formats = {
+    {{OutputFormat::ppm, ".ppm", "picture, binary PPM (P6)"},
+     {OutputFormat::pfm, ".pfm", "picture as numbers, W/m^2, not tone-mapped"},
+     {OutputFormat::png, ".png", "picture"},
+     {OutputFormat::csv, ".csv", "table with 17 digits: solve, one row per patch"},
+     {OutputFormat::svg, ".svg", "plot or drawing"},
+     {OutputFormat::ply, ".ply", "mesh with the light as colours and as numbers"},
+     {OutputFormat::glb, ".glb", "the same, for three.js and Blender"},
+     {OutputFormat::obj, ".obj", "the same, for MeshLab"},
+     {OutputFormat::html, ".html", "page to walk through the room in a browser"},
+     {OutputFormat::state, ".state", "all of the run: help states"}}};
 
 void refuse_input(const std::string& path, const std::vector<std::string>& inputs)
 {
@@ -69,6 +64,11 @@ bool same_file(const std::string& a, const std::string& b)
            stat(folder(end_a).c_str(), &status_a) == 0 && stat(folder(end_b).c_str(), &status_b) == 0 && same();
 }
 
+const std::array<FormatDescription, 10>& output_formats()
+{
+    return known_formats;
+}
+
 OutputFormat output_format(const std::string& path, const std::vector<OutputFormat>& formats)
 {
     if (path == "-")
@@ -76,7 +76,7 @@ OutputFormat output_format(const std::string& path, const std::vector<OutputForm
     const std::string extension = lower_case_extension(path);
     std::string known;
     std::vector<std::string> candidates;
-    for (const KnownExtension& entry : known_extensions) {
+    for (const FormatDescription& entry : known_formats) {
         if (std::find(formats.begin(), formats.end(), entry.format) == formats.end())
             continue;
         if (extension == entry.extension)

@@ -2,12 +2,25 @@
 
 #include "cli/output_file.h"
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace multipath {
 
 enum class OutputFormat { ppm, pfm, png, csv, svg, ply, glb, obj, html, state };
+
+/// How a format is asked for, and what it is.
+struct FormatDescription
+{
+    OutputFormat format;
+    std::string_view extension; ///< ".ppm"
+    std::string_view summary;   ///< a few words
+};
+
+/// All formats, of which each command writes some.
+const std::array<FormatDescription, 10>& output_formats();
 
 /// A file that the user asked for, already open, to be filled when the work is done.
 struct PlannedOutput

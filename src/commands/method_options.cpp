@@ -6,6 +6,7 @@
 #include "sampling/sequence.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -15,22 +16,33 @@ namespace multipath {
 
 namespace {
 
+constexpr std::array<MethodDescription, 5> known_methods = {
+    {{Method::local, "local",
+      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with."},
+     {Method::global, "global",
+      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
+      "each other along a line exchanges power."},
+     {Method::first_shot, "first-shot", "Rays from the sources distribute the direct light; global lines the rest."},
+     {Method::extended, "extended",
+      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
+      "lines. For lamps that light little of the room directly."},
+     {Method::reuse, "reuse",
+      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
+      "Goes beyond the paper; the most accurate, and what solve does by default."}}};
+
 Option method_option(bool with_reuse)
 {
-    Option option = {"method",
-                     'm',
-                     "NAME",
-                     "first-shot",
-                     "first-shot: direct light by rays from the sources, the rest by global lines; extended: rays also "
-                     "from what the sources light, and beyond, until all is even; global: everything by global lines; "
-                     "local: particles from patch to patch, without global lines. These are the methods of the paper. "
-                     "reuse, of solve: lines are counted, and the light is solved for; the most accurate.",
-                     false,
-                     {"local", "global", "first-shot", "extended"}};
-    if (with_reuse) {
+    Option option = {"method", 'm', "NAME", "first-shot",
+                     "How the light is found: first-shot: direct light by rays from the sources, the rest by global "
+                     "lines; extended: rays also from what the sources light, and beyond, until all is even; global: "
+                     "everything by global lines; local: particles from patch to patch, without global lines. These "
+                     "are the methods of the paper. reuse, of solve: lines are counted, and the light is solved for; "
+                     "the most accurate."};
+    for (const MethodDescription& method : known_methods)
+        if (method.method != Method::reuse || with_reuse)
+            option.choices.push_back(method.name);
+    if (with_reuse)
         option.default_text = "reuse";
-        option.choices.push_back("reuse");
-    }
     return option;
 }
 
@@ -114,13 +126,16 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
     return group;
 }
 
+const std::array<MethodDescription, 5>& method_descriptions()
+{
+    return known_methods;
+}
+
 Method method_named(std::string_view name)
 {
-    return name == "local"      ? Method::local
-           : name == "global"   ? Method::global
-           : name == "extended" ? Method::extended
-           : name == "reuse"    ? Method::reuse
-                                : Method::first_shot;
+    return std::find_if(known_methods.begin(), known_methods.end(),
+                        [&](const MethodDescription& m) { return m.name == name; })
+        ->method;
 }
 
 Pairing pairing_named(std::string_view name)

@@ -4,11 +4,22 @@
 #include "cli/option_table.h"
 #include "radiosity/solve_options.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace multipath {
+
+struct MethodDescription
+{
+    Method method;
+    std::string_view name;
+    std::string_view summary; ///< sentences
+};
+
+/// Every method, in the order of the choices of --method.
+const std::array<MethodDescription, 5>& method_descriptions();
 
 /// The options that decide what a run does, of every command that solves or follows one. `line_count` is the command's
 /// own option for the number of all lines of the run; `reuse` is among the methods, and the default, of those commands
