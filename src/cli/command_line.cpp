@@ -3,6 +3,7 @@
 #include "cli/choice.h"
 #include "cli/usage_error.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace multipath {
@@ -133,6 +134,11 @@ private:
             throw UsageError("unexpected argument " + quoted_argument(operands[wanted.size()]) + ": '" +
                              std::string(table_.name) + "' takes " +
                              (wanted.empty() ? "none" : operand_names(wanted, 0)));
+        for (std::size_t i = 0; i < operands.size(); ++i) {
+            const Operand& operand = wanted[std::min(i, wanted.size() - 1)];
+            if (!operand.choices.empty())
+                require_choice(operand.name, operands[i], operand.choices);
+        }
     }
 
     const CommandTable& table_;

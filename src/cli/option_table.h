@@ -31,6 +31,8 @@ struct Operand
     std::string_view name; ///< "SCENE.obj"
     bool repeatable = false;
     bool optional = false;
+    std::vector<std::string_view> extensions = {}; ///< of the files that completion offers, ".obj"; empty: any file
+    std::vector<std::string_view> choices = {};    ///< allowed words, when it is no file; empty: any text
 };
 
 /// Everything the parser, the help, the man page and the completion know about one command.

@@ -18,7 +18,7 @@ CommandTable check_table()
 {
     return {"check",
             "what a scene holds, the paper's numbers for it, and what is wrong with it",
-            {{"SCENE.obj"}},
+            {{"SCENE.obj", false, false, {".obj"}}},
             {{"Report",
               {{"json", 0, "", "", "Print the report as JSON on standard output."},
                {"lines", 'n', "N", "2^20", "Lines for each measured figure."},

@@ -23,7 +23,7 @@ CommandTable compare_table()
 {
     return {"compare",
             "how far one result is from another of the same scene",
-            {{"A"}, {"B"}},
+            {{"A", false, false, {".csv", ".state"}}, {"B", false, false, {".csv", ".state"}}},
             {{"Report",
               {{"worst", 0, "N", "5", "Name the N patches with the largest shares of the mean square error."},
                {"tolerance", 0, "SHARE", "",

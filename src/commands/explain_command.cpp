@@ -24,7 +24,7 @@ CommandTable explain_table()
     return {
         "explain",
         "what single lines of a run do, one by one, in words and as a drawing",
-        {{"SCENE.obj"}},
+        {{"SCENE.obj", false, false, {".obj"}}},
         {{"Story",
           {{"lines", 'n', "K", "3", "How many lines to tell, at most 1000; particles with the stage local."},
            {"first", 0, "N", "1",

@@ -22,7 +22,7 @@ CommandTable merge_table()
 {
     return {"merge",
             "add up the shares of one run (solve --shard)",
-            {{"STATE", true}},
+            {{"STATE", true, false, {".state"}}},
             {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
             "Shares of the method 'reuse' give the same bytes as one run alone. Their first round counts\n"
             "lines; for the second, which looks closer at some pairs of patches, write the sum as a state\n"

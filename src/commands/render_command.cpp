@@ -14,7 +14,7 @@ CommandTable render_table()
 {
     return {"render",
             "other pictures, meshes and tables of a run whose state was kept, without solving again",
-            {{"STATE"}},
+            {{"STATE", false, false, {".state"}}},
             {without_options(solution_output_group(), {"json", "verbose"}),
              picture_option_group(),
              {"Computation", {threads_option()}}},

@@ -21,7 +21,7 @@ CommandTable selftest_table()
 {
     return {"selftest",
             "an exam of the physics with known answers, or of what must hold in a scene",
-            {{"SCENE.obj", false, true}},
+            {{"SCENE.obj", false, true, {".obj"}}},
             {{"Exam",
               {{"output", 'o', "FILE", "", "Write the table as CSV too.", true},
                {"case", 0, "NAME", "",

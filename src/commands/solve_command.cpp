@@ -27,7 +27,7 @@ CommandTable solve_table()
 {
     return {"solve",
             "radiosity of every patch of a scene, as pictures, meshes and tables",
-            {{"SCENE.obj"}},
+            {{"SCENE.obj", false, false, {".obj"}}},
             {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
              scene_option_group(), picture_option_group()},
             "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"

@@ -27,7 +27,7 @@ CommandTable study_table()
         method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
     return {"study",
             "error against number of lines, for methods and sequences, with fitted slopes",
-            {{"SCENE.obj"}},
+            {{"SCENE.obj", false, false, {".obj"}}},
             {{"Output",
               {{"output", 'o', "FILE", "",
                 "Where to write besides the table on standard output; by extension .csv (one row per point) or .svg (a "
