@@ -8,6 +8,7 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "commands/commands.h"
+#include "commands/help_topics.h"
 #include "parallel/instruction_set.h"
 #include "scene/input_error.h"
 
@@ -24,23 +25,6 @@ namespace {
 using namespace multipath;
 
 enum ExitCode { exit_done = 0, exit_failed = 1, exit_usage = 2 };
-
-std::vector<CommandTable> tables_of(const std::vector<Command>& commands)
-{
-    std::vector<CommandTable> tables;
-    for (const Command& command : commands)
-        tables.push_back(command.table);
-    return tables;
-}
-
-std::string program_help(const std::vector<Command>& commands)
-{
-    return "multipath computes diffuse global illumination (radiosity) with global lines.\n\n"
-           "usage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" +
-           command_list(tables_of(commands)) +
-           "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n"
-           "For a first picture: multipath solve scenes/5cubes.obj\n";
-}
 
 const Command& find_command(const std::vector<Command>& commands, const std::string& name)
 {
@@ -63,7 +47,7 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
         return exit_done;
     }
     if (words[0] == "--help" || words[0] == "-h") {
-        print(program_help(commands));
+        print(program_help(tables_of(commands), help_topics()));
         return exit_done;
     }
     const Command& command = find_command(commands, words[0]);
@@ -97,7 +81,7 @@ int main(int argc, char** argv)
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {
-        std::fputs(program_help(all).c_str(), stderr);
+        std::fputs(program_help(tables_of(all), help_topics()).c_str(), stderr);
         return exit_usage;
     }
     try {

@@ -6,7 +6,6 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t page_width = 90;
 constexpr std::size_t widest_left_column = 30; // longer entries put their help on the next line
 
 /// Columns on the screen: bytes of UTF-8 except continuation bytes.
@@ -16,8 +15,8 @@ std::size_t columns(std::string_view text)
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// The words of `text` in lines up to the page's edge; the first starts at `column`, the others at `indent`.
-std::string wrapped(std::string_view text, std::size_t column, std::size_t indent)
+/// The words of `text` in lines up to `width` columns; the first starts at `column`, the others at `indent`.
+std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t width)
 {
     std::string result;
     bool line_empty = true;
@@ -25,7 +24,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
         const std::size_t length = std::min(text.find(' '), text.size());
         const std::string_view word = text.substr(0, length);
         text.remove_prefix(std::min(length + 1, text.size()));
-        if (!line_empty && column + 1 + columns(word) > page_width) {
+        if (!line_empty && column + 1 + columns(word) > width) {
             result.append("\n").append(indent, ' ');
             column = indent;
             line_empty = true;
@@ -37,14 +36,6 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
     return result + "\n";
 }
 
-/// `left` in a column of its own, `right` wrapped beside it.
-std::string entry(const std::string& left, std::string_view right, std::size_t indent)
-{
-    const std::size_t width = columns(left);
-    const std::string gap = width + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - width, ' ');
-    return left + (right.empty() ? "\n" : gap + wrapped(right, indent, indent));
-}
-
 std::string left_column(const Option& option)
 {
     std::string left = "  ";
@@ -53,19 +44,6 @@ std::string left_column(const Option& option)
     if (!option.argument.empty())
         left.append(" ").append(option.argument);
     return left;
-}
-
-/// The help with what the table knows besides in brackets: "(one of 4d, 2d; default 4d)".
-std::string right_column(const Option& option)
-{
-    std::string facts;
-    for (const std::string_view choice : option.choices)
-        facts.append(facts.empty() ? "one of " : ", ").append(choice);
-    if (!option.default_text.empty())
-        facts.append(facts.empty() ? "" : "; ").append("default ").append(option.default_text);
-    if (option.repeatable)
-        facts.append(facts.empty() ? "" : "; ").append("may be repeated");
-    return std::string(option.help) + (facts.empty() ? "" : " (" + facts + ")");
 }
 
 std::size_t left_width(const std::vector<OptionGroup>& groups)
@@ -82,6 +60,25 @@ std::size_t left_width(const std::vector<OptionGroup>& groups)
 }
 
 } // namespace
+
+std::string two_columns(const std::string& left, std::string_view right, std::size_t indent, std::size_t width)
+{
+    const std::size_t used = columns(left);
+    const std::string gap = used + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - used, ' ');
+    return left + (right.empty() ? "\n" : gap + wrapped(right, indent, indent, width));
+}
+
+std::string option_help(const Option& option)
+{
+    std::string facts;
+    for (const std::string_view choice : option.choices)
+        facts.append(facts.empty() ? "one of " : ", ").append(choice);
+    if (!option.default_text.empty())
+        facts.append(facts.empty() ? "" : "; ").append("default ").append(option.default_text);
+    if (option.repeatable)
+        facts.append(facts.empty() ? "" : "; ").append("may be repeated");
+    return std::string(option.help) + (facts.empty() ? "" : " (" + facts + ")");
+}
 
 std::string usage_line(const CommandTable& table)
 {
@@ -102,12 +99,12 @@ std::string help_text(const CommandTable& table)
     groups.push_back({"Help", {{"help", 'h', "", "", "print this help"}}});
     const std::size_t indent = left_width(groups);
 
-    std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped(table.summary, 0, 0);
+    std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped(table.summary, 0, 0, page_width);
     for (const OptionGroup& group : groups) {
         text.append("\n").append(group.heading).append(":\n");
         for (const Option& option : group.options)
             if (!option.hidden)
-                text += entry(left_column(option), right_column(option), indent);
+                text += two_columns(left_column(option), option_help(option), indent);
     }
     if (!table.notes.empty())
         text.append("\n").append(table.notes).append(table.notes.back() == '\n' ? "" : "\n");
@@ -121,8 +118,19 @@ std::string command_list(const std::vector<CommandTable>& tables)
         indent = std::max(indent, columns(table.name) + 4);
     std::string text;
     for (const CommandTable& table : tables)
-        text += entry("  " + std::string(table.name), table.summary, indent);
+        text += two_columns("  " + std::string(table.name), table.summary, indent);
     return text;
+}
+
+std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics)
+{
+    std::string names;
+    for (const HelpTopic& topic : topics)
+        names.append(names.empty() ? "" : ", ").append(topic.name);
+    return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + command_list(tables) +
+           "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n" +
+           wrapped("'multipath help TOPIC' explains " + names + ".", 0, 0, page_width) +
+           "For a first picture: multipath solve scenes/5cubes.obj\n";
 }
 
 } // namespace multipath

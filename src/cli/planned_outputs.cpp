@@ -17,13 +17,13 @@ constexpr std::array<FormatDescription, 10> known_formats = {
     {{OutputFormat::ppm, ".ppm", "picture, binary PPM (P6)"},
      {OutputFormat::pfm, ".pfm", "picture as numbers, W/m^2, not tone-mapped"},
      {OutputFormat::png, ".png", "picture"},
-     {OutputFormat::csv, ".csv", "table with 17 digits: solve, one row per patch"},
+     {OutputFormat::csv, ".csv", "table; of a solved scene one row per patch"},
      {OutputFormat::svg, ".svg", "plot or drawing"},
      {OutputFormat::ply, ".ply", "mesh with the light as colours and as numbers"},
      {OutputFormat::glb, ".glb", "the same, for three.js and Blender"},
      {OutputFormat::obj, ".obj", "the same, for MeshLab"},
      {OutputFormat::html, ".html", "page to walk through the room in a browser"},
-     {OutputFormat::state, ".state", "all of the run: help states"}}};
+     {OutputFormat::state, ".state", "all of the run, to go on, merge or render again"}}};
 
 void refuse_input(const std::string& path, const std::vector<std::string>& inputs)
 {

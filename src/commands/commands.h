@@ -18,6 +18,8 @@ struct Command
 /// All commands in the order of the help.
 std::vector<Command> commands();
 
+std::vector<CommandTable> tables_of(const std::vector<Command>& commands);
+
 Command solve_command();
 Command render_command();
 Command merge_command();
@@ -29,5 +31,6 @@ Command paper_command();
 Command points_command();
 Command explain_command();
 Command selftest_command();
+Command help_command(const std::vector<Command>& others); ///< explains these too
 
 } // namespace multipath

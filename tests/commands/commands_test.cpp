@@ -1,11 +1,13 @@
 #include "commands/commands.h"
 
 #include "cli/help_text.h"
+#include "commands/help_topics.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <string>
 
 using namespace multipath;
@@ -68,4 +70,28 @@ TEST_CASE("only the last operand of a command may be repeated or left out")
         for (std::size_t i = 0; i + 1 < operands.size(); ++i)
             CHECK_FALSE((operands[i].repeatable || operands[i].optional));
     }
+}
+
+TEST_CASE("topics have names of their own, and their lines are no wider than 80 columns")
+{
+    std::set<std::string_view> names;
+    for (const Command& command : commands())
+        names.insert(command.table.name);
+    for (const HelpTopic& topic : help_topics()) {
+        CHECK_MESSAGE(names.insert(topic.name).second, std::string(topic.name));
+        std::istringstream lines(topic.text);
+        for (std::string line; std::getline(lines, line);)
+            CHECK_MESSAGE(line.size() <= 80, line);
+        CHECK(topic.text.back() == '\n');
+    }
+}
+
+TEST_CASE("everything that is printed as it is holds ASCII only, so that it is the same in every locale")
+{
+    std::string all;
+    for (const Command& command : commands())
+        all += help_text(command.table);
+    for (const HelpTopic& topic : help_topics())
+        all += topic.text;
+    CHECK(std::all_of(all.begin(), all.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
 }
