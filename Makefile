@@ -5,6 +5,9 @@
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in ten minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
 # make gallery    runs the commands of docs/gallery.md, which makes its pictures again
+# make install    puts program, manual, completions, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
+# make uninstall  removes what make install put there
+# make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
 # the commands.
@@ -99,8 +102,42 @@ $(BUILD)/%_fuzz: $(BUILD)/tests/fuzz/%_fuzz.o $(filter-out $(BUILD)/src/main.o,$
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -fsanitize=fuzzer -pthread $^ -o $@
 
-clean:
-	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
+PREFIX    ?= /usr/local
+place      = "$(DESTDIR)$(PREFIX)"
+completion = share/bash-completion/completions/multipath share/zsh/site-functions/_multipath \
+             share/fish/vendor_completions.d/multipath.fish
+documents  = README.md LICENSE $(sort $(shell find docs -type f))
+own        = $(patsubst %,share/multipath/%,$(wildcard scenes/*.obj scenes/*.mtl)) $(documents:%=share/doc/multipath/%)
+installed  = bin/multipath share/man/man1/multipath.1 $(completion) $(own)
 
-.PHONY: demo paper results gallery test bench clean
+# The texts are the program's own: it writes them from the tables that it reads its options by.
+install: $(PROGRAM)
+	@for folder in $(sort $(dir $(installed))); do install -d $(place)/$$folder || exit; done
+	install -m 755 $(PROGRAM) $(place)/bin/multipath
+	$(abspath $(PROGRAM)) help --man > $(place)/share/man/man1/multipath.1
+	@set -- bash zsh fish; for file in $(completion); do \
+	    $(abspath $(PROGRAM)) help --completion $$1 > $(place)/$$file && shift || exit; done
+	@for file in share/man/man1/multipath.1 $(completion); do chmod 644 $(place)/$$file || exit; done
+	@for file in $(own); do install -m 644 $${file#share/*multipath/} $(place)/$$file || exit; done
+
+uninstall:
+	@for file in $(installed); do rm -f $(place)/$$file || exit; done
+	@for folder in $$(printf '%s\n' $(dir $(own)) share/doc/multipath share/multipath | sort -ru); do \
+	    rmdir $(place)/$$folder 2>/dev/null || true; done
+
+version  = $(shell sed -n 's/.*return "multipath \([0-9.]*\)".*/\1/p' src/cli/version.cpp)
+archive  = multipath-$(version)
+packed   = $(wildcard .ci .clang-format .clang-tidy .gitignore) LICENSE Makefile README.md docs scenes src tests
+
+dist:
+	@mkdir -p $(BUILD)
+	@if [ -e .git ]; then git archive -o $(archive).tar.gz --prefix=$(archive)/ HEAD; else \
+	    rm -rf $(BUILD)/$(archive) && mkdir $(BUILD)/$(archive) && cp -R $(packed) $(BUILD)/$(archive) && \
+	    tar -czf $(archive).tar.gz -C $(BUILD) $(archive) && rm -r $(BUILD)/$(archive); fi
+	@echo $(archive).tar.gz
+
+clean:
+	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
+
+.PHONY: demo paper results gallery test bench install uninstall dist clean
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

@@ -1,0 +1,86 @@
+# `make install`, `make uninstall` and `make dist`, in a copy of the sources. The program is the one under test; nothing is
+# compiled.
+. "$2/tests/cli/check.sh"
+unset MAKEFLAGS MFLAGS MAKELEVEL BUILD CXX CXXFLAGS PREFIX DESTDIR
+
+mkdir copy "with blanks" && (cd "$root" && cp -R LICENSE Makefile README.md docs scenes src tests "$OLDPWD/copy") || exit 1
+here=$(pwd)
+# Runs a target of the copy with the program as it is.
+made() { make -s -C copy -o "$program" "PROGRAM=$program" "$@"; }
+files_under() { (cd "$1" && find . -type f | sort); }
+tree="$here/with blanks/tree"
+
+installs() {
+    made install "DESTDIR=$tree" PREFIX=/opt/multipath || return
+    files_under "$tree/opt/multipath" >found
+    { printf './%s\n' bin/multipath share/man/man1/multipath.1 share/bash-completion/completions/multipath \
+        share/zsh/site-functions/_multipath share/fish/vendor_completions.d/multipath.fish \
+        share/doc/multipath/README.md share/doc/multipath/LICENSE
+      (cd copy && find docs -type f | sed 's|^|./share/doc/multipath/|'; find scenes -type f | sed 's|^|./share/multipath/|')
+    } | sort >expected
+    diff expected found && [ "$(ls "$tree")" = opt ]
+}
+check "make install puts every file where it belongs, and no other" installs
+
+for_everybody() { [ -x "$tree/opt/multipath/bin/multipath" ] && [ -z "$(find "$tree" ! -perm -444)" ]; }
+check "everybody may read what is installed" for_everybody
+
+fresh_texts() {
+    share=$tree/opt/multipath/share
+    ends 0 help --man && cmp out "$share/man/man1/multipath.1" &&
+        ends 0 help --completion bash && cmp out "$share/bash-completion/completions/multipath" &&
+        ends 0 help --completion zsh && cmp out "$share/zsh/site-functions/_multipath" &&
+        ends 0 help --completion fish && cmp out "$share/fish/vendor_completions.d/multipath.fish" &&
+        head -n 1 "$share/zsh/site-functions/_multipath" | grep -q '^#compdef multipath$'
+}
+check "manual and completions are those of the installed program" fresh_texts
+
+runs_there() {
+    (cd "$tree/opt/multipath" && bin/multipath check share/multipath/scenes/cube.obj >"$here/out") && says out patches
+}
+check "the installed program reads the installed scenes" runs_there
+
+manual_is_found() {
+    MANPATH="$tree/opt/multipath/share/man" man -w multipath >out && says out "$tree/opt/multipath/share/man/man1/multipath.1"
+}
+command -v man >/dev/null && check "man finds the manual" manual_is_found
+
+old_files() {
+    mkdir -p other/share/multipath/scenes other/bin && echo mine >other/share/multipath/scenes/mine.obj &&
+        echo mine >other/bin/other && made install "DESTDIR=$here/other" PREFIX= &&
+        made uninstall "DESTDIR=$here/other" PREFIX= && files_under other >found &&
+        printf './%s\n' bin/other share/multipath/scenes/mine.obj | diff - found
+}
+check "make uninstall leaves the files of others" old_files
+
+uninstalls() {
+    made uninstall "DESTDIR=$tree" PREFIX=/opt/multipath && [ -z "$(find "$tree" -type f)" ] &&
+        [ ! -e "$tree/opt/multipath/share/multipath" ] && [ ! -e "$tree/opt/multipath/share/doc/multipath" ]
+}
+check "make uninstall removes all that make install left, and the program's own folders" uninstalls
+
+# Nobody may write there, not even root.
+cannot_install() { ! made install DESTDIR=/dev/null >log 2>&1 && [ ! -e copy/bin ]; }
+check "make install fails where it cannot write" cannot_install
+
+# usage: packs_all_of FOLDER     `make dist` there packs what the copy holds, which can be made again from the archive
+packs_all_of() {
+    version=$("$program" --version | sed -n 's/^multipath //p')
+    (cd "$1" && make -s dist) && rm -rf unpacked && mkdir unpacked &&
+        tar -xzf "$1/multipath-$version.tar.gz" -C unpacked && [ "$(ls unpacked)" = "multipath-$version" ] || return
+    mv "$1/multipath-$version.tar.gz" first.tar.gz
+    files_under "unpacked/multipath-$version" >found
+    (cd copy && find LICENSE Makefile README.md docs scenes src tests -type f | sed 's|^|./|' | sort) | diff - found &&
+        (cd "unpacked/multipath-$version" && make -n) >commands && says commands "link    multipath" || return
+    [ "$(grep -c '^echo "  compile' commands)" -eq "$(find copy/src -name '*.cpp' | wc -l)" ]
+}
+check "make dist packs all sources without git, under the version's name" packs_all_of copy
+
+packs_what_is_committed() {
+    cp -R copy repository && rm -rf repository/build && (
+        cd repository && git init -q . && git add -A . && git -c user.name=a -c user.email=a@b commit -qm all &&
+            echo "not committed" >src/loose.txt
+    ) && packs_all_of repository
+}
+command -v git >/dev/null && check "make dist packs what is committed to git" packs_what_is_committed
+finish
