@@ -128,7 +128,8 @@ int run_merge(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file.path), inputs);
     const Scene scene = restored(runs[0].description.scene);
-    SavedRun sum = read_saved_run(std::make_unique<StateReader>("the sum of the shares", merged(runs, job, scene)));
+    SavedRun sum =
+        read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
     const bool only_states = std::all_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
         return output.format == OutputFormat::state;
     });

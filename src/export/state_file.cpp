@@ -3,10 +3,9 @@
 #include "sampling/random.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
+#include <system_error>
 #include <utility>
 
 namespace multipath {
@@ -113,24 +112,13 @@ std::size_t StateWriter::length(const std::string&, Scalar)
 
 namespace {
 
-std::vector<char> file_bytes(const std::string& path)
+FileBytes bytes_of_state(const std::string& path)
 {
-    struct Closer
-    {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
-    std::vector<char> bytes;
-    std::size_t length = 0;
-    errno = file ? 0 : errno;
-    while (file && !std::feof(file.get()) && !std::ferror(file.get())) {
-        bytes.resize(std::max<std::size_t>(2 * length, 65536));
-        length += std::fread(bytes.data() + length, 1, bytes.size() - length, file.get());
+    try {
+        return FileBytes(path);
+    } catch (const std::system_error& error) {
+        throw ArchiveError("cannot read " + path + ": " + error.code().message());
     }
-    if (!file || std::ferror(file.get()))
-        throw ArchiveError("cannot read " + path + ": " + std::strerror(errno));
-    bytes.resize(length);
-    return bytes;
 }
 
 } // namespace
@@ -146,9 +134,9 @@ bool is_state_file(const std::string& path)
     return start == kind;
 }
 
-StateReader::StateReader(const std::string& path) : StateReader(path, file_bytes(path)) {}
+StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of_state(path)) {}
 
-StateReader::StateReader(std::string name, std::vector<char> bytes)
+StateReader::StateReader(std::string name, FileBytes bytes)
     : Archive(true), name_(std::move(name)), bytes_(std::move(bytes))
 {
     require_version();

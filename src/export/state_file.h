@@ -1,5 +1,6 @@
 #pragma once
 
+#include "export/file_bytes.h"
 #include "parallel/archive.h"
 
 #include <cstdint>
@@ -52,11 +53,11 @@ public:
     /// version, or is damaged.
     explicit StateReader(const std::string& path);
     /// The same from the bytes of a file; `name` is for messages.
-    StateReader(std::string name, std::vector<char> bytes);
+    StateReader(std::string name, FileBytes bytes);
 
     const std::string& name() const { return name_; }
 
-    std::string_view bytes() const { return {bytes_.data(), bytes_.size()}; }
+    std::string_view bytes() const { return bytes_.view(); }
 
     /// Writes all arrays that the other file does not have yet.
     void copy_rest(StateWriter& other) const;
@@ -88,7 +89,7 @@ private:
     }
 
     std::string name_;
-    std::vector<char> bytes_;
+    FileBytes bytes_;
     std::map<std::string, Array> arrays_;
 };
 

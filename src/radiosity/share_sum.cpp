@@ -14,10 +14,10 @@ namespace {
 void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
 {
     PairCounts counts(patches);
+    PairCounts share(patches);
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
         const Archive::Inner inner(*shares[k], "pair counts");
-        PairCounts share(patches);
         ranges[k].visit(*shares[k]);
         share.visit(*shares[k]);
         counts += share;
@@ -52,6 +52,7 @@ void add_up_line_counts(const std::vector<Archive*>& shares, std::uint32_t patch
 void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
 {
     ExchangeEstimate all{PairMatrix<float>(patches), PairMatrix<float>(patches)};
+    ExchangeEstimate share{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
         {
@@ -59,7 +60,6 @@ void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archi
             ranges[k].visit(*shares[k]);
         }
         const Archive::Inner inner(*shares[k], "line reuse");
-        ExchangeEstimate share{PairMatrix<float>(patches), PairMatrix<float>(patches)};
         share.exchange.visit<float>(*shares[k], "exchange");
         share.variance.visit<float>(*shares[k], "variance");
         const std::uint64_t end = std::min<std::uint64_t>(ranges[k].end, patches);

@@ -46,7 +46,7 @@ std::string written(Visited& visited)
 
 StateReader reader(const std::string& bytes)
 {
-    return {"test.state", {bytes.begin(), bytes.end()}};
+    return {"test.state", FileBytes(std::vector<char>(bytes.begin(), bytes.end()))};
 }
 
 Values some_values()

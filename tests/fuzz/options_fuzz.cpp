@@ -60,7 +60,7 @@ void read_options(const CommandLine& line)
     }
     if (line.knows("replicates") && line.knows("tolerance"))
         unless_refused([&] { require(read_accuracy(line).replicates >= 1); });
-    if (line.knows("exposure"))
+    if (line.knows("exposure") && line.knows("memory")) // without, the words are handed on to `solve`
         unless_refused([&] { read_picture_options(line, 1); });
 }
 

@@ -1,0 +1,82 @@
+#include "export/file_bytes.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+/// An open file, to be closed.
+class Descriptor
+{
+public:
+    explicit Descriptor(const std::string& path) : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
+    {
+        if (number_ < 0)
+            fail();
+    }
+    ~Descriptor() { close(number_); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int number() const { return number_; }
+    [[noreturn]] static void fail() { throw std::system_error(errno, std::generic_category()); }
+
+private:
+    int number_;
+};
+
+/// Of what cannot be mapped, such as a pipe.
+std::vector<char> read_all(const Descriptor& file)
+{
+    std::vector<char> bytes;
+    for (;;) {
+        constexpr std::size_t more = 1u << 20;
+        const std::size_t length = bytes.size();
+        bytes.resize(length + more);
+        const ssize_t got = read(file.number(), bytes.data() + length, more);
+        if (got < 0)
+            Descriptor::fail();
+        bytes.resize(length + static_cast<std::size_t>(got));
+        if (got == 0)
+            return bytes;
+    }
+}
+
+} // namespace
+
+FileBytes::FileBytes(const std::string& path)
+{
+    const Descriptor file(path);
+    struct stat status = {};
+    if (fstat(file.number(), &status) != 0)
+        Descriptor::fail();
+    if (!S_ISREG(status.st_mode) || status.st_size == 0) {
+        *this = FileBytes(read_all(file));
+        return;
+    }
+    size_ = static_cast<std::size_t>(status.st_size);
+    void* const mapped = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number(), 0);
+    if (mapped == MAP_FAILED)
+        Descriptor::fail();
+    const std::size_t size = size_;
+    owner_ =
+        std::shared_ptr<const void>(mapped, [size](const void* memory) { munmap(const_cast<void*>(memory), size); });
+    data_ = static_cast<const char*>(mapped);
+}
+
+FileBytes::FileBytes(std::vector<char> bytes)
+{
+    const auto kept = std::make_shared<const std::vector<char>>(std::move(bytes));
+    data_ = kept->data();
+    size_ = kept->size();
+    owner_ = kept;
+}
+
+} // namespace multipath

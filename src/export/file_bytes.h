@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace multipath {
+
+/// The bytes of a file, in whose memory the system keeps only what is being read: of many large files at a time, too.
+/// Immutable; copies share the bytes.
+class FileBytes
+{
+public:
+    /// Throws std::system_error.
+    explicit FileBytes(const std::string& path);
+    /// Bytes that are in memory already.
+    explicit FileBytes(std::vector<char> bytes);
+
+    const char* data() const { return data_; }
+    std::size_t size() const { return size_; }
+    std::string_view view() const { return {data_, size_}; }
+
+private:
+    std::shared_ptr<const void> owner_;
+    const char* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+} // namespace multipath
