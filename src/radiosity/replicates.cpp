@@ -77,7 +77,7 @@ public:
             const auto show = [&](double done) {
                 progress((static_cast<double>(finished_) + done) / static_cast<double>(replicates_));
             };
-            const Solution one = solve(scene_, preparation, options_of(finished_), show, checkpoint);
+            Solution one = solve(scene_, preparation, options_of(finished_), show, checkpoint);
             if (checkpoint && checkpoint->stopped()) {
                 if (finished_ == 0)
                     return one;
