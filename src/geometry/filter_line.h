@@ -68,7 +68,7 @@ struct NearestCandidates
 {
     alignas(64) float first[LineBatch::most]; ///< at the earliest, from the line's middle on; FlatSurfaces::never
     float second[LineBatch::most];            ///< the same of any other surface
-    float number[LineBatch::most];            ///< of the first surface, a whole number
+    float number[LineBatch::most];            ///< FlatSurfaces::number of the first surface
 };
 
 /// The coordinates of FilterLine for a scene.

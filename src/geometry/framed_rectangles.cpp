@@ -2,15 +2,24 @@
 // direction, everything in the unit sphere. A rectangle is taken into a frame when its normal and its edges differ from
 // the axes by no more than the tolerance T = 1e-5.
 //
+// First as if nothing was divided by a: u a = (m - centre) a + h d, which must not exceed half |a|.
 // 1. Rounding: a component of the direction is wrong by at most 6 e L, one of the middle (|m| < 1.5) by 9 e, h by 13 e,
-//    m - centre (at most 2.5) by 13 e; so (m - centre) a + h d by 2 (2.5 * 6 + 13) e L and 10 e L for its own
-//    operations: 66 e L; the limit by 8 e L.
+//    m - centre (at most 2.5) by 13 e; so (m - centre) a + h d by 2 (2.5 * 6 + 13) e L: 56 e L; the limit by 8 e L.
 // 2. Tolerance: a and d differ by T L, h and m by 1.5 T: 2 (2.5 + 1.5) T L = 8 T L; the limit by T L.
-//    In all 74 e L + 9 T L < 10 T L: the slack.
-// 3. |h| <= |a| half_length: 13 e + 10 e + 1.5 T + 1.01 T < 4 T. The same bounds where on the line, at the earliest,
-// the
-//    crossing is.
+//    In all 64 e L + 9 T L < 10 T L.
+// 3. |h| <= |a| half_length, and h = a t for the true place t: 13 e + 10 e + 1.5 T + 1.01 T < 4 T.
 // A sign of a that rounding turned matters to none of these.
+//
+// Then divided by |a|, for |a| not less than least_approach, A = 1e-6 S, S = FilterLine::scale between L and 2 L.
+// 4. The reciprocal is wrong by its share R <= 2^-11. t = h / a, |h| < 2.6, is wrong by 2.6 R / |a| and 3 e / |a| for
+// its
+//    operations, in all with 3. by less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the distance slack.
+// 5. So t d adds 2.6 R L / |a| to 10 T L / |a|; the operations add 10 e L / |a|; together less than (1.1e-4 + 3 R) L /
+//    |a|: the slack.
+// 6. Where |a| < A, A stands for it. What double precision passes has |h| <= |a| half_length + 4 T < 1.01 A / L + 4 T,
+// so
+//    that |t| exceeds neither half_length + 4 T / A, nor the true place by more than 2 half_length + 4 T / A, 2.02 A /
+//    L being below 4e-6; and |u| < 2.5 + (1.01 A / L + 4 T) L / A < 44, less than the slack of 1.1e-4 S / A > 100.
 
 #include "geometry/framed_rectangles.h"
 

@@ -69,6 +69,8 @@ void Intersector::fill_blocks()
     }
     for (const std::uint32_t s : lane_number_)
         lane_plane_.push_back(s != WideTree::nothing ? static_cast<float>(plane_[s]) : 0.0f);
+    if (tree_.empty())
+        flat_number_.assign(lane_number_.begin(), lane_number_.end());
     blocks_.assign((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes, empty_block());
     for (std::size_t i = 0; i < lane_number_.size(); ++i)
         if (lane_number_[i] != WideTree::nothing)
@@ -79,6 +81,7 @@ FlatSurfaces Intersector::flat_surfaces() const
 {
     return {blocks_.data(),
             lane_plane_.data(),
+            flat_number_.data(),
             flat_triangles_,
             static_cast<unsigned>(framed_.others.size()),
             static_cast<unsigned>(lane_number_.size()),

@@ -92,6 +92,7 @@ private:
     WideTree tree_;                          ///< empty for few surfaces
     std::vector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
     std::vector<float> lane_plane_;          ///< plane number of the same
+    std::vector<float> flat_number_;         ///< without a tree: lane_number_
     unsigned flat_triangles_ = 0;            ///< without a tree: the first lanes
     FramedRectangles framed_;                ///< without a tree: the last lanes
     std::vector<SurfaceBlock> blocks_;

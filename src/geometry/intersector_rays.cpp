@@ -16,13 +16,10 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
     for (std::size_t first = 0; first < count; first += LineBatch::most) {
         const std::size_t together = std::min(count - first, LineBatch::most);
         kernel_->place_lines(frame_, rays + first, together, found.batch_);
-        const auto fit = [&](std::size_t i) {
-            return found.batch_.course[i] != static_cast<std::uint32_t>(LineCourse::unfit);
-        };
-        bool all_fit = unfiltered_.empty();
+        std::uint32_t courses = 0;
         for (std::size_t i = 0; i < together; ++i)
-            all_fit = every(all_fit, fit(i));
-        if (!all_fit)
+            courses |= found.batch_.course[i];
+        if (!unfiltered_.empty() || (courses & static_cast<std::uint32_t>(LineCourse::unfit)) != 0)
             for (std::size_t i = first; i < first + together; ++i)
                 found.put(i, nearest(rays[i], plane_[from[i]]));
         else if (tree_.empty())
@@ -36,14 +33,14 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
 void Intersector::find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first,
                                        std::size_t count, FirstHits& found) const
 {
-    alignas(64) std::array<float, LineBatch::most> own_plane{};
+    alignas(64) std::array<float, LineBatch::most> own_plane;
     for (std::size_t i = 0; i < count; ++i)
         own_plane[i] = static_cast<float>(plane_[from[first + i]]);
     NearestCandidates candidates;
     kernel_->nearest_flat(flat_surfaces(), found.batch_, count, own_plane.data(), candidates);
     std::array<std::uint32_t, LineBatch::most> surface;
     for (std::size_t i = 0; i < count; ++i)
-        surface[i] = lane_number_[static_cast<std::size_t>(candidates.number[i])];
+        surface[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(candidates.number[i]));
     kernel_->decide_nearest(table_, rays + first, surface.data(), count, found.hits_.data() + first,
                             found.is_hit_.data() + first);
     for (std::size_t i = 0; i < count; ++i) {

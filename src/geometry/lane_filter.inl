@@ -62,15 +62,15 @@ KERNEL_CODE unsigned filter_surfaces(const SurfaceBlock& block, const LaneLine& 
         const Lanes v =
             dot_plus(block.v_direction, lane, line.direction, dot_product(block.v_moment, lane, line.moment));
         const Lanes limit = multiply_add(Lanes::load(block.slack + lane), line.scale, absolute(a));
-        unsigned met = not_above(larger(absolute(u), absolute(v)), limit);
+        LaneMask met = not_above(larger(absolute(u), absolute(v)), limit);
         if (triangles)
-            met &= not_above(with_sign_of(a, u + v), Lanes::load(block.diagonal + lane) * line.scale);
+            met = not_above(met, with_sign_of(a, u + v), Lanes::load(block.diagonal + lane) * line.scale);
         if (!whole) {
             const Lanes h = dot_plus(block.normal, lane, line.backwards, Lanes::load(block.offset + lane));
             const Lanes within = multiply_add(absolute(a), line.half_length, Lanes::all(SurfaceBlock::distance_slack));
-            met &= not_above(absolute(h), within);
+            met = not_above(met, absolute(h), within);
         }
-        result |= met << lane;
+        result |= bits(met) << lane;
     }
     return result;
 }

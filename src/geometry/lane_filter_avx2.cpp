@@ -51,14 +51,6 @@ KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
     return {_mm256_xor_ps(a.x, _mm256_and_ps(sign.x, _mm256_set1_ps(-0.0f)))};
 }
-KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
-{
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ)));
-}
-KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
-{
-    return {_mm256_blendv_ps(no.x, yes.x, _mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ))};
-}
 KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {_mm256_sub_ps(a.x, b.x)};
@@ -68,15 +60,41 @@ KERNEL_CODE Lanes reciprocal(Lanes a)
     return {_mm256_rcp_ps(a.x)};
 }
 
+struct LaneMask
+{
+    __m256 x;
+};
+
+KERNEL_CODE LaneMask not_above(Lanes a, Lanes b)
+{
+    return {_mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ)};
+}
+KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {_mm256_and_ps(so_far.x, _mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ))};
+}
+KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {_mm256_and_ps(so_far.x, _mm256_cmp_ps(a.x, b.x, _CMP_NEQ_OQ))};
+}
+KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
+{
+    return {_mm256_blendv_ps(no.x, yes.x, mask.x)};
+}
+KERNEL_CODE unsigned bits(LaneMask mask)
+{
+    return static_cast<unsigned>(_mm256_movemask_ps(mask.x));
+}
+
 struct LaneMarks
 {
     __m256i x;
 
     KERNEL_CODE LaneMarks() : x(_mm256_setzero_si256()) {}
-    KERNEL_CODE void mark(Lanes a, Lanes b, std::uint32_t bit)
+    KERNEL_CODE void mark(LaneMask mask, std::uint32_t bit)
     {
-        const __m256i mask = _mm256_castps_si256(_mm256_cmp_ps(a.x, b.x, _CMP_LE_OQ));
-        x = _mm256_or_si256(x, _mm256_and_si256(mask, _mm256_set1_epi32(static_cast<int>(bit))));
+        const __m256i bits = _mm256_set1_epi32(static_cast<int>(bit));
+        x = _mm256_or_si256(x, _mm256_and_si256(_mm256_castps_si256(mask.x), bits));
     }
     KERNEL_CODE void store(std::uint32_t* to) const { _mm256_store_si256(reinterpret_cast<__m256i*>(to), x); }
 };
@@ -87,6 +105,8 @@ struct LaneMarks
 #include "geometry/lane_filter.inl"
 
 #include "geometry/lane_packet.inl"
+
+#include "geometry/row_decision_avx2.inl"
 
 #include "geometry/lane_phases.inl"
 

@@ -52,14 +52,6 @@ KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
     const __m512i minus = _mm512_and_epi32(_mm512_castps_si512(sign.x), _mm512_set1_epi32(-0x7fffffff - 1));
     return {_mm512_castsi512_ps(_mm512_xor_epi32(_mm512_castps_si512(a.x), minus))};
 }
-KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
-{
-    return _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ);
-}
-KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
-{
-    return {_mm512_mask_mov_ps(no.x, _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ), yes.x)};
-}
 KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {_mm512_sub_ps(a.x, b.x)};
@@ -69,15 +61,40 @@ KERNEL_CODE Lanes reciprocal(Lanes a)
     return {_mm512_maskz_rcp14_ps(0xffff, a.x)};
 }
 
+struct LaneMask
+{
+    __mmask16 x;
+};
+
+KERNEL_CODE LaneMask not_above(Lanes a, Lanes b)
+{
+    return {_mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ)};
+}
+KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {_mm512_mask_cmp_ps_mask(so_far.x, a.x, b.x, _CMP_LE_OQ)};
+}
+KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {_mm512_mask_cmp_ps_mask(so_far.x, a.x, b.x, _CMP_NEQ_OQ)};
+}
+KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
+{
+    return {_mm512_mask_mov_ps(no.x, mask.x, yes.x)};
+}
+KERNEL_CODE unsigned bits(LaneMask mask)
+{
+    return mask.x;
+}
+
 struct LaneMarks
 {
     __m512i x;
 
     KERNEL_CODE LaneMarks() : x(_mm512_setzero_si512()) {}
-    KERNEL_CODE void mark(Lanes a, Lanes b, std::uint32_t bit)
+    KERNEL_CODE void mark(LaneMask mask, std::uint32_t bit)
     {
-        const __mmask16 mask = _mm512_cmp_ps_mask(a.x, b.x, _CMP_LE_OQ);
-        x = _mm512_mask_or_epi32(x, mask, x, _mm512_set1_epi32(static_cast<int>(bit)));
+        x = _mm512_mask_or_epi32(x, mask.x, x, _mm512_set1_epi32(static_cast<int>(bit)));
     }
     KERNEL_CODE void store(std::uint32_t* to) const { _mm512_store_si512(to, x); }
 };
@@ -88,6 +105,8 @@ struct LaneMarks
 #include "geometry/lane_filter.inl"
 
 #include "geometry/lane_packet.inl"
+
+#include "geometry/row_decision_avx2.inl"
 
 #include "geometry/lane_phases.inl"
 

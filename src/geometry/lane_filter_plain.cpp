@@ -1,6 +1,9 @@
 // The filters in plain C++, for any processor: one surface after the other.
 
+#include "geometry/conditions.h"
 #include "geometry/filter_kernels.h"
+
+#include <cmath>
 
 #define KERNEL_CODE inline
 #define KERNEL_ENTRY
@@ -33,7 +36,7 @@ KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
 }
 KERNEL_CODE Lanes absolute(Lanes a)
 {
-    return {a.x < 0.0f ? -a.x : a.x};
+    return {std::abs(a.x)};
 }
 KERNEL_CODE Lanes larger(Lanes a, Lanes b)
 {
@@ -48,24 +51,44 @@ KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
     return {sign.x < 0.0f ? -a.x : a.x};
 }
-/// Bit i: a <= b in lane i.
-KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
-{
-    return a.x <= b.x ? 1u : 0u;
-}
-/// yes where a <= b, no elsewhere.
-KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
-{
-    return a.x <= b.x ? yes : no;
-}
 KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {a.x - b.x};
 }
-/// About 1 / a, wrong by no more than the share Lanes::reciprocal_error.
+/// About 1 / a, for 1e-30 <= a <= 1e30, wrong by no more than the share Lanes::reciprocal_error.
 KERNEL_CODE Lanes reciprocal(Lanes a)
 {
     return {1.0f / a.x};
+}
+
+/// A truth in each lane.
+struct LaneMask
+{
+    bool x;
+};
+
+KERNEL_CODE LaneMask not_above(Lanes a, Lanes b)
+{
+    return {a.x <= b.x};
+}
+/// What `so_far` says, and a <= b.
+KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {every(so_far.x, a.x <= b.x)};
+}
+/// What `so_far` says, and a != b.
+KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {every(so_far.x, a.x != b.x)};
+}
+KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
+{
+    return mask.x ? yes : no;
+}
+/// Bit i: what is true in lane i.
+KERNEL_CODE unsigned bits(LaneMask mask)
+{
+    return mask.x ? 1u : 0u;
 }
 
 /// 32 marks in each lane.
@@ -73,8 +96,8 @@ struct LaneMarks
 {
     std::uint32_t x = 0;
 
-    /// Sets a mark (one bit) where a <= b.
-    void mark(Lanes a, Lanes b, std::uint32_t bit) { x |= a.x <= b.x ? bit : 0u; }
+    /// Sets a mark (one bit) where the mask says so.
+    void mark(LaneMask mask, std::uint32_t bit) { x |= mask.x ? bit : 0u; }
     void store(std::uint32_t* to) const { *to = x; }
 };
 
@@ -84,6 +107,8 @@ struct LaneMarks
 #include "geometry/lane_filter.inl"
 
 #include "geometry/lane_packet.inl"
+
+#include "geometry/row_decision.inl"
 
 #include "geometry/lane_phases.inl"
 

@@ -51,15 +51,6 @@ KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
     return {_mm_xor_ps(a.x, _mm_and_ps(sign.x, _mm_set1_ps(-0.0f)))};
 }
-KERNEL_CODE unsigned not_above(Lanes a, Lanes b)
-{
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.x, b.x)));
-}
-KERNEL_CODE Lanes where_not_above(Lanes a, Lanes b, Lanes yes, Lanes no)
-{
-    const __m128 mask = _mm_cmple_ps(a.x, b.x);
-    return {_mm_or_ps(_mm_and_ps(mask, yes.x), _mm_andnot_ps(mask, no.x))};
-}
 KERNEL_CODE Lanes operator-(Lanes a, Lanes b)
 {
     return {_mm_sub_ps(a.x, b.x)};
@@ -69,15 +60,41 @@ KERNEL_CODE Lanes reciprocal(Lanes a)
     return {_mm_rcp_ps(a.x)};
 }
 
+struct LaneMask
+{
+    __m128 x;
+};
+
+KERNEL_CODE LaneMask not_above(Lanes a, Lanes b)
+{
+    return {_mm_cmple_ps(a.x, b.x)};
+}
+KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {_mm_and_ps(so_far.x, _mm_cmple_ps(a.x, b.x))};
+}
+KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
+{
+    return {_mm_and_ps(so_far.x, _mm_cmpneq_ps(a.x, b.x))};
+}
+KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
+{
+    return {_mm_or_ps(_mm_and_ps(mask.x, yes.x), _mm_andnot_ps(mask.x, no.x))};
+}
+KERNEL_CODE unsigned bits(LaneMask mask)
+{
+    return static_cast<unsigned>(_mm_movemask_ps(mask.x));
+}
+
 struct LaneMarks
 {
     __m128i x;
 
     KERNEL_CODE LaneMarks() : x(_mm_setzero_si128()) {}
-    KERNEL_CODE void mark(Lanes a, Lanes b, std::uint32_t bit)
+    KERNEL_CODE void mark(LaneMask mask, std::uint32_t bit)
     {
-        const __m128i mask = _mm_castps_si128(_mm_cmple_ps(a.x, b.x));
-        x = _mm_or_si128(x, _mm_and_si128(mask, _mm_set1_epi32(static_cast<int>(bit))));
+        const __m128i bits = _mm_set1_epi32(static_cast<int>(bit));
+        x = _mm_or_si128(x, _mm_and_si128(_mm_castps_si128(mask.x), bits));
     }
     KERNEL_CODE void store(std::uint32_t* to) const { _mm_store_si128(reinterpret_cast<__m128i*>(to), x); }
 };
@@ -88,6 +105,8 @@ struct LaneMarks
 #include "geometry/lane_filter.inl"
 
 #include "geometry/lane_packet.inl"
+
+#include "geometry/row_decision.inl"
 
 #include "geometry/lane_phases.inl"
 

@@ -77,7 +77,7 @@ KERNEL_ENTRY std::size_t decide_candidates(const SurfaceTable& table, const Line
     std::size_t end = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const LineCandidate candidate = candidates[i];
-        end += table.decide(lines[candidate.line], candidate.surface, hits[end]);
+        end += decide(table, lines[candidate.line], candidate.surface, hits[end]);
         end_of_line[candidate.line] = end;
     }
     return end;
@@ -88,7 +88,7 @@ KERNEL_ENTRY void decide_nearest(const SurfaceTable& table, const Line* lines, c
                                  std::size_t count, Hit* hits, std::uint32_t* is_hit)
 {
     for (std::size_t i = 0; i < count; ++i)
-        is_hit[i] = table.decide(lines[i], surfaces[i], hits[i]);
+        is_hit[i] = decide(table, lines[i], surfaces[i], hits[i]);
 }
 
 } // namespace

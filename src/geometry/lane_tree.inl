@@ -48,7 +48,7 @@ KERNEL_CODE unsigned boxes_met(const WideNode& node, const LaneSlabs& slabs, flo
         const Lanes in = larger(larger(in_x, in_y), larger(in_z, Lanes::all(first)));
         const Lanes out = smaller(smaller(out_x, out_y), smaller(out_z, Lanes::all(limit)));
         in.store(entry + lane);
-        met |= not_above(in, out) << lane;
+        met |= bits(not_above(in, out)) << lane;
     }
     return met;
 }

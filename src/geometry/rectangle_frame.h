@@ -6,10 +6,11 @@ namespace multipath {
 
 /// Axes along which the edges of several rectangles run, in the coordinates of FilterFrame. A line's components along
 /// the axes serve all of them: with a the component of the direction along the normal, h the distance from the line's
-/// middle to the plane, and (d, m) the components of direction and middle along an edge,
-///     u a = (m - centre) a + h d,
-/// u being the place along the edge, and the line passes through where |u a| <= half |a|, both ways. Plain data: the
-/// kernels for the instruction sets include this.
+/// middle to the plane, and (d, m) the components of direction and middle along an edge, the line crosses the plane at
+/// t = h / a, from its middle on, and there
+///     u = (m - centre) + t d
+/// is the place along the edge: the line passes through where |u| <= half, both ways. 1 / a serves all rectangles
+/// across an axis. Plain data: the kernels for the instruction sets include this.
 struct RectangleFrame
 {
     float axis[3][3];
@@ -23,8 +24,13 @@ struct FrameRectangle
     float centre_u, centre_v;
     float half_u, half_v; ///< half lengths of the edges
 
-    static constexpr float slack = 1e-4f;          ///< of |u a| and |v a|, per unit of FilterLine::scale
-    static constexpr float distance_slack = 4e-5f; ///< of |h|
+    // What the tests need so that nothing is lost: derived in framed_rectangles.cpp. The reciprocal 1 / |a| may be
+    // wrong by the share `error`, at most 2^-11.
+    static constexpr float least_approach = 1e-6f; ///< stands for a smaller |a|, per unit of FilterLine::scale
+    /// Of |u| and |v|, per unit of FilterLine::scale / |a|.
+    static constexpr float slack(float error) { return 1.1e-4f + 3.0f * error; }
+    /// Of |t|, per unit of 1 / |a|.
+    static constexpr float distance_slack(float error) { return 5e-5f + 3.0f * error; }
 };
 
 } // namespace multipath

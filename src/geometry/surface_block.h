@@ -36,7 +36,8 @@ struct alignas(64) SurfaceBlock
 struct FlatSurfaces
 {
     const SurfaceBlock* blocks;
-    const float* plane; ///< number of each surface's plane
+    const float* plane;  ///< number of each surface's plane
+    const float* number; ///< of each surface among all, for the caller
     unsigned triangles;
     unsigned others; ///< triangles and parallelograms
     unsigned count;
