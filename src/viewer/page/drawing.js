@@ -1,13 +1,14 @@
 'use strict';
 // Draws the room: one buffer of surfaces, drawn at once, whose pixels look up values in textures; and marks over it.
 
-const texels_per_row = 2048; // as wide as every WebGL 2 allows
+const texels_per_row = 2048; // as wide as every WebGL 2 allows; the shader counts on it
 
 class Drawing {
   // Throws an Error with a sentence for people where there is no WebGL 2.
   constructor(canvas, room) {
     this.canvas = canvas;
     this.room = room;
+    this.fit(); // a picture that exists already is slow to enlarge
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: false });
     if (!this.gl)
       throw new Error('This browser cannot draw the room: it has no WebGL 2, or it is switched off.');

@@ -4,6 +4,8 @@
 
 // The bytes of a base64 text.
 function bytes_of(text) {
+  if (Uint8Array.fromBase64)
+    return Uint8Array.fromBase64(text); // browsers since 2025, several times as fast
   const characters = atob(text);
   const bytes = new Uint8Array(characters.length);
   for (let k = 0; k < bytes.length; ++k)
@@ -133,17 +135,37 @@ class Room {
     const result = new Uint32Array(4 * this.patch_count);
     for (let back = 0; back < (this.two_sided ? 2 : 1); ++back)
       for (let s = 0; s < this.surface_count; ++s) {
-        const first_point = back * this.point_count + this.first_point[s], n = this.cells[2 * s];
-        const cells = this.first_patch[s + 1] - this.first_patch[s];
-        for (let cell = 0; cell < cells; ++cell) {
-          const place = 4 * (back * this.cell_count + this.first_patch[s] + cell);
-          this.cell_corners(s, cell).forEach(([i, j], k) => {
-            const missing = this.triangles[s] ? j * (j - 1) / 2 : 0; // a triangle's rows get shorter
-            result[place + k] = shared[first_point + j * (n + 1) - missing + i];
-          });
-        }
+        const first_point = back * this.point_count + this.first_point[s];
+        const first_place = 4 * (back * this.cell_count + this.first_patch[s]);
+        if (this.triangles[s])
+          this.copy_triangle_corners(s, shared.subarray(first_point), result.subarray(first_place));
+        else
+          this.copy_grid_corners(s, shared.subarray(first_point), result.subarray(first_place));
       }
     return result;
+  }
+
+  // Without a list for each of what may be many cells.
+  copy_grid_corners(s, shared, result) {
+    const [n, m] = this.cells_of(s);
+    let place = 0;
+    for (let i = 0; i < n; ++i)
+      for (let j = 0; j < m; ++j) {
+        const point = j * (n + 1) + i, above = point + n + 1;
+        result[place++] = shared[point];
+        result[place++] = shared[point + 1];
+        result[place++] = shared[above + 1];
+        result[place++] = shared[above];
+      }
+  }
+
+  // The rows of a triangle get shorter.
+  copy_triangle_corners(s, shared, result) {
+    const n = this.cells_of(s)[0];
+    for (let cell = 0; cell < n * n; ++cell)
+      this.cell_corners(s, cell).forEach(([i, j], k) => {
+        result[4 * cell + k] = shared[j * (n + 1) - j * (j - 1) / 2 + i];
+      });
   }
 
   // "table_top (line 12)", as the program names surfaces.

@@ -38,10 +38,8 @@ in vec2 place;
 flat in uvec4 surface;
 out vec4 colour;
 
-vec3 texel(sampler2D values, uint n) {
-  uint width = uint(textureSize(values, 0).x);
-  return texelFetch(values, ivec2(int(n % width), int(n / width)), 0).rgb;
-}
+// Of rows of 2048 texels; without divisions, which take a fourth of the time where no graphics processor draws.
+vec3 texel(sampler2D values, uint n) { return texelFetch(values, ivec2(int(n & 2047u), int(n >> 11)), 0).rgb; }
 
 uint index_of(float x, uint cells) { return uint(clamp(floor(x), 0.0, float(cells - 1u))); }
 
