@@ -70,7 +70,7 @@ void require_memory_for_patches(const CommandLine& line, const SceneFile& file, 
 void require_memory_for_picture(const CommandLine& line, int width, int height, bool gathers)
 {
     // The pixels as light, as colours and as a file; gathering keeps what it has found for every pixel.
-    const double bytes_per_pixel = gathers ? 120.0 : 40.0;
+    const double bytes_per_pixel = gathers ? 220.0 : 40.0;
     require(line, bytes_per_pixel * width * height, format("--size: a picture of %d x %d pixels needs", width, height),
             "a smaller one");
 }

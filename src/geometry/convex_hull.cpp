@@ -204,4 +204,12 @@ bool ConvexHull::meets(const Line& line) const
     return !sides_.empty() && entry <= exit;
 }
 
+bool ConvexHull::is_beside(const std::vector<Vec3>& points, double overlap) const
+{
+    return std::any_of(sides_.begin(), sides_.end(), [&](const HalfSpace& side) {
+        return std::all_of(points.begin(), points.end(),
+                           [&](Vec3 point) { return dot(side.normal, point) - side.offset >= -overlap; });
+    });
+}
+
 } // namespace multipath

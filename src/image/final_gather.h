@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -38,12 +39,28 @@ public:
     Rgb at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const;
 
 private:
+    /// Of what the middle of a pixel shows.
+    struct Middle
+    {
+        std::optional<Hit> hit;
+        std::optional<Rgb> indirect; ///< [W/m^2] irradiance, where it hardly changes within the pixel
+    };
+
+    void find_middles(const PixelRays& pixels, int threads);
+    void gather_indirect_light(int threads);
+    Rgb indirect_irradiance(const Place& place, int x, int y, RayFan& fan) const;
+    Middle& middle(int x, int y) { return middles_[index(x, y)]; }
+    std::size_t index(int x, int y) const;
+
     const Scene& scene_;
+    int width_;
+    int height_;
     std::size_t rays_to_sources_;
     std::unique_ptr<Sequence> sequence_;
     SourceLight source_light_;
     IndirectLight indirect_light_;
     IndirectGrid grid_;
+    std::vector<Middle> middles_; ///< row by row
 };
 
 } // namespace multipath

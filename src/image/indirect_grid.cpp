@@ -7,8 +7,11 @@ namespace multipath {
 
 namespace {
 
-constexpr int reach = 3;           // [pixels] enough to hide the noise of some dozen rays
+// 49 samples or more hide the noise of some dozen rays.
+constexpr int near_reach = 3;      // [pixels] of all samples
+constexpr int far_reach = 7;       // of those in every second row and column
 constexpr double tolerance = 0.25; // relative error accepted where things are close
+constexpr double support = 0.75;   // mean weight of samples far away that makes near ones unnecessary
 constexpr double steepness = 4.0;  // a step up or down matters more than one along the surface
 
 /// 1 at the sample, falling to 0 where its value would be wrong by the tolerance.
@@ -16,6 +19,8 @@ double weight(const IndirectSample& sample, const Place& place)
 {
     const Vec3 way = place.point - sample.place.point;
     const double turn = std::sqrt(std::max(0.0, 1.0 - dot(place.normal, sample.place.normal)));
+    if (!(turn < tolerance))
+        return 0.0;
     const double step = length(way) + steepness * std::abs(dot(way, sample.place.normal));
     return std::max(0.0, 1.0 - (step / sample.distance + turn) / tolerance);
 }
@@ -34,16 +39,38 @@ void IndirectGrid::set(int x, int y, const IndirectSample& sample)
 
 std::optional<Rgb> IndirectGrid::irradiance(const Place& place, int x, int y) const
 {
-    Rgb sum;
-    double weights = 0.0;
-    for (int row = std::max(0, y - reach); row <= std::min(height_ - 1, y + reach); ++row)
-        for (int column = std::max(0, x - reach); column <= std::min(width_ - 1, x + reach); ++column) {
+    const Shared far = shared(place, x, y, far_reach, 2);
+    const Shared found = is_enough(far) ? far : shared(place, x, y, near_reach, 1);
+    return found.weights > 0.0 ? std::optional<Rgb>((1.0 / found.weights) * found.irradiance) : std::nullopt;
+}
+
+bool IndirectGrid::is_supported(const Place& place, int x, int y) const
+{
+    return is_enough(shared(place, x, y, far_reach, 2));
+}
+
+bool IndirectGrid::is_enough(const Shared& found)
+{
+    return found.weights >= support * found.pixels;
+}
+
+/// From every `spacing`-th row and column.
+IndirectGrid::Shared IndirectGrid::shared(const Place& place, int x, int y, int reach, int spacing) const
+{
+    const auto first = [&](int middle) {
+        const int begin = std::max(0, middle - reach);
+        return begin + begin % spacing;
+    };
+    Shared sum;
+    for (int row = first(y); row <= std::min(height_ - 1, y + reach); row += spacing)
+        for (int column = first(x); column <= std::min(width_ - 1, x + reach); column += spacing) {
             const IndirectSample& sample = samples_[index(column, row)];
             const double w = sample.distance > 0.0 ? weight(sample, place) : 0.0;
-            sum += w * sample.irradiance;
-            weights += w;
+            sum.irradiance += w * sample.irradiance;
+            sum.weights += w;
+            ++sum.pixels;
         }
-    return weights > 0.0 ? std::optional<Rgb>((1.0 / weights) * sum) : std::nullopt;
+    return sum;
 }
 
 std::size_t IndirectGrid::index(int x, int y) const

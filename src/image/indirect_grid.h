@@ -22,8 +22,21 @@ public:
     /// [W/m^2] Irradiance of a place that pixel (x, y) shows, from the samples around; none if none is near enough.
     std::optional<Rgb> irradiance(const Place& place, int x, int y) const;
 
+    /// Are there so many samples near a place that pixel (x, y) shows that one more would change little? Looks at the
+    /// pixels with even coordinates only, so that the others may be set meanwhile.
+    bool is_supported(const Place& place, int x, int y) const;
+
 private:
+    struct Shared
+    {
+        Rgb irradiance; ///< [W/m^2] times the weights
+        double weights = 0.0;
+        int pixels = 0; ///< looked at
+    };
+
+    static bool is_enough(const Shared& found);
     std::size_t index(int x, int y) const;
+    Shared shared(const Place& place, int x, int y, int reach, int spacing) const;
 
     int width_;
     int height_;

@@ -59,24 +59,41 @@ private:
 
 } // namespace
 
-SourceLight::SourceLight(const Scene& scene) : scene_(scene)
+SourceLight::SourceLight(const Scene& scene)
+    : scene_(scene), sources_(sources_of(scene)), clear_sight_(scene, surfaces_of(sources_))
 {
+    for (const Source& source : sources_)
+        power_ += source.power;
+}
+
+std::vector<SourceLight::Source> SourceLight::sources_of(const Scene& scene)
+{
+    std::vector<Source> sources;
     for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
         const Rgb emittance = scene.materials()[scene.file().material[surface]].emittance;
         const double power = scene.surfaces()[surface].area() * mean(emittance);
         if (power > 0.0)
-            sources_.push_back({surface, emittance, power});
-        power_ += power;
+            sources.push_back({surface, emittance, power});
     }
+    return sources;
+}
+
+std::vector<std::uint32_t> SourceLight::surfaces_of(const std::vector<Source>& sources)
+{
+    std::vector<std::uint32_t> surfaces;
+    for (const Source& source : sources)
+        surfaces.push_back(source.surface);
+    return surfaces;
 }
 
 /// Of more sources than `most_views` about so many, in proportion to their power; each then stands for others.
-std::vector<SourceLight::View> SourceLight::views(const Place& place, double offset) const
+SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
 {
-    std::vector<View> result;
+    Sight result;
     const bool all = static_cast<double>(sources_.size()) <= most_views;
     double choices_before = 0.0;
-    for (const Source& source : sources_) {
+    for (std::size_t k = 0; k < sources_.size(); ++k) {
+        const Source& source = sources_[k];
         const double choices = most_views * source.power / power_;
         const double chosen = std::floor(choices_before + choices + offset) - std::floor(choices_before + offset);
         choices_before += choices;
@@ -85,15 +102,24 @@ std::vector<SourceLight::View> SourceLight::views(const Place& place, double off
             continue;
         const FlatPolygon outline = part_above_horizon(scene_.surfaces()[source.surface], place.point, place.normal);
         const double form_factor = outline.empty() ? 0.0 : irradiance_from(outline, place.point, place.normal);
-        if (form_factor > 0.0)
-            result.push_back({source.surface, outline, form_factor, weight * form_factor * source.emittance});
+        if (!(form_factor > 0.0))
+            continue;
+        const Rgb irradiance = weight * form_factor * source.emittance;
+        if (clear_sight_.is_clear(place.patch, k))
+            result.clear += irradiance;
+        else
+            result.views.push_back({source.surface, outline, form_factor, irradiance});
     }
     return result;
 }
 
-Rgb SourceLight::irradiance(const Place& place, RayFan& fan, double offset) const
+Rgb SourceLight::irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const
 {
-    const std::vector<View> views = this->views(place, offset);
+    const auto [clear, views] = sight(place, offset);
+    if (views.empty())
+        return clear;
+    fan.items.resize(items.count);
+    items.sequence.generate(items.first, fan.items);
     Rgb unhidden;
     for (const View& view : views)
         unhidden += view.irradiance;
@@ -130,7 +156,7 @@ Rgb SourceLight::irradiance(const Place& place, RayFan& fan, double offset) cons
         if (hits.is_hit(k) && hits[k].surface == sent[k].source && hits[k].front)
             arrived += sent[k].weight;
     }
-    return unhidden * quotient(arrived, all);
+    return clear + unhidden * quotient(arrived, all);
 }
 
 } // namespace multipath

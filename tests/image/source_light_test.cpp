@@ -12,15 +12,13 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-const Place origin = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+const Place origin = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; // of no known patch: every source is asked for by rays
 
 /// [W/m^2] At the origin, by so many rays.
 Rgb irradiance_by(std::size_t rays, const SourceLight& light, double offset)
 {
     RayFan fan;
-    fan.items.resize(rays);
-    make_sequence("sobol-owen", 7)->generate(0, fan.items);
-    return light.irradiance(origin, fan, offset);
+    return light.irradiance(origin, {*make_sequence("sobol-owen", 7), 0, rays}, offset, fan);
 }
 
 /// A spot of floor whose middle is the origin, as the first surface of a scene.
