@@ -15,27 +15,31 @@ constexpr std::array<std::string_view, 11> without_effect = {"threads",    "outp
                                                              "progress",   "json",   "verbose",   "state",
                                                              "save-every", "resume", "from-state"};
 
-/// A default that holds only as long as another option has its own: written out, it would be refused beside that
-/// option, or mean something else.
+/// A default that holds only as long as another option has its own, or `value`: otherwise it would be refused if it
+/// were written out, mean something else or nothing.
 struct DependentDefault
 {
     std::string_view option;
     std::string_view other;
+    std::string_view value = "";
 };
 
-constexpr std::array<DependentDefault, 8> dependent_defaults = {{{"ratio", "power-per-line"},
+constexpr std::array<DependentDefault, 9> dependent_defaults = {{{"ratio", "power-per-line"},
                                                                  {"lines", "tolerance"},
                                                                  {"lines", "time"},
                                                                  {"replicates", "tolerance"},
                                                                  {"replicates", "time"},
                                                                  {"shading", "show"},
                                                                  {"exposure", "show"},
-                                                                 {"tone-map", "show"}}};
+                                                                 {"tone-map", "show"},
+                                                                 {"gather-rays", "shading", "gather"}}};
 
 bool default_holds(const CommandLine& line, std::string_view option)
 {
     return std::none_of(dependent_defaults.begin(), dependent_defaults.end(), [&](const DependentDefault& d) {
-        return d.option == option && line.knows(d.other) && line.text(d.other) != line.default_text(d.other);
+        if (d.option != option || !line.knows(d.other))
+            return false;
+        return line.text(d.other) != (d.value.empty() ? line.default_text(d.other) : std::string(d.value));
     });
 }
 

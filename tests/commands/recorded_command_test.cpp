@@ -176,6 +176,10 @@ TEST_CASE("what was not given is recorded with its default, unless that would be
     CHECK_FALSE(recorded({"--show", "error"}, "tone-map"));
     CHECK(recorded({"--show", "radiosity"}, "tone-map"));
     CHECK(recorded({"--show", "error", "--shading", "flat"}, "shading"));
+    CHECK_FALSE(recorded({}, "gather-rays"));
+    CHECK_FALSE(recorded({"--show", "error"}, "gather-rays"));
+    CHECK(recorded({"--shading", "gather"}, "gather-rays"));
+    CHECK(recorded({"--shading", "gather", "--gather-rays", "9"}, "gather-rays"));
 }
 
 TEST_CASE("options that do not change the result are not recorded")
