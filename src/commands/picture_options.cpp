@@ -88,7 +88,8 @@ OptionGroup picture_option_group()
           false,
           {"smooth", "flat", "gather"}},
          {"gather-rays", 0, "N", "64",
-          "Of --shading gather: rays per pixel to the sources, and as many in all directions."},
+          "Of --shading gather: rays per pixel in all directions, and twice as many to sources that something may "
+          "hide."},
          {"eye", 0, "X,Y,Z", "", "Where the camera stands. Without it, chosen to show most of the room."},
          {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
          {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},

@@ -34,7 +34,8 @@ public:
             smooth_.emplace(scene, radiosity, options.threads);
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
-        const GatherRays gather_rays{(options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
+        // Neighbours share no rays to sources, and few pixels need any: those of penumbras, whose grain is seen.
+        const GatherRays gather_rays{(2 * options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
                                      options.indirect ? options.gather_rays : 0};
         if (options.shading == Shading::gather)
             gather_.emplace(scene, radiosity, rays_, options.width, options.height, gather_rays, options.threads);

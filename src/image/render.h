@@ -22,7 +22,7 @@ struct RenderOptions
     int height = 600;
     int samples_per_pixel = 9; ///< rounded up to a square
     Shading shading = Shading::smooth;
-    int gather_rays = 64; ///< per pixel for indirect light, and as many to the sources, shared by its samples
+    int gather_rays = 64; ///< per pixel for indirect light, and twice as many to the sources, shared by its samples
     bool indirect = true; ///< of gathering: also light that has been reflected before
     int threads = 1;
     /// [W/m^2] Samples brighter than this count as this. A picture for a screen sets what the screen shows as white:
