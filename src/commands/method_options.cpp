@@ -99,9 +99,8 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           false,
           {"sphere", "box"}},
          {"sequence", 's', "NAME", "sobol",
-          "Where the lines come from: random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, "
-          "each also with four coprime bases as in halton:2,7,3,5; kronecker, kronecker-shift; hammersley:N for N "
-          "items."},
+          "Where the lines come from, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath help "
+          "sequences' lists them all."},
          {"line-order",
           0,
           "HOW",

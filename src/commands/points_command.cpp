@@ -34,9 +34,7 @@ CommandTable points_table()
             true}}},
          {"Sequence",
           {{"sequence", 's', "NAME", "sobol",
-            "random; sobol, sobol-shift, sobol-owen; halton, halton-shift, halton-permuted, halton:2,7,3,5 (any "
-            "coprime "
-            "bases); kronecker, kronecker-shift; hammersley:N."},
+            "Such as random, sobol, sobol-owen, halton or halton:2,3; 'multipath help sequences' lists them all."},
            {"dims", 'd', "D", "2", "Number of dimensions."},
            {"count", 'n', "N", "1000", "Number of points."},
            {"skip", 0, "K", "0", "Leave out the first points of the sequence."},

@@ -112,8 +112,10 @@ std::vector<ExamRow> discrepancies(const ExamSettings& settings)
 std::vector<ExamRow> integrals(const ExamSettings& settings)
 {
     std::vector<ExamRow> rows;
-    for (const std::string name : {"random", "sobol", "sobol-shift", "sobol-owen", "halton", "halton-shift",
-                                   "halton-permuted", "kronecker", "kronecker-shift"}) {
+    for (const SequenceKind& kind : sequence_kinds()) {
+        if (kind.randomised.empty())
+            continue; // it has one stretch of points and one only
+        const std::string name(kind.name);
         std::vector<double> samples;
         for (const ExamRun& run : exam_runs(settings, name)) {
             std::vector<Item> items(static_cast<std::size_t>(settings.lines));

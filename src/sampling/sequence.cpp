@@ -140,16 +140,17 @@ struct MadeKind
 };
 
 constexpr std::array<MadeKind, 10> made_kinds = {{
-    {{"random", "", "pseudo-random numbers by counter"}, make_random},
-    {{"sobol", "", "Sobol's sequence"}, make_sobol<SobolKind::plain>},
-    {{"sobol-shift", "", "the same, shifted digit by digit"}, make_sobol<SobolKind::shift>},
-    {{"sobol-owen", "", "the same, nested uniform scrambling"}, make_sobol<SobolKind::owen>},
-    {{"halton", "[:BASES]", "radical inverses in coprime bases"}, make_halton<HaltonKind::plain>},
-    {{"halton-shift", "[:BASES]", "the same, shifted modulo 1"}, make_halton<HaltonKind::shift>},
-    {{"halton-permuted", "[:BASES]", "the same, permuted digits"}, make_halton<HaltonKind::permuted>},
-    {{"kronecker", "", "powers of a golden ratio, modulo 1"}, make_kronecker<false>},
-    {{"kronecker-shift", "", "the same from a random start"}, make_kronecker<true>},
-    {{"hammersley", ":N[:BASES]", "N items, the first number n/N"}, make_hammersley},
+    {{"random", "", "pseudo-random numbers by counter", "random"}, make_random},
+    {{"sobol", "", "Sobol's sequence", "sobol-owen"}, make_sobol<SobolKind::plain>},
+    {{"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift"}, make_sobol<SobolKind::shift>},
+    {{"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen"}, make_sobol<SobolKind::owen>},
+    {{"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted"}, make_halton<HaltonKind::plain>},
+    {{"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift"}, make_halton<HaltonKind::shift>},
+    {{"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted"},
+     make_halton<HaltonKind::permuted>},
+    {{"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift"}, make_kronecker<false>},
+    {{"kronecker-shift", "", "the same from a random start", "kronecker-shift"}, make_kronecker<true>},
+    {{"hammersley", ":N[:BASES]", "N items, the first number n/N", ""}, make_hammersley},
 }};
 
 /// "random, sobol, ... or hammersley:N[:BASES]"
@@ -161,6 +162,29 @@ std::string known_kinds()
         text.append(made.kind.name).append(made.kind.arguments);
     }
     return text;
+}
+
+/// "halton:2,7,3,5" in two; the second part with its colon, or empty.
+struct NameParts
+{
+    std::string kind;
+    std::string arguments;
+};
+
+NameParts parts_of(const std::string& name)
+{
+    const std::size_t colon = std::min(name.find(':'), name.size());
+    return {name.substr(0, colon), name.substr(colon)};
+}
+
+const MadeKind& kind_named(const std::string& name)
+{
+    const std::string kind = parts_of(name).kind;
+    const auto* const made = std::find_if(made_kinds.begin(), made_kinds.end(),
+                                          [&](const MadeKind& candidate) { return candidate.kind.name == kind; });
+    if (made == made_kinds.end())
+        throw std::invalid_argument("unknown sequence '" + name + "'; expected " + known_kinds());
+    return *made;
 }
 
 } // namespace
@@ -181,19 +205,13 @@ std::vector<SequenceKind> sequence_kinds()
 
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions)
 {
-    const std::size_t colon = name.find(':');
-    const std::string kind = name.substr(0, colon);
-    const bool has_arguments = colon != std::string::npos;
-    const std::string arguments = has_arguments ? name.substr(colon + 1) : "";
-    const auto* const made = std::find_if(made_kinds.begin(), made_kinds.end(),
-                                          [&](const MadeKind& candidate) { return candidate.kind.name == kind; });
-    if (made == made_kinds.end())
-        throw std::invalid_argument("unknown sequence '" + name + "'; expected " + known_kinds());
-    if (has_arguments && (made->kind.arguments.empty() || arguments.empty()))
+    const MadeKind& made = kind_named(name);
+    const auto [kind, arguments] = parts_of(name);
+    if (!arguments.empty() && (made.kind.arguments.empty() || arguments == ":"))
         throw std::invalid_argument(
             "cannot read the sequence '" + name +
-            "': " + (made->kind.arguments.empty() ? kind + " takes no bases" : "nothing follows the colon"));
-    return made->make(arguments, seed, dimensions);
+            "': " + (made.kind.arguments.empty() ? kind + " takes no bases" : "nothing follows the colon"));
+    return made.make(arguments.empty() ? "" : arguments.substr(1), seed, dimensions);
 }
 
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)
@@ -214,18 +232,11 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
 
 std::string randomised_name(const std::string& name)
 {
-    const std::size_t colon = name.find(':');
-    const std::string kind = name.substr(0, colon);
-    const std::string bases = colon == std::string::npos ? "" : name.substr(colon);
-    if (kind == "sobol")
-        return "sobol-owen";
-    if (kind == "halton")
-        return "halton-permuted" + bases;
-    if (kind == "kronecker")
-        return "kronecker-shift";
-    if (kind == "hammersley")
-        throw std::invalid_argument("hammersley has no randomised form for replicates; expected another sequence");
-    return name;
+    const auto [kind, arguments] = parts_of(name);
+    const std::string_view randomised = kind_named(name).kind.randomised;
+    if (randomised.empty())
+        throw std::invalid_argument(kind + " has no randomised form for replicates; expected another sequence");
+    return std::string(randomised) + arguments;
 }
 
 bool prefers_powers_of_two(const std::string& name)

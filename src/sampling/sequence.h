@@ -50,6 +50,8 @@ struct SequenceKind
     std::string_view name;
     std::string_view arguments; ///< "[:BASES]"; brackets around what may be left out; empty: nothing
     std::string_view summary;   ///< a few words
+    /// The kind that the seed randomises of the same points: its own name where it is one, nothing where there is none.
+    std::string_view randomised;
 };
 
 /// All that make_sequence() knows.
@@ -62,8 +64,8 @@ std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t s
 /// The same for lines: four dimensions, arranged as `pairing` says.
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing);
 
-/// The kind that the seed randomises of the same sequence, for independent replicates: the name itself where it is one.
-/// Throws std::invalid_argument for hammersley, of which there is none.
+/// The name of the randomised kind, with the same bases, for independent replicates: `name` itself where it is one.
+/// Throws std::invalid_argument where there is none.
 std::string randomised_name(const std::string& name);
 
 /// Is it one of the kinds that fill space best at numbers of points that are a power of two?
