@@ -9,7 +9,8 @@
 
 namespace multipath {
 
-/// Scenes put together in memory, without files.
+/// Scenes put together in memory, without files. As in files, the front of a surface is the side from which its corners
+/// run counter-clockwise, that to which edge_u x edge_v points.
 class SceneBuilder
 {
 public:
