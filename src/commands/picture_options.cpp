@@ -14,13 +14,20 @@ namespace multipath {
 
 namespace {
 
+std::vector<std::string_view> tone_names()
+{
+    std::vector<std::string_view> names;
+    for (const NamedToneOperator& named : tone_operators)
+        names.push_back(named.name);
+    return names;
+}
+
+/// The name is one of them.
 ToneOperator tone_operator(const std::string& name)
 {
-    if (name == "linear")
-        return ToneOperator::linear;
-    if (name == "reinhard")
-        return ToneOperator::reinhard;
-    return name == "percentile" ? ToneOperator::percentile : ToneOperator::aces;
+    return std::find_if(tone_operators.begin(), tone_operators.end(),
+                        [&](const NamedToneOperator& named) { return named.name == name; })
+        ->tone;
 }
 
 Shading shading_named(const std::string& name)
@@ -95,13 +102,7 @@ OptionGroup picture_option_group()
          {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
          {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
          {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
-         {"tone-map",
-          0,
-          "HOW",
-          "reinhard",
-          "How radiosity becomes screen brightness.",
-          false,
-          {"linear", "reinhard", "aces", "percentile"}}}};
+         {"tone-map", 0, "HOW", "reinhard", "How radiosity becomes screen brightness.", false, tone_names()}}};
 }
 
 PictureOptions read_picture_options(const CommandLine& line, int threads)

@@ -3,7 +3,9 @@
 #include "image/image.h"
 #include "scene/rgb.h"
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 namespace multipath {
 
@@ -13,6 +15,18 @@ enum class ToneOperator {
     aces,       ///< S-shaped film curve
     percentile, ///< linear, with white at the brightest part of the room
 };
+
+struct NamedToneOperator
+{
+    std::string_view name;
+    ToneOperator tone;
+};
+
+/// All of them as users call them; options, the viewer's menu and tests go through this table.
+inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard", ToneOperator::reinhard},
+                                                                     {"linear", ToneOperator::linear},
+                                                                     {"aces", ToneOperator::aces},
+                                                                     {"percentile", ToneOperator::percentile}}};
 
 struct ToneMapOptions
 {

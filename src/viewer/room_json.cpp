@@ -9,7 +9,6 @@
 #include "viewer/story_json.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -74,23 +73,12 @@ JsonObject camera_json(const Camera& camera)
     return json;
 }
 
-struct NamedTone
-{
-    const char* name;
-    ToneOperator tone;
-};
-
-constexpr std::array<NamedTone, 4> tones = {{{"reinhard", ToneOperator::reinhard},
-                                             {"linear", ToneOperator::linear},
-                                             {"aces", ToneOperator::aces},
-                                             {"percentile", ToneOperator::percentile}}};
-
 /// The exposure of the picture of the first view, for every operator.
 JsonObject tone_json(const Scene& scene, const ViewerContent& content)
 {
     JsonObject scales;
     JsonObject json;
-    for (const NamedTone& named : tones) {
+    for (const NamedToneOperator& named : tone_operators) {
         scales.number(named.name, picture_scale(scene, content.quantities.front().values, content.camera,
                                                 content.render, ToneMapOptions{named.tone}));
         if (named.tone == content.tone.tone)

@@ -10,9 +10,6 @@ using namespace multipath;
 
 namespace {
 
-const ToneOperator operators[] = {ToneOperator::linear, ToneOperator::reinhard, ToneOperator::aces,
-                                  ToneOperator::percentile};
-
 Image grey_image(const std::vector<double>& values)
 {
     Image image{static_cast<int>(values.size()), 1, {}};
@@ -65,7 +62,9 @@ TEST_CASE("what is not a light becomes black, what is too bright becomes white")
 
 TEST_CASE("brighter stays brighter, and the white point is where white begins")
 {
-    for (const ToneOperator tone : operators) {
+    for (const NamedToneOperator& named : tone_operators) {
+        const ToneOperator tone = named.tone;
+        CAPTURE(named.name);
         CHECK(tone_map(grey_image({white_point(tone)}), {tone, 0.0, 1.0}).bytes[0] == 255);
         const ScreenImage image = tone_map(grey_image(room()), {tone, 0.0, 0.5 * white_point(tone)});
         for (std::size_t i = 3; i < image.bytes.size(); ++i)
@@ -91,7 +90,9 @@ TEST_CASE("dither keeps shades between two bytes")
 
 TEST_CASE("the scene's unit of light does not matter")
 {
-    for (const ToneOperator tone : operators) {
+    for (const NamedToneOperator& named : tone_operators) {
+        const ToneOperator tone = named.tone;
+        CAPTURE(named.name);
         std::vector<double> dim = room();
         for (double& value : dim)
             value *= 0x1p-30; // a power of two keeps every rounding
@@ -111,7 +112,9 @@ TEST_CASE("an even room is shown in a middle grey")
 
 TEST_CASE("lamps and black corners do not decide the exposure")
 {
-    for (const ToneOperator tone : operators) {
+    for (const NamedToneOperator& named : tone_operators) {
+        const ToneOperator tone = named.tone;
+        CAPTURE(named.name);
         std::vector<double> values = room();
         const double scale = automatic_scale(grey_image(values), tone);
         values.insert(values.end(), 50, 1e6);  // a lamp of 5 %
@@ -132,14 +135,16 @@ TEST_CASE("one stop is a factor of two")
 
 TEST_CASE("a black image stays black")
 {
-    for (const ToneOperator tone : operators)
-        CHECK(mean_byte(tone_map(grey_image({0.0, 0.0}), {tone})) == 0.0);
+    for (const NamedToneOperator& named : tone_operators)
+        CHECK(mean_byte(tone_map(grey_image({0.0, 0.0}), {named.tone})) == 0.0);
 }
 
 // Two ways to the same byte: without the noise, which moves it by one at most, a picture is the encoded light.
 TEST_CASE("the light of a screen is what pictures encode")
 {
-    for (const ToneOperator tone : {ToneOperator::linear, ToneOperator::reinhard, ToneOperator::aces}) {
+    for (const NamedToneOperator& named : tone_operators) {
+        const ToneOperator tone = named.tone;
+        CAPTURE(named.name);
         const Rgb radiosity = {0.02, 0.7, 3.0};
         const Rgb shown = srgb_encoded(screen_light(radiosity, tone, 0.5));
         const ScreenImage image = tone_map({1, 1, {radiosity}}, {tone, 0.0, 0.5});

@@ -81,6 +81,18 @@ TEST_CASE("a page is complete in itself: its scripts and styles are in it, and n
     CHECK_THROWS_AS(page_file("nothing.js"), std::logic_error);
 }
 
+TEST_CASE("the page knows every tone curve of pictures")
+{
+    const std::string script(page_file("viewer.js"));
+    const std::size_t numbers = script.find("tone_numbers = {");
+    REQUIRE(numbers != std::string::npos);
+    for (const NamedToneOperator& named : tone_operators) {
+        CAPTURE(named.name);
+        CHECK(script.substr(numbers, script.find('}', numbers) - numbers).find(" " + std::string(named.name) + ":") !=
+              std::string::npos);
+    }
+}
+
 TEST_CASE("names in a scene stay text in the page")
 {
     const Scene scene = small_scene();
