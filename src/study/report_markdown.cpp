@@ -42,8 +42,8 @@ public:
     {
         std::string text;
         for (const ReportFigure& figure : figures.figures)
-            text += "![" + figure.file + "](" + figures_ + figure.file + ")\n\n" + plain(figure.caption) + "\n\n```\n" +
-                    figure.command + "\n```\n\n";
+            text += "![" + figure.file + "](" + figures_ + figure.file + ")\n\n" + plain(figure.caption) +
+                    "\n\n```console\n" + figure.command + "\n```\n\n";
         return text;
     }
 

@@ -67,7 +67,7 @@ TEST_CASE("the same report as Markdown")
                                                                                "| 1\\|2 | 3 |\n\n"
                                                                                "![plot.svg](results/plot.svg)\n\n"
                                                                                "a plot\n\n"
-                                                                               "```\nmultipath study x\n```\n\n"
+                                                                               "```console\nmultipath study x\n```\n\n"
                                                                                "---\n\n"
                                                                                "    command: multipath paper\n");
 }
