@@ -4,7 +4,7 @@
 # make bench      measures speed; close other programs first
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in ten minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
-# make gallery    runs the commands of docs/gallery.md, which makes its pictures again
+# make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures
 # make install    puts program, manual, completions, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
@@ -45,9 +45,8 @@ results: paper
 	cp $(BUILD)/paper/*.svg $(BUILD)/paper/*.png docs/results
 	sed 's/^!\[\([^]]*\)\](/&results\//' $(BUILD)/paper/results.md > docs/results.md
 
-gallery: multipath
-	@mkdir -p docs/gallery
-	sed -n '/^```sh$$/,/^```$$/p' docs/gallery.md | grep -v '^```' | sh -ex
+pictures: $(PROGRAM)
+	BUILD=$(BUILD) RENEW=yes sh tests/documented_commands.sh $(PROGRAM) docs/gallery.md docs/method.md
 
 test: $(BUILD)/unit_tests $(PROGRAM)
 	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
@@ -139,5 +138,5 @@ dist:
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
 
-.PHONY: demo paper results gallery test bench install uninstall dist clean
+.PHONY: demo paper results pictures test bench install uninstall dist clean
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)
