@@ -187,7 +187,7 @@ int run_check(const CommandLine& line)
 {
     const std::uint64_t lines = read_count("--lines", line.text("lines"), 1000, std::uint64_t{1} << 40);
     const int threads = thread_count(line);
-    const Scene scene = read_scene(line);
+    const Scene scene = read_scene(line, threads);
     const SceneReport report = report_on(scene, lines, threads);
     const std::vector<Finding> findings = lint(scene, report);
     const std::string text =

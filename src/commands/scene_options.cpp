@@ -23,7 +23,7 @@ OptionGroup scene_option_group()
          {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
 }
 
-Scene read_scene(const CommandLine& line)
+Scene read_scene(const CommandLine& line, int threads)
 {
     if (line.has("patch-size") && line.has("patches"))
         throw UsageError("--patches and --patch-size exclude each other; expected one of them");
@@ -42,7 +42,7 @@ Scene read_scene(const CommandLine& line)
         patch_size = default_patch_size(file.surfaces);
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
-    return Scene(std::move(file), patch_size, line.has("two-sided"));
+    return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
 }
 
 Option threads_option()

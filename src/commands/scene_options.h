@@ -10,7 +10,7 @@ namespace multipath {
 OptionGroup scene_option_group();
 
 /// The scene that the first operand names, cut into patches as the options say. Throws UsageError, InputError.
-Scene read_scene(const CommandLine& line);
+Scene read_scene(const CommandLine& line, int threads = 1);
 
 /// `--threads`: a definition for the tables, and its value; without it, all processors.
 Option threads_option();

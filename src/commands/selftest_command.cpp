@@ -80,7 +80,7 @@ int run_selftest(const CommandLine& line)
     std::optional<Scene> scene;
     std::vector<std::string> comments = provenance(selftest_table(), line);
     if (!line.operands().empty()) {
-        scene.emplace(read_scene(line));
+        scene.emplace(read_scene(line, threads));
         require_no_input(outputs, scene->file().material_files);
         comments = provenance(selftest_table(), line, *scene);
         settings = settings_for(*scene, settings, threads);

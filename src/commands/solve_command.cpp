@@ -123,7 +123,7 @@ int run_solve(const CommandLine& line)
     watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
 
-    const Scene scene = read_scene(line);
+    const Scene scene = read_scene(line, thread_count(line));
     if (interrupted())
         return exit_interrupted;
     require_no_input(outputs, scene.file().material_files);

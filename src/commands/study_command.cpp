@@ -96,7 +96,7 @@ int run_study_command(const CommandLine& line)
         inputs.push_back(line.text("reference"));
     std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {OutputFormat::csv, OutputFormat::svg});
 
-    const Scene scene = read_scene(line);
+    const Scene scene = read_scene(line, threads);
     require_no_input(outputs, scene.file().material_files);
     const std::vector<std::string> comments = provenance(study_table(), line, scene);
     const StudyCache cache(line, paths);

@@ -18,6 +18,7 @@ struct FramedRectangles
     std::vector<std::uint32_t> others;   ///< surfaces that are no rectangles
 };
 
+/// For few surfaces: the time grows with their square.
 FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<std::uint32_t>& surfaces,
                                  const FilterFrame& frame);
 

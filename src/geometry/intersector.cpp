@@ -4,9 +4,6 @@
 
 #include "geometry/intersector.h"
 
-#include "geometry/block_filling.h"
-#include "geometry/surface_order.h"
-
 #include <algorithm>
 #include <array>
 
@@ -17,65 +14,7 @@ namespace {
 constexpr std::size_t flat_words = FlatSurfaces::most / 64;
 constexpr std::uint32_t no_plane = 0xffffffffu;
 
-/// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
-/// once for all of its own, of any other surface.
-bool is_few(const FramedRectangles& framed)
-{
-    const std::size_t surfaces = framed.rectangles.size() + framed.others.size();
-    const std::size_t cost = 8 * framed.rectangles.size() + 18 * framed.frames.size() + 20 * framed.others.size();
-    return surfaces <= FlatSurfaces::most && cost <= 2560;
-}
-
 } // namespace
-
-Intersector::Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel)
-    : Intersector(surfaces, share_planes(surfaces), kernel)
-{
-}
-
-Intersector::Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes, const FilterKernel& kernel)
-    : kernel_(&kernel),
-      table_(surfaces, planes),
-      frame_(box_around(surfaces)),
-      outside_is_solid_(form_a_room(surfaces)),
-      plane_(planes.plane_number),
-      size_rank_(size_ranks(surfaces))
-{
-    const std::vector<Bounds> boxes = boxes_around_each(surfaces);
-    neighbours_ = PlaneNeighbours(boxes, plane_);
-    std::vector<std::uint32_t> filtered;
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-        (can_be_filtered(table_.row(s), surfaces[s], frame_) ? filtered : unfiltered_).push_back(s);
-    framed_ = group_by_frames(table_, filtered, frame_);
-    if (is_few(framed_)) {
-        lane_number_ = framed_.others;
-        lane_number_.insert(lane_number_.end(), framed_.surfaces.begin(), framed_.surfaces.end());
-    } else {
-        tree_ = WideTree(boxes, filtered, frame_);
-        lane_number_ = tree_.things();
-        framed_ = {};
-    }
-    fill_blocks();
-}
-
-void Intersector::fill_blocks()
-{
-    const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
-    const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::size_t together = tree_.empty() ? lane_number_.size() : SurfaceBlock::lanes;
-    for (std::size_t first = 0; first < lane_number_.size(); first += together) {
-        const auto end_of_triangles = std::stable_partition(place(first), place(first + together), is_triangle);
-        flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
-    }
-    for (const std::uint32_t s : lane_number_)
-        lane_plane_.push_back(s != WideTree::nothing ? static_cast<float>(plane_[s]) : 0.0f);
-    if (tree_.empty())
-        flat_number_.assign(lane_number_.begin(), lane_number_.end());
-    blocks_.assign((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes, empty_block());
-    for (std::size_t i = 0; i < lane_number_.size(); ++i)
-        if (lane_number_[i] != WideTree::nothing)
-            fill_lane(blocks_[i / SurfaceBlock::lanes], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
-}
 
 FlatSurfaces Intersector::flat_surfaces() const
 {

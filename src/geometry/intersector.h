@@ -26,7 +26,9 @@ class Intersector
 {
 public:
     /// Surfaces are numbered by their place in the list; each must have area. `kernel`: one of available_kernels().
-    explicit Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel = *available_kernels()[0]);
+    /// What is built does not depend on the number of threads.
+    explicit Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel = *available_kernels()[0],
+                         int threads = 1);
 
     /// Every surface that the line meets, in the order in which it passes them (see order_coincident_hits for equal t).
     /// Replaces what `hits` held.
@@ -50,9 +52,11 @@ public:
 
 private:
     struct Nearest;
+    struct Groundwork;
 
-    Intersector(const std::vector<Surface>& surfaces, const SharedPlanes& planes, const FilterKernel& kernel);
-    void fill_blocks();
+    Intersector(const std::vector<Surface>& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
+    void sort_out_unfiltered(const std::vector<Surface>& surfaces, std::vector<std::uint32_t>& filtered, int threads);
+    void fill_blocks(int threads);
 
     template <class Visit>
     void for_each_candidate(const Line& line, const Visit& visit) const;

@@ -5,6 +5,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/surface_order.h"
+#include "parallel/prefetch.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,7 @@ public:
         slots_.resize(size);
     }
 
-    void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[place_of(key)]); }
+    void prefetch(std::uint64_t key) const { multipath::prefetch(&slots_[place_of(key)]); }
     /// The first plane of the cell, or `none`.
     std::uint32_t head(std::uint64_t key) const { return slots_[find(key)].head; }
     void set_head(std::uint64_t key, std::uint32_t head) { slots_[find(key)] = {key, head}; }
@@ -66,6 +67,13 @@ private:
 class PlaneIndex
 {
 public:
+    /// Of the cell that holds a plane (first) and of the neighbours that it almost touches.
+    struct Keys
+    {
+        std::array<std::uint64_t, 16> key;
+        std::size_t count;
+    };
+
     PlaneIndex(Vec3 centre, double diagonal, std::size_t most_planes)
         : centre_(centre), diagonal_(diagonal), cells_(most_planes)
     {
@@ -73,12 +81,18 @@ public:
         next_.reserve(most_planes);
     }
 
-    /// The number of a known plane that holds the whole surface, or of a new plane.
-    std::uint32_t find_or_add(const Surface& surface, const Plane& plane)
+    /// The cells in which a plane is to be looked for; has the memory bring them.
+    Keys keys(const Plane& plane) const
     {
         const Keys keys = keys_of(coordinates(plane));
         for (std::size_t i = 0; i < keys.count; ++i)
             cells_.prefetch(keys.key[i]);
+        return keys;
+    }
+
+    /// The number of a known plane that holds the whole surface, or of a new plane.
+    std::uint32_t find_or_add(const Surface& surface, const Plane& plane, const Keys& keys)
+    {
         for (std::size_t i = 0; i < keys.count; ++i)
             for (std::uint32_t p = cells_.head(keys.key[i]); p != none; p = next_[p])
                 if (holds(planes_[p], surface))
@@ -94,13 +108,6 @@ public:
     std::size_t size() const { return planes_.size(); }
 
 private:
-    /// Of the cell that holds a plane (first) and of the neighbours that it almost touches.
-    struct Keys
-    {
-        std::array<std::uint64_t, 16> key;
-        std::size_t count;
-    };
-
     /// In units of the hash cells; the offset is taken from the scene's centre so that it stays small.
     std::array<double, 4> coordinates(const Plane& plane) const
     {
@@ -177,9 +184,23 @@ SharedPlanes share_planes(const std::vector<Surface>& surfaces)
     }
     result.plane_number.resize(surfaces.size());
     // A small face in the plane of a large one does not say exactly where that plane is.
-    for (const std::uint32_t s : from_large_to_small(surfaces)) {
+    const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
+    constexpr std::size_t ahead = 16; // surfaces whose cells are on their way from memory
+    std::array<PlaneIndex::Keys, ahead> keys;
+    for (std::size_t k = 0; k < order.size() + ahead; ++k) {
+        if (k + ahead < order.size())
+            prefetch(&result.plane_of_surface[order[k + ahead]]);
+        PlaneIndex::Keys& slot = keys[k % ahead];
+        const PlaneIndex::Keys due = slot;
+        if (k < order.size()) {
+            slot = index.keys(unoriented(result.plane_of_surface[order[k]]));
+            prefetch(&surfaces[order[k]]);
+        }
+        if (k < ahead)
+            continue;
+        const std::uint32_t s = order[k - ahead];
         const Plane& own = result.plane_of_surface[s];
-        const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own));
+        const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own), due);
         if (number == uses.size())
             uses.emplace_back();
         ++(dot(index.plane(number).normal, own.normal) > 0.0 ? uses[number].along : uses[number].against);

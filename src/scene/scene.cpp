@@ -27,11 +27,11 @@ Surface turned_over(const Surface& s)
 
 } // namespace
 
-Scene::Scene(SceneFile file, double patch_size, bool two_sided)
+Scene::Scene(SceneFile file, double patch_size, bool two_sided, int threads)
     : file_(std::move(file)),
       two_sided_(two_sided),
       patch_size_(patch_size),
-      intersector_(file_.surfaces),
+      intersector_(file_.surfaces, *available_kernels()[0], threads),
       tessellations_(tessellate_all(file_.surfaces, patch_size))
 {
     if (file_.surfaces.empty())

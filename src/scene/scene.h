@@ -28,7 +28,7 @@ public:
 
     /// Cuts every surface into patches no longer than patch_size [scene units].
     /// Throws InputError for a scene without surfaces or light, or with more patches than fit (2^31).
-    Scene(SceneFile file, double patch_size, bool two_sided = false);
+    Scene(SceneFile file, double patch_size, bool two_sided = false, int threads = 1);
 
     const std::string& path() const { return file_.path; }
     const std::vector<Material>& materials() const { return file_.materials; }

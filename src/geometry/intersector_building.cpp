@@ -1,0 +1,132 @@
+// What an intersector is made of: shared planes, then few surfaces side by side, or a hierarchy of many.
+
+#include "geometry/intersector.h"
+
+#include "geometry/block_filling.h"
+#include "geometry/surface_order.h"
+#include "parallel/ordered_blocks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t work_block = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
+
+/// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
+/// once for all of its own, of any other surface.
+bool is_few(const FramedRectangles& framed)
+{
+    const std::size_t surfaces = framed.rectangles.size() + framed.others.size();
+    const std::size_t cost = 8 * framed.rectangles.size() + 18 * framed.frames.size() + 20 * framed.others.size();
+    return surfaces <= FlatSurfaces::most && cost <= 2560;
+}
+
+} // namespace
+
+/// What is made of the surfaces first. Sharing planes and building the hierarchy take longest, and do not depend on
+/// each other.
+struct Intersector::Groundwork
+{
+    Groundwork(const std::vector<Surface>& surfaces, int threads) : frame(box_around(surfaces))
+    {
+        const auto share = [&] { planes = share_planes(surfaces); };
+        const auto arrange = [&] {
+            boxes = boxes_around_each(surfaces);
+            size_rank = size_ranks(surfaces);
+            if (surfaces.size() > FlatSurfaces::most) {
+                std::vector<std::uint32_t> all(surfaces.size());
+                std::iota(all.begin(), all.end(), 0u);
+                tree = WideTree(boxes, all, frame);
+            }
+        };
+        parallel_blocks(2, threads, [&](std::uint64_t part) { part == 0 ? share() : arrange(); });
+    }
+
+    FilterFrame frame;
+    SharedPlanes planes;
+    std::vector<Bounds> boxes;
+    std::vector<std::uint32_t> size_rank;
+    WideTree tree; ///< of all surfaces, if they are many
+};
+
+Intersector::Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel, int threads)
+    : Intersector(surfaces, Groundwork(surfaces, threads), kernel, threads)
+{
+}
+
+Intersector::Intersector(const std::vector<Surface>& surfaces, Groundwork groundwork, const FilterKernel& kernel,
+                         int threads)
+    : kernel_(&kernel),
+      table_(surfaces, groundwork.planes),
+      frame_(groundwork.frame),
+      tree_(std::move(groundwork.tree)),
+      outside_is_solid_(form_a_room(surfaces)),
+      plane_(std::move(groundwork.planes.plane_number)),
+      size_rank_(std::move(groundwork.size_rank)),
+      neighbours_(groundwork.boxes, plane_)
+{
+    std::vector<std::uint32_t> filtered;
+    sort_out_unfiltered(surfaces, filtered, threads);
+    if (filtered.size() <= FlatSurfaces::most)
+        framed_ = group_by_frames(table_, filtered, frame_);
+    if (filtered.size() <= FlatSurfaces::most && is_few(framed_)) {
+        tree_ = {};
+        lane_number_ = framed_.others;
+        lane_number_.insert(lane_number_.end(), framed_.surfaces.begin(), framed_.surfaces.end());
+    } else {
+        if (tree_.empty() || !unfiltered_.empty())
+            tree_ = WideTree(groundwork.boxes, filtered, frame_);
+        lane_number_ = tree_.things();
+        framed_ = {};
+    }
+    fill_blocks(threads);
+}
+
+void Intersector::sort_out_unfiltered(const std::vector<Surface>& surfaces, std::vector<std::uint32_t>& filtered,
+                                      int threads)
+{
+    std::vector<unsigned char> fits(surfaces.size());
+    parallel_blocks((surfaces.size() + work_block - 1) / work_block, threads, [&](std::uint64_t block) {
+        const std::uint64_t end = std::min<std::uint64_t>(surfaces.size(), work_block * (block + 1));
+        for (auto s = static_cast<std::uint32_t>(work_block * block); s < end; ++s)
+            fits[s] = can_be_filtered(table_.row(s), surfaces[s], frame_);
+    });
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+        (fits[s] != 0 ? filtered : unfiltered_).push_back(s);
+}
+
+void Intersector::fill_blocks(int threads)
+{
+    const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
+    const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (tree_.empty()) {
+        const auto end_of_triangles = std::stable_partition(lane_number_.begin(), lane_number_.end(), is_triangle);
+        flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
+        flat_number_.assign(lane_number_.begin(), lane_number_.end());
+    }
+    lane_plane_.resize(lane_number_.size());
+    blocks_.resize((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes);
+    const auto fill = [&](std::size_t block) {
+        const std::size_t first = SurfaceBlock::lanes * block;
+        const std::size_t end = std::min<std::size_t>(lane_number_.size(), first + SurfaceBlock::lanes);
+        if (!tree_.empty())
+            std::stable_partition(place(first), place(end), is_triangle);
+        blocks_[block] = empty_block();
+        for (std::size_t i = first; i < end; ++i)
+            if (lane_number_[i] != WideTree::nothing) {
+                lane_plane_[i] = static_cast<float>(plane_[lane_number_[i]]);
+                fill_lane(blocks_[block], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
+            }
+    };
+    parallel_blocks((blocks_.size() + work_block - 1) / work_block, threads, [&](std::uint64_t part) {
+        const std::uint64_t end = std::min<std::uint64_t>(blocks_.size(), work_block * (part + 1));
+        for (std::uint64_t block = work_block * part; block < end; ++block)
+            fill(block);
+    });
+}
+
+} // namespace multipath
