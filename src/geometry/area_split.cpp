@@ -50,7 +50,7 @@ struct Bin
         box.include(other.box);
         count += other.count;
     }
-    float cost() const { return count == 0 ? 0.0f : static_cast<float>(count) * box.area(); }
+    float cost() const { return count == 0 ? 0.0f : static_cast<float>((count + 15) / 16) * box.area(); }
 };
 
 /// The last bin of the left part and the cost, for one axis; bin -1 where nothing is to be split.
