@@ -17,13 +17,26 @@ for name; do
         CXXFLAGS="-O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" || exit 1
 done
 
+fuzz() {
+    # The corpus of former runs is where this one goes on; new finds go there and not among the sources.
+    mkdir -p "$build/corpus/$1"
+    "$build/${1}_fuzz" "$build/corpus/$1" "tests/fuzz/corpus/$1" -max_total_time="$seconds" -rss_limit_mb=1024 -timeout=10 \
+        -max_len=4096 -print_final_stats=1 -artifact_prefix="$build/$1-" >"$build/$1.log" 2>&1 </dev/null
+    echo $? >"$build/$1.status"
+}
+
+# As many at a time as there are processors.
+processors=$(nproc 2>/dev/null || echo 1) running=0
+for name; do
+    fuzz "$name" &
+    running=$((running + 1))
+    [ $((running % processors)) -eq 0 ] && wait
+done
+wait
+
 passed=0 failed=0
 for name; do
-    # The corpus of former runs is where this one goes on; new finds go there and not among the sources.
-    mkdir -p "$build/corpus/$name"
-    if "$build/${name}_fuzz" "$build/corpus/$name" "tests/fuzz/corpus/$name" -max_total_time="$seconds" \
-        -rss_limit_mb=1024 -timeout=10 -max_len=4096 -print_final_stats=1 -artifact_prefix="$build/$name-" \
-        >"$build/$name.log" 2>&1 </dev/null; then
+    if [ "$(cat "$build/$name.status")" = 0 ]; then
         passed=$((passed + 1))
         echo "$name: $(sed -n 's/^stat::number_of_executed_units: *//p' "$build/$name.log") inputs, no crash"
     else
