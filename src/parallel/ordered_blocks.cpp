@@ -165,6 +165,8 @@ void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& 
                       const std::function<void(std::uint64_t block, int slot)>& consume)
 {
     const PauseWish wants_pause = [&] { return run.checkpoint && run.checkpoint->wants_pause(); };
+    if (next < end)
+        run.count_lines(0);
     while (next < end && !run.stopped()) {
         next = run_blocks(next, end, run.threads, produce, consume, wants_pause);
         if (wants_pause())

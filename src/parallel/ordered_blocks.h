@@ -20,7 +20,8 @@ void ordered_blocks(std::uint64_t block_count, int threads,
 
 /// As ordered_blocks, from block `next` on, which goes forward with the work. Whenever the checkpoint wants it, all
 /// that was begun is finished and there is a pause, in which `next` and what the blocks changed are whole: a part of
-/// the checkpoint must hold them. Stops short of `end` where a pause ends the work.
+/// the checkpoint must hold them. Stops short of `end` where a pause ends the work. The line counter hears of the
+/// beginning, as 0 lines.
 void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
                       const std::function<void(std::uint64_t block, int slot)>& produce,
                       const std::function<void(std::uint64_t block, int slot)>& consume);

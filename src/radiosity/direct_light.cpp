@@ -1,5 +1,6 @@
 #include "radiosity/direct_light.h"
 
+#include "geometry/first_hits.h"
 #include "parallel/ordered_blocks.h"
 #include "radiosity/first_shot.h"
 #include "sampling/radical_inverse.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace multipath {
 
@@ -76,17 +78,81 @@ std::vector<Try> make_tries(const Scene& scene, std::uint64_t count)
     return tries;
 }
 
-/// Does light go straight from one of the points of the sources to one of the patch?
-bool is_lit(const Scene& scene, const std::vector<Try>& tries, std::uint32_t patch)
+/// Finds which of some patches light reaches straight from one of the points of the sources. All that are still dark
+/// make their next tries together.
+class LightSearch
 {
-    const Surface shape = scene.patch(patch).shape;
-    const Vec3 normal = shape.normal();
-    return std::any_of(tries.begin(), tries.end(), [&](const Try& look) {
-        const Line ray = {look.from, point_on(shape, look.a, look.b) - look.from};
-        return dot(ray.direction, look.source_normal) > 0.0 && dot(ray.direction, normal) < 0.0 &&
-               receiver(scene, look.source_surface, ray) == patch;
-    });
-}
+public:
+    LightSearch(const Scene& scene, const std::vector<Try>& tries, std::uint32_t first_patch, std::uint64_t end_patch)
+        : scene_(scene), tries_(tries)
+    {
+        for (std::uint32_t i = first_patch; i < end_patch; ++i) {
+            const Surface shape = scene.patch(i).shape;
+            patches_.push_back({i, shape, shape.normal()});
+        }
+        dark_.resize(patches_.size());
+        std::iota(dark_.begin(), dark_.end(), std::size_t{0});
+    }
+
+    /// [scene units^2]
+    double lit_area()
+    {
+        constexpr std::size_t rays_together = 1024;
+        for (std::size_t done = 0; done < tries_.size() && !dark_.empty();) {
+            const std::size_t next =
+                std::min(tries_.size(), done + std::max<std::size_t>(1, rays_together / dark_.size()));
+            look(done, next);
+            done = next;
+        }
+        double area = 0.0;
+        for (const Target& patch : patches_)
+            area += patch.lit ? scene_.area(patch.number) : 0.0;
+        return area;
+    }
+
+private:
+    struct Target
+    {
+        std::uint32_t number;
+        Surface shape;
+        Vec3 normal;
+        bool lit = false;
+    };
+
+    void look(std::size_t first, std::size_t end)
+    {
+        surfaces_.clear();
+        rays_.clear();
+        seekers_.clear();
+        for (const std::size_t k : dark_)
+            for (std::size_t t = first; t < end; ++t) {
+                const Try& look = tries_[t];
+                const Target& patch = patches_[k];
+                const Line ray = {look.from, point_on(patch.shape, look.a, look.b) - look.from};
+                if (dot(ray.direction, look.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0) {
+                    surfaces_.push_back(look.source_surface);
+                    rays_.push_back(ray);
+                    seekers_.push_back(k);
+                }
+            }
+        scene_.intersector().closest_hits_from(surfaces_.data(), rays_.data(), rays_.size(), hits_);
+        for (std::size_t r = 0; r < rays_.size(); ++r) {
+            Target& patch = patches_[seekers_[r]];
+            patch.lit = patch.lit || (hits_.is_hit(r) && receiving_patch(scene_, hits_[r]) == patch.number);
+        }
+        const auto is_lit = [this](std::size_t k) { return patches_[k].lit; };
+        dark_.erase(std::remove_if(dark_.begin(), dark_.end(), is_lit), dark_.end());
+    }
+
+    const Scene& scene_;
+    const std::vector<Try>& tries_;
+    std::vector<Target> patches_;
+    std::vector<std::size_t> dark_; ///< which of them are not yet known to be lit
+    std::vector<std::uint32_t> surfaces_;
+    std::vector<Line> rays_;
+    std::vector<std::size_t> seekers_; ///< for which patch each ray looks
+    FirstHits hits_;
+};
 
 double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
 {
@@ -96,10 +162,8 @@ double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
     const std::uint64_t block_count = (scene.patch_count() + patches_per_block - 1) / patches_per_block;
     std::vector<double> area(block_count, 0.0);
     parallel_blocks(block_count, threads, [&](std::uint64_t block) {
-        const std::uint64_t last = std::min<std::uint64_t>((block + 1) * patches_per_block, scene.patch_count());
-        for (auto i = static_cast<std::uint32_t>(block * patches_per_block); i < last; ++i)
-            if (is_lit(scene, tries, i))
-                area[block] += scene.area(i);
+        const std::uint64_t end = std::min<std::uint64_t>((block + 1) * patches_per_block, scene.patch_count());
+        area[block] = LightSearch(scene, tries, static_cast<std::uint32_t>(block * patches_per_block), end).lit_area();
     });
     double sum = 0.0;
     for (const double a : area)

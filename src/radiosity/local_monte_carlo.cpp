@@ -77,7 +77,7 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         visit(archive, scene, shots);
     });
     if (!part.resumed()) {
-        shots = plan_particles(scene, state, options.lines, options.seed).shots();
+        shots = plan_particles(scene, state, options.lines, options.seed, run.threads).shots();
         spend(scene, 0.0, shots, state);
     }
     const Particles particles(scene, shots, options.seed);

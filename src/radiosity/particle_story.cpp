@@ -26,7 +26,7 @@ ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, co
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds());
     const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
-    const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed);
+    const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
     require_in_stage(range, particles.count(), "particles");
 
     ParticleStory story{particles.count(), particles.shots().size(), {}};

@@ -4,10 +4,12 @@
 
 #include "radiosity/particles.h"
 
+#include "parallel/ordered_blocks.h"
 #include "sampling/random.h"
 #include "transport/intersection_list.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -106,20 +108,22 @@ void ParticlePaths::sort_by_particle()
         steps[first_step_[particle_[k]]++] = by_depth_[k];
 }
 
-Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed)
+Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
+                         int threads)
 {
     const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 65536);
     const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
     const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
-    ParticlePaths paths;
-    std::uint64_t steps = 0;
-    constexpr std::uint64_t together = 1024;
-    for (std::uint64_t first = 0; first < pilot.count(); first += together) {
+    std::atomic<std::uint64_t> steps{0};
+    constexpr std::uint64_t together = 4096;
+    parallel_blocks((pilot.count() + together - 1) / together, threads, [&](std::uint64_t block) {
+        const std::uint64_t first = block * together;
         std::vector<Item> items(static_cast<std::size_t>(std::min(together, pilot.count() - first)));
         random->generate(first, items);
+        ParticlePaths paths;
         pilot.follow(first, items, paths);
         steps += paths.steps.size();
-    }
+    });
     const double segments = static_cast<double>(steps) / static_cast<double>(pilot.count());
     const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) / segments));
     return Particles(scene, plan_first_shot(scene, state, 0.0, std::max<std::uint64_t>(1, wanted)), seed);

@@ -71,7 +71,8 @@ private:
 };
 
 /// As many particles as make `lines` segments, to about 1 %: a pilot tells how long their paths are.
-Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed);
+Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
+                         int threads);
 
 /// [W] What the estimator counts as incident where a step ends on a patch.
 Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
