@@ -1,6 +1,7 @@
 #include "radiosity/shooting.h"
 
 #include "parallel/ordered_blocks.h"
+#include "parallel/prefetch.h"
 #include "transport/intersection_list.h"
 #include "transport/ray_block.h"
 
@@ -11,6 +12,7 @@ namespace multipath {
 namespace {
 
 constexpr std::uint64_t rays_per_block = 4096;
+constexpr std::size_t rays_ahead = 24; // as in the global pass
 
 /// Cumulative number of rays before each shot; one entry more than shots.
 std::vector<std::uint64_t> rays_before(const std::vector<Shot>& shots)
@@ -32,6 +34,16 @@ class ReceivedRays
 {
 public:
     explicit ReceivedRays(const Scene& scene) : scene_(scene), counts_(scene.patch_count(), 0) {}
+
+    /// Has the memory bring what a ray that comes later will need.
+    void fetch(std::uint32_t receiver, const PowerState& state) const
+    {
+        if (!Segment::is_patch(receiver))
+            return;
+        prefetch(&counts_[receiver]);
+        prefetch(&state.incident[receiver]);
+        prefetch(&state.unshot[receiver]);
+    }
 
     void add(std::uint32_t receiver)
     {
@@ -147,12 +159,15 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
     const auto count_receivers = [&](std::uint64_t number, int slot) {
         const RayBlock& block = blocks[static_cast<std::size_t>(slot)];
         std::uint64_t ray = number * rays_per_block;
-        for (const std::uint32_t receiver : block.receivers) {
+        const std::size_t count = block.receivers.size();
+        for (std::size_t k = 0; k < count; ++k) {
             if (ray++ >= before[current_shot + 1]) {
                 received.deposit(shots[current_shot], state);
                 current_shot = shot_of_ray(before, ray - 1);
             }
-            received.add(receiver);
+            if (k + rays_ahead < count)
+                received.fetch(block.receivers[k + rays_ahead], state);
+            received.add(block.receivers[k]);
         }
         run.count_lines(block.receivers.size());
     };
