@@ -185,10 +185,7 @@ Solution solve_until(const Scene& scene, const SolveOptions& options, int replic
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : solution;
         solution.all_lines += record.solution.all_lines;
-        record.solution = std::move(solution);
-        record.lines = record.goal;
-        record.goal = 0;
-        ++record.pieces;
+        record.finish_piece(std::move(solution));
     }
     if (checkpoint)
         checkpoint->finish();

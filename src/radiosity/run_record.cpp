@@ -1,6 +1,16 @@
 #include "radiosity/run_record.h"
 
+#include <utility>
+
 namespace multipath {
+
+void RunRecord::finish_piece(Solution found)
+{
+    solution = std::move(found);
+    lines = goal;
+    goal = 0;
+    ++pieces;
+}
 
 void RunRecord::visit(Archive& archive, std::uint32_t patches)
 {

@@ -54,10 +54,7 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
                              : solve(scene, preparation, stretch, progress, checkpoint, walks ? Share{} : share);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : found;
-        record.solution = record.pieces > 0 ? combined(scene, {record.solution, found}) : std::move(found);
-        record.lines = record.goal;
-        record.goal = 0;
-        ++record.pieces;
+        record.finish_piece(record.pieces > 0 ? combined(scene, {record.solution, found}) : std::move(found));
     }
     if (checkpoint)
         checkpoint->finish();
