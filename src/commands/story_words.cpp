@@ -111,8 +111,8 @@ std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meeti
         const Meeting& meeting = meetings[k];
         text += format("  %3zu  %.4f  %s  %-5s  %10s  %6s  %s\n", k + 1, meeting.hit.t,
                        fitted(surface_name(scene, meeting.hit.surface), name_width).c_str(),
-                       meeting.hit.front ? "front" : "back", patch_number(meeting.arrives_at).c_str(),
-                       patch_number(meeting.leaves).c_str(), point_text(meeting.point).c_str());
+                       meeting.hit.front ? "front" : "back", patch_number(meeting.patches.arrives_at).c_str(),
+                       patch_number(meeting.patches.leaves).c_str(), point_text(meeting.point).c_str());
     }
     return text;
 }

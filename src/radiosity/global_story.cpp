@@ -36,8 +36,8 @@ std::vector<std::size_t> meetings_before(const std::vector<Meeting>& meetings)
 {
     std::vector<std::size_t> before;
     for (std::size_t after = 0; after <= meetings.size(); ++after)
-        if ((after > 0 && Segment::is_patch(meetings[after - 1].leaves)) ||
-            (after < meetings.size() && Segment::is_patch(meetings[after].arrives_at)))
+        if ((after > 0 && Segment::is_patch(meetings[after - 1].patches.leaves)) ||
+            (after < meetings.size() && Segment::is_patch(meetings[after].patches.arrives_at)))
             before.push_back(after);
     return before;
 }

@@ -27,13 +27,12 @@ struct LineOrigin
     Item numbers;
 };
 
-/// A line and a surface, with the patches on the two sides; each of them may be Segment::behind (no patch there).
+/// A line and a surface, with the patches on its two sides.
 struct Meeting
 {
     Hit hit;
     Vec3 point;
-    std::uint32_t arrives_at; ///< patch on the side that the line meets
-    std::uint32_t leaves;     ///< patch on the side on which the line goes on
+    Passage patches;
 };
 
 Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit);

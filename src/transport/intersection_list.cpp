@@ -4,13 +4,13 @@
 
 namespace multipath {
 
-namespace {
-
 Passage passage_at(const Scene& scene, const Hit& hit)
 {
     const Scene::Sides sides = scene.patches_at(hit.surface, hit.u, hit.v, Segment::behind);
     return hit.front ? Passage{sides.front, sides.back} : Passage{sides.back, sides.front};
 }
+
+namespace {
 
 /// Writes the segments of one line, at most one more than hits; returns where the next one goes. What a line meets is
 /// hard to predict: nothing here branches on it.

@@ -32,6 +32,8 @@ struct Passage
     std::uint32_t leaves;
 };
 
+Passage passage_at(const Scene& scene, const Hit& hit);
+
 /// One passage for every hit of many lines, line after line. Replaces what `passages` held.
 void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages);
 

@@ -155,9 +155,10 @@ TEST_CASE("a stretch lies between the two meetings that it names")
             for (const Stretch& stretch : line.stretches) {
                 const std::size_t after = stretch.after;
                 REQUIRE(after <= line.meetings.size());
-                CHECK(stretch.segment.from == (after == 0 ? Segment::outside : line.meetings[after - 1].leaves));
+                CHECK(stretch.segment.from ==
+                      (after == 0 ? Segment::outside : line.meetings[after - 1].patches.leaves));
                 CHECK(stretch.segment.to ==
-                      (after == line.meetings.size() ? Segment::outside : line.meetings[after].arrives_at));
+                      (after == line.meetings.size() ? Segment::outside : line.meetings[after].patches.arrives_at));
             }
 }
 

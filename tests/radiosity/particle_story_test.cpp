@@ -68,7 +68,7 @@ TEST_CASE("a path goes from patch to patch as long as the number drawn is below 
             const bool goes_on = told.step.drawn < mean(scene.reflectance(told.step.where));
             CHECK(goes_on == (k + 1 < particle.steps.size()));
             REQUIRE(told.meeting);
-            CHECK(told.meeting->arrives_at == told.step.where);
+            CHECK(told.meeting->patches.arrives_at == told.step.where);
             if (goes_on) {
                 CHECK(particle.steps[k + 1].step.from == told.step.where);
                 CHECK(particle.steps[k + 1].step.power == told.step.goes_on);
