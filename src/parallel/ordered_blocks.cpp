@@ -182,4 +182,14 @@ void parallel_blocks(std::uint64_t block_count, int threads, const std::function
         block_count, used, [&](std::uint64_t block, int) { work(block); }, [](std::uint64_t, int) {});
 }
 
+void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
+                     const std::function<void(std::uint32_t first, std::uint32_t end)>& work)
+{
+    const std::uint64_t ranges = (std::uint64_t{count} + range_size - 1) / range_size;
+    parallel_blocks(ranges, threads, [&](std::uint64_t number) {
+        const auto first = static_cast<std::uint32_t>(number * range_size);
+        work(first, first + std::min(range_size, count - first));
+    });
+}
+
 } // namespace multipath

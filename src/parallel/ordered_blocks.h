@@ -11,6 +11,11 @@ namespace multipath {
 /// The first exception that a block throws is thrown here after the other threads have stopped.
 void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work);
 
+/// The same for the numbers 0 ... count - 1, up to range_size successive ones at a time: work(first, end) does
+/// first ... end - 1.
+void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
+                     const std::function<void(std::uint32_t first, std::uint32_t end)>& work);
+
 /// Runs produce(block, slot) on up to `threads` threads, and consume(block, slot) one block at a time in order of the
 /// block number, while later blocks are being produced. `slot` (0 ... slot_count(threads) - 1) names the buffer that
 /// the block may use until it is consumed. With one thread everything runs on the caller, in order.

@@ -78,17 +78,17 @@ std::vector<Try> make_tries(const Scene& scene, std::uint64_t count)
     return tries;
 }
 
-/// Finds which of some patches (every step-th) light reaches straight from one of the points of the sources. All that
-/// are still dark make their next tries together.
+/// Finds which of the patches first * step, (first + 1) * step, ... up to end * step light reaches straight from one of
+/// the points of the sources. All that are still dark make their next tries together.
 class LightSearch
 {
 public:
-    LightSearch(const Scene& scene, const std::vector<Try>& tries, std::uint64_t first_patch, std::uint64_t end_patch,
-                std::uint64_t step)
+    LightSearch(const Scene& scene, const std::vector<Try>& tries, std::uint32_t first, std::uint32_t end,
+                std::uint32_t step)
         : scene_(scene), tries_(tries)
     {
-        for (std::uint64_t i = first_patch; i < end_patch; i += step) {
-            const auto patch = static_cast<std::uint32_t>(i);
+        for (std::uint32_t k = first; k < end; ++k) {
+            const std::uint32_t patch = k * step;
             const Surface shape = scene.patch(patch).shape;
             patches_.push_back({patch, shape, shape.normal()});
         }
@@ -162,13 +162,12 @@ double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
     const std::vector<Try> tries =
         make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
     constexpr std::uint32_t most_patches = 1u << 16;
-    const std::uint64_t step = 1 + (scene.patch_count() - 1) / most_patches;
-    const std::uint64_t patches_per_block = 256 * step;
-    const std::uint64_t block_count = (scene.patch_count() + patches_per_block - 1) / patches_per_block;
-    std::vector<double> area(block_count, 0.0);
-    parallel_blocks(block_count, threads, [&](std::uint64_t block) {
-        const std::uint64_t end = std::min<std::uint64_t>((block + 1) * patches_per_block, scene.patch_count());
-        area[block] = LightSearch(scene, tries, block * patches_per_block, end, step).lit_area();
+    const std::uint32_t step = 1 + (scene.patch_count() - 1) / most_patches;
+    const std::uint32_t looked_for = 1 + (scene.patch_count() - 1) / step;
+    constexpr std::uint32_t patches_at_a_time = 256;
+    std::vector<double> area(looked_for / patches_at_a_time + 1, 0.0);
+    parallel_ranges(looked_for, patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        area[first / patches_at_a_time] = LightSearch(scene, tries, first, end, step).lit_area();
     });
     double sum = 0.0;
     for (const double a : area)
@@ -176,8 +175,8 @@ double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
     if (step == 1)
         return sum;
     double looked_at = 0.0;
-    for (std::uint64_t i = 0; i < scene.patch_count(); i += step)
-        looked_at += scene.area(static_cast<std::uint32_t>(i));
+    for (std::uint32_t k = 0; k < looked_for; ++k)
+        looked_at += scene.area(k * step);
     return sum / looked_at * scene.total_area();
 }
 

@@ -107,12 +107,10 @@ std::vector<double> first_allotment(const Scene& scene, const GatherPairs& pairs
 std::vector<double> second_allotment(const Scene& scene, const GatherPairs& pairs, const std::vector<double>& first,
                                      const std::vector<Sight>& sights, double rays, int threads)
 {
-    constexpr std::uint32_t patches_per_block = 64;
-    const std::uint32_t patches = scene.patch_count();
+    constexpr std::uint32_t patches_at_a_time = 64;
     std::vector<double> allotment = importances(scene, pairs);
-    parallel_blocks((patches + patches_per_block - 1) / patches_per_block, threads, [&](std::uint64_t block) {
-        const auto begin = static_cast<std::uint32_t>(block * patches_per_block);
-        for (std::uint32_t patch = begin; patch < begin + std::min(patches_per_block, patches - begin); ++patch) {
+    parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t patch = begin; patch < end; ++patch) {
             const std::vector<std::uint32_t> around = neighbours(scene, patch);
             for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k)
                 allotment[k] *= doubt(pairs, around, k, first, sights);

@@ -3,15 +3,14 @@
 //
 //   (sum over j of var_ij) mu_i + sum over j of var_ij mu_j = what row i lacks,
 //
-// with the variance of the wanted sum, if it is not certain, added to the first bracket.
-// symmetric and not negative: conjugate gradients.
+// with the variance of the wanted sum, if it is not certain, added to the first bracket. The matrix is symmetric and
+// has no negative eigenvalue: conjugate gradients.
 
 #include "transport/reconciliation.h"
 
 #include "parallel/ordered_blocks.h"
 #include "transport/symmetric_product.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace multipath {
@@ -80,10 +79,9 @@ Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_
     }
     const Vector multiplier = solve(variance, diagonal, lacking, threads);
 
-    constexpr std::uint32_t rows_per_block = 64;
-    parallel_blocks((n + rows_per_block - 1) / rows_per_block, threads, [&](std::uint64_t block) {
-        const auto first = static_cast<std::uint32_t>(block * rows_per_block);
-        for (std::uint32_t i = first; i < std::min(n, first + rows_per_block); ++i) {
+    constexpr std::uint32_t rows_at_a_time = 64;
+    parallel_ranges(n, rows_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
             float* row = exchange.row(i);
             const float* uncertain = variance.row(i);
             for (std::uint32_t j = 0; j < i; ++j)

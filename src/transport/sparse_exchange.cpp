@@ -2,8 +2,6 @@
 
 #include "parallel/ordered_blocks.h"
 
-#include <algorithm>
-
 namespace multipath {
 
 namespace {
@@ -12,11 +10,9 @@ namespace {
 template <class Work>
 void for_all_patches(std::uint32_t patches, int threads, const Work& work)
 {
-    constexpr std::uint32_t patches_per_block = 1024;
-    parallel_blocks((patches + patches_per_block - 1) / patches_per_block, threads, [&](std::uint64_t block) {
-        const auto first = static_cast<std::uint32_t>(block * patches_per_block);
-        const std::uint32_t last = first + std::min(patches_per_block, patches - first);
-        for (std::uint32_t i = first; i < last; ++i)
+    constexpr std::uint32_t patches_at_a_time = 1024;
+    parallel_ranges(patches, patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i)
             work(i);
     });
 }

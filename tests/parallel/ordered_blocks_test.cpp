@@ -47,3 +47,19 @@ TEST_CASE("no blocks are no work")
 {
     parallel_blocks(0, 4, [](std::uint64_t) { FAIL("called"); });
 }
+
+TEST_CASE("ranges cover all numbers once, and only the last one is shorter than asked for")
+{
+    for (const std::uint32_t count : {0u, 1u, 63u, 64u, 65u, 1000u})
+        for (const int threads : {1, 3}) {
+            std::vector<std::atomic<int>> visits(count);
+            parallel_ranges(count, 64, threads, [&](std::uint32_t first, std::uint32_t end) {
+                CHECK(first % 64 == 0);
+                CHECK((end == count || end == first + 64));
+                for (std::uint32_t i = first; i < end; ++i)
+                    ++visits[i];
+            });
+            for (const std::atomic<int>& number : visits)
+                CHECK(number == 1);
+        }
+}
