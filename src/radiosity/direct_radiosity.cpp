@@ -14,12 +14,9 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     // Enough for shadows that are smooth to the eye, in a part of the time that a solution takes.
     const std::uint64_t rays = std::max<std::uint64_t>(1u << 18, std::uint64_t{64} * scene.patch_count());
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
-    const GatheredLight light = gather_direct_light(scene, *sequence, 0, rays, {threads});
-    std::vector<Rgb> result;
-    result.reserve(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        result.push_back(scene.emittance(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * light.incident[i]));
-    return result;
+    PowerState state(scene);
+    receive(gather_direct_light(scene, *sequence, 0, rays, {threads}), scene, true, state);
+    return radiosity(scene, state);
 }
 
 } // namespace multipath
