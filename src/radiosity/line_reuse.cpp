@@ -151,27 +151,28 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
     const Field rho = reflectances(scene);
     CountedExchange counted(scene.patch_count());
     const Checkpoint::Part part(run.checkpoint, "line reuse", [&](Archive& archive) { counted.visit(archive); });
-    const auto crossing_area = [&] { return 1.0 / lines.expected_crossings(1.0, counted.lines); }; // (G1)
+    const auto crossing_area_of = [&](std::uint64_t cast) { return 1.0 / lines.expected_crossings(1.0, cast); }; // (G1)
     if (counted.lines == 0) {
         const PairCounts counts = count_pairs(scene, lines, sequence, plan.first_line_item, plan.cast, run);
         if (counts.lines == 0 || (run.stopped() && run.is_share()))
             return counts.lines;
+        const double area = crossing_area_of(counts.lines);
         counted.lines = counts.lines;
-        counted.estimate = estimate_exchange(scene, unoccluded.table(), counts, crossing_area(), run.threads);
-        counted.losses = losses(counts, crossing_area());
+        counted.estimate = estimate_exchange(scene, unoccluded.table(), counts, area, run.threads);
+        counted.losses = losses(counts, area);
         counted.first_guess = plan.rays > 0
                                   ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads)
                                   : source;
     }
     const std::uint64_t lines_cast = counted.lines;
+    const double crossing_area = crossing_area_of(lines_cast);
     if (plan.rays > 0 && !run.stopped())
-        refine_by_rays(counted.estimate, scene, unoccluded.table(), crossing_area(), counted.first_guess, sequence,
+        refine_by_rays(counted.estimate, scene, unoccluded.table(), crossing_area, counted.first_guess, sequence,
                        {plan.first_ray_item, plan.rays, plan.seed}, run);
     if (run.stopped() && run.is_share())
         return lines_cast;
     const Field first_guess = counted.first_guess;
-    ClosedExchange closed_exchange =
-        closed(scene, unoccluded.table(), std::move(counted), crossing_area(), run.threads);
+    ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), crossing_area, run.threads);
 
     const auto exchange_of_pairs = [&] {
         return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(),
