@@ -4,6 +4,8 @@
 #include "radiosity/line_budget.h"
 #include "scene/input_error.h"
 
+#include <cmath>
+
 namespace multipath {
 
 namespace {
@@ -30,16 +32,33 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     return optimal_ratio(options.method == Method::first_shot ? figures : extended_figures(figures)); // (3)
 }
 
+ExtendedShotOptions extended_shot(const Scene& scene, const SolveOptions& options)
+{
+    ExtendedShotOptions shot;
+    shot.threshold = options.threshold.value_or(threshold_radiosity(scene)); // (4)
+    shot.most_steps = options.most_steps;
+    shot.seed = options.seed;
+    return shot;
+}
+
+std::uint64_t lines_for_what_stands_out(const Scene& scene, const SolveOptions& options, const PowerState& state,
+                                        std::uint64_t lines_left)
+{
+    const double unshot = mean(power_balance(scene, state).unshot);
+    const double above = power_above(scene, state, extended_shot(scene, options).threshold);
+    const double share = unshot > 0.0 ? above / unshot : 0.0;
+    return share < 0.2 ? 0 : static_cast<std::uint64_t>(0.5 * std::sqrt(share) * static_cast<double>(lines_left));
+}
+
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe)
 {
     if (!shoots_first(options))
         return {};
-    ExtendedShotOptions shot;
-    shot.threshold = options.threshold.value_or(threshold_radiosity(scene));         // (4)
-    shot.most_steps = options.method == Method::first_shot ? 1 : options.most_steps; // the first pass is the first shot
-    shot.seed = options.seed;
+    ExtendedShotOptions shot = extended_shot(scene, options);
+    if (options.method == Method::first_shot)
+        shot.most_steps = 1; // the first pass is the first shot
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&
         power_above(scene, state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))

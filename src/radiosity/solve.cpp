@@ -14,7 +14,6 @@
 #include "transport/unoccluded_exchange.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -190,34 +189,25 @@ private:
         return split_lines(options_.lines, options_.ratio.value_or(usual_ratio)).local_lines;
     }
 
-    /// Where little is lit, and brightly, its light is better shot than left to global lines, which seldom come by. The
-    /// more of the unshot power stands out above the threshold (4), the more lines it gets, up to half of what is left;
-    /// where little does, shooting it with few lines would only add noise. The figures were found by trying.
     void shoot_what_stands_out()
     {
-        ExtendedShotOptions shot;
-        shot.threshold = options_.threshold.value_or(threshold_radiosity(scene_)); // (4)
-        shot.most_steps = options_.most_steps;
-        shot.seed = options_.seed;
-        if (lines_to_shoot_ == undecided) {
-            const double unshot = mean(power_balance(scene_, state_).unshot);
-            const double share = unshot > 0.0 ? power_above(scene_, state_, shot.threshold) / unshot : 0.0;
-            const std::uint64_t left = options_.lines - std::min(options_.lines, solution_.local_lines);
-            lines_to_shoot_ =
-                share < 0.2 ? 0 : static_cast<std::uint64_t>(0.5 * std::sqrt(share) * static_cast<double>(left));
-        }
-        shot.lines = lines_to_shoot_;
-        if (shot.lines == 0)
+        if (lines_to_shoot_ == undecided)
+            lines_to_shoot_ = lines_for_what_stands_out(scene_, options_, state_, lines_left());
+        if (lines_to_shoot_ == 0)
             return;
+        ExtendedShotOptions shot = extended_shot(scene_, options_);
+        shot.lines = lines_to_shoot_;
         solution_.shot_passes = shoot_extended(scene_, *sequence_, first_item_ + solution_.local_lines, shot,
                                                control(1, 1), state_); // (S2)
         count_shots();
     }
 
+    std::uint64_t lines_left() const { return options_.lines - std::min(options_.lines, solution_.local_lines); }
+
     /// The global lines get what is left, also what a first shot had no use for.
     void plan_global_lines()
     {
-        solution_.global_lines = options_.lines - std::min(options_.lines, solution_.local_lines);
+        solution_.global_lines = lines_left();
         solution_.global_lines_cast = lines_.lines_to_cast(solution_.global_lines);
     }
 
@@ -259,7 +249,7 @@ private:
     static constexpr std::uint64_t undecided = ~std::uint64_t{0};
     std::uint64_t stages_done_ = 0;
     std::uint64_t local_lines_before_ = 0;     ///< N_l when the present stage began
-    std::uint64_t lines_to_shoot_ = undecided; ///< see shoot_what_stands_out
+    std::uint64_t lines_to_shoot_ = undecided; ///< see lines_for_what_stands_out
     PowerState state_;
     Solution solution_;
     double done_ = 0.0;
