@@ -5,8 +5,7 @@
 namespace multipath {
 
 /// [bytes] that a run takes at its peak for scene and light, whatever the method, but for the pairs of patches of
-/// `reuse`, which reuse_bytes() tells. Measured, not derived. Real numbers, for scenes too large to
-/// count.
+/// `reuse`, which reuse_bytes() tells. Measured, not derived. Real numbers, for scenes too large to count.
 double run_bytes(double surfaces, double patches);
 
 /// [bytes] of `memory` that a run has left for pairs of patches.

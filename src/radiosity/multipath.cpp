@@ -10,8 +10,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t segments_ahead =
-    24; // to be fetched from the memory, where the patches are too many for the cache
+constexpr std::size_t segments_ahead = 24; // whose patches are fetched, in case they are too many for the cache
 
 } // namespace
 

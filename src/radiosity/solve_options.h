@@ -30,11 +30,10 @@ struct SolveOptions
     std::uint64_t skip = 0;                     ///< items of the sequence to leave out at its beginning
     std::uint64_t lines = 1u << 20;             ///< N_l + N_g
     std::optional<double> ratio;                ///< N_l / N_g; empty: (3) with figures measured on the scene
-    std::optional<double>
-        power_by_line;               ///< [W] instead of the ratio: what one ray of the (extended) first shot carries
-    std::optional<double> threshold; ///< [W/m^2] unshot radiosity kept by every patch; empty: (4)
-    int most_steps = 1000;           ///< passes of the extended first shot
-    bool bidirectional = true;       ///< (M2)
+    std::optional<double> power_by_line;        ///< [W] of one ray of the (extended) first shot, instead of the ratio
+    std::optional<double> threshold;            ///< [W/m^2] unshot radiosity kept by every patch; empty: (4)
+    int most_steps = 1000;                      ///< passes of the extended first shot
+    bool bidirectional = true;                  ///< (M2)
     Estimator estimator = Estimator::collision; ///< of the local method
     Direct direct = Direct::gather;             ///< of the method `reuse`
     double memory = 2e9;                        ///< [bytes] that the run may take; `reuse` keeps its pairs within
