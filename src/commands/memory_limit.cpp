@@ -67,6 +67,13 @@ void require_memory_for_patches(const CommandLine& line, const SceneFile& file, 
             patches > 2.0 * surfaces ? "fewer patches: a larger --patch-size" : "a smaller scene");
 }
 
+void require_memory_for_page(const CommandLine& line, const Scene& scene)
+{
+    require(line, page_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()),
+            scene.path() + ": a page of " + grouped(scene.patch_count()) + " patches needs",
+            "fewer patches, or no .html");
+}
+
 void require_memory_for_picture(const CommandLine& line, int width, int height, bool gathers)
 {
     // The pixels as light, as colours and as a file; gathering keeps what it has found for every pixel.

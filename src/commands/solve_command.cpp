@@ -2,6 +2,7 @@
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
+#include "commands/memory_limit.h"
 #include "commands/method_options.h"
 #include "commands/scene_options.h"
 #include "commands/solution_outputs.h"
@@ -128,6 +129,8 @@ int run_solve(const CommandLine& line)
         return exit_interrupted;
     require_no_input(outputs, scene.file().material_files);
     require_view(scene, job.pictures);
+    if (has_format(outputs, OutputFormat::html))
+        require_memory_for_page(line, scene);
     if (!job.quiet) {
         print_what_was_read(scene.file());
         warn_of_line_count(job.options);

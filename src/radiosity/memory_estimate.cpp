@@ -4,10 +4,21 @@
 
 namespace multipath {
 
+namespace {
+
+constexpr double bytes_per_surface = 700; // most while the file is read: corners, pieces, names
+
+} // namespace
+
 double run_bytes(double surfaces, double patches)
 {
-    constexpr double bytes_per_surface = 700; // most while the file is read: corners, pieces, names
-    constexpr double bytes_per_patch = 400;   // counting lines in rows, or shading, or a mesh in the making
+    constexpr double bytes_per_patch = 400; // counting lines in rows, or shading, or a mesh in the making
+    return bytes_per_surface * surfaces + bytes_per_patch * patches;
+}
+
+double page_bytes(double surfaces, double patches)
+{
+    constexpr double bytes_per_patch = 600;
     return bytes_per_surface * surfaces + bytes_per_patch * patches;
 }
 

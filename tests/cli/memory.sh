@@ -26,6 +26,12 @@ picture() {
 }
 check "a picture that does not fit is refused" picture
 
+page() {
+    ends 1 solve "$scene" --patches 300k --memory 150MB --size 8x8 -o room.html && lines_are err 1 &&
+        says err "a page of" && says err "--memory allows 150 MB"
+}
+check "a page that does not fit is refused, where a table of as many patches would" page
+
 file() { ends 1 check "$scene" --memory 1kB && lines_are err 1 && says err "reading it needs about"; }
 check "a file that does not fit is refused" file
 
