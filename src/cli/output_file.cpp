@@ -74,6 +74,15 @@ std::string follow_links(const std::string& name)
     fail(name, ELOOP);
 }
 
+void make_folder(const std::string& path)
+{
+    struct stat status = {};
+    if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
+        throw OutputError("cannot make the folder " + path + ": " + std::generic_category().message(errno));
+    if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+        throw OutputError("cannot write into " + path + ": it is not a folder");
+}
+
 OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_output : path)
 {
     struct stat status = {};

@@ -24,6 +24,9 @@ public:
 /// Throws OutputError for links in a circle.
 std::string follow_links(const std::string& path);
 
+/// Makes the folder if there is none. Throws OutputError.
+void make_folder(const std::string& path);
+
 /// A file that appears under its name only when it is complete. The constructor finds out whether the target can be
 /// written (do this before the work); the bytes go to a temporary beside it, which commit() renames and the destructor
 /// removes.

@@ -11,11 +11,8 @@
 #include "study/study_reader.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace multipath {
@@ -65,15 +62,6 @@ void run_step(const PaperStep& step, const std::string& folder, const CommandLin
     if (line.has("threads"))
         add("threads", line.text("threads"));
     command.run(CommandLine(command.table, words));
-}
-
-void make_folder(const std::string& folder)
-{
-    struct stat status = {};
-    if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
-        throw OutputError("cannot make the folder " + folder + ": " + std::strerror(errno));
-    if (stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-        throw OutputError("cannot write into " + folder + ": it is not a folder");
 }
 
 SceneFindings scene_findings(const std::string& name, const std::string& path, int threads)

@@ -15,11 +15,8 @@
 #include "scene/input_error.h"
 #include "scene/text_format.h"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace multipath {
@@ -105,13 +102,8 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
 StudyCache::StudyCache(const CommandLine& line, const std::vector<std::string>& outputs)
     : folder_(cache_folder(line, outputs))
 {
-    if (folder_.empty())
-        return;
-    struct stat status = {};
-    if (mkdir(folder_.c_str(), 0777) != 0 && errno != EEXIST)
-        throw OutputError("cannot make the folder " + folder_ + ": " + std::strerror(errno));
-    if (stat(folder_.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-        throw OutputError("cannot keep runs in " + folder_ + ": it is not a folder");
+    if (!folder_.empty())
+        make_folder(folder_);
 }
 
 std::optional<std::string> StudyCache::path(const std::string& name) const
