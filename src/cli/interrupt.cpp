@@ -28,4 +28,10 @@ bool interrupted()
     return received != 0;
 }
 
+void end_if_interrupted(const std::string& left)
+{
+    if (interrupted())
+        throw Interrupted(left.empty() ? "interrupted" : "interrupted; " + left);
+}
+
 } // namespace multipath

@@ -76,6 +76,7 @@ void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t line
     RunRecord record;
     std::vector<Solution> parts;
     for (SavedRun& run : runs) {
+        end_if_interrupted();
         const Archive::Inner inner(*run.arrays, RunRecord::part);
         RunRecord one;
         one.visit(*run.arrays, scene.patch_count());
@@ -104,9 +105,10 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
         std::vector<Archive*> shares;
         for (SavedRun& run : runs)
             shares.push_back(run.arrays.get());
-        add_up_shares(shares, runs[0].parts, scene.patch_count(),
-                      count_bytes(scene.patch_count(), bytes_for_pairs(job.options.memory, scene)), job.options.threads,
-                      sum);
+        add_up_shares(
+            shares, runs[0].parts, scene.patch_count(),
+            count_bytes(scene.patch_count(), bytes_for_pairs(job.options.memory, scene)), job.options.threads,
+            [] { end_if_interrupted(); }, sum);
     } else {
         average(runs, scene, job.options.lines, sum);
     }
@@ -130,6 +132,7 @@ int run_merge(const CommandLine& line)
     const Scene scene = restored(runs[0].description.scene);
     SavedRun sum =
         read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
+    end_if_interrupted();
     const bool only_states = std::all_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
         return output.format == OutputFormat::state;
     });

@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/provenance.h"
 #include "cli/version.h"
@@ -62,6 +63,7 @@ void run_step(const PaperStep& step, const std::string& folder, const CommandLin
     if (line.has("threads"))
         add("threads", line.text("threads"));
     command.run(CommandLine(command.table, words));
+    end_if_interrupted("the same command goes on from the runs that were finished");
 }
 
 SceneFindings scene_findings(const std::string& name, const std::string& path, int threads)
@@ -110,6 +112,7 @@ int run_paper(const CommandLine& line)
     const bool quiet = line.has("quiet");
     const auto start = std::chrono::steady_clock::now();
     const std::vector<PaperStep> steps = paper_steps(line.has("quick"), line.text("scenes"), folder);
+    watch_interrupts();
     make_folder(folder);
     const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {

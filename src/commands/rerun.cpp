@@ -1,5 +1,6 @@
 #include "commands/rerun.h"
 
+#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/provenance.h"
 #include "cli/temporary_folder.h"
@@ -143,7 +144,9 @@ void run_silently(const Command& command, const CommandLine& line, const std::st
 {
     const SilentOutput silence;
     try {
-        if (command.run(line) != 0)
+        const int status = command.run(line);
+        end_if_interrupted();
+        if (status != 0)
             throw InputError(path + ": the command in its record has failed");
     } catch (const InputError& error) {
         const std::string hint = "; the paths in the record of " + path + " start where the command was first run";

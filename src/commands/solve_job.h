@@ -13,8 +13,6 @@
 
 namespace multipath {
 
-constexpr int exit_interrupted = 130;
-
 /// What `solve` is asked for, read from its command line.
 struct SolveJob
 {

@@ -1,5 +1,6 @@
 #include "commands/study_cache.h"
 
+#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
@@ -94,7 +95,11 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
 {
     const SolveOptions options = read_solve_options(command, "lines");
     Progress progress("reference", progress_style(line));
-    return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
+    const auto show = [&](double done) {
+        end_if_interrupted();
+        progress.show(done);
+    };
+    return solve_accurately(scene, options, read_accuracy(command), show);
 }
 
 } // namespace

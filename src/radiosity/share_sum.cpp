@@ -11,12 +11,16 @@ namespace multipath {
 
 namespace {
 
-void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
+using BeforeEach = std::function<void()>;
+
+void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patches, const BeforeEach& before_each,
+                        Archive& sum)
 {
     PairCounts counts(patches);
     PairCounts share(patches);
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
+        before_each();
         const Archive::Inner inner(*shares[k], "pair counts");
         ranges[k].visit(*shares[k]);
         share.visit(*shares[k]);
@@ -29,11 +33,12 @@ void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patch
 }
 
 void add_up_line_counts(const std::vector<Archive*>& shares, std::uint32_t patches, std::size_t byte_limit, int threads,
-                        Archive& sum)
+                        const BeforeEach& before_each, Archive& sum)
 {
     LineCounts counts(patches, byte_limit);
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
+        before_each();
         const Archive::Inner inner(*shares[k], "line counts");
         LineCounts share(patches);
         ranges[k].visit(*shares[k]);
@@ -49,12 +54,13 @@ void add_up_line_counts(const std::vector<Archive*>& shares, std::uint32_t patch
 }
 
 /// Each share has refined its rows; the others are as they were.
-void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
+void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, const BeforeEach& before_each, Archive& sum)
 {
     ExchangeEstimate all{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     ExchangeEstimate share{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
+        before_each();
         {
             const Archive::Inner inner(*shares[k], "pair rays");
             ranges[k].visit(*shares[k]);
@@ -81,15 +87,15 @@ void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archi
 } // namespace
 
 void add_up_shares(const std::vector<Archive*>& shares, const std::vector<std::string>& parts, std::uint32_t patches,
-                   std::size_t byte_limit, int threads, Archive& sum)
+                   std::size_t byte_limit, int threads, const std::function<void()>& before_each, Archive& sum)
 {
     const std::string stage = parts.empty() ? "" : parts.back();
     if (stage == "pair counts")
-        add_up_pair_counts(shares, patches, sum);
+        add_up_pair_counts(shares, patches, before_each, sum);
     else if (stage == "line counts")
-        add_up_line_counts(shares, patches, byte_limit, threads, sum);
+        add_up_line_counts(shares, patches, byte_limit, threads, before_each, sum);
     else if (stage == "pair rays")
-        join_rows(shares, patches, sum);
+        join_rows(shares, patches, before_each, sum);
     else
         throw ArchiveError("the shares are not finished; expected shares whose runs ended by themselves");
 }

@@ -49,11 +49,12 @@ public:
     {
     }
 
-    Execution run(std::uint64_t lines, int number, const std::vector<double>& areas, const Reference& reference)
+    Execution run(std::uint64_t lines, int number, const std::vector<double>& areas, const Reference& reference,
+                  const ProgressCallback& progress)
     {
         prepare_once();
         const ProcessorTime time;
-        const Solution solution = solve(scene_, preparation_, options_for(lines, number), [](double) {});
+        const Solution solution = solve(scene_, preparation_, options_for(lines, number), progress);
         const double seconds = preparation_seconds_ + time.seconds();
         const ErrorMeasure error = measure_error(areas, solution.radiosity, reference.radiosity);
         return {solution.local_lines, solution.global_lines, error.mean_square, error.relative_mean_square, seconds};
@@ -160,10 +161,16 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
     std::mutex mutex;
     parallel_blocks(runs.size(), threads, [&](std::uint64_t n) {
         const PlannedRun& run = runs[n];
-        journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference));
-        const std::lock_guard<std::mutex> lock(mutex);
-        done_lines += static_cast<double>(run.key.lines);
-        progress(done_lines / all_lines);
+        const auto lines = static_cast<double>(run.key.lines);
+        double told = 0.0; // of this run, 0 ... 1
+        const auto tell = [&](double done) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            done_lines += (done - told) * lines;
+            told = done;
+            progress(std::min(1.0, done_lines / all_lines));
+        };
+        journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference, tell));
+        tell(1.0);
     });
 
     Study study;

@@ -42,6 +42,35 @@ interrupted() {
 }
 check "killed in the middle, a study keeps what was finished" interrupted
 
+# usage: left_by_signal NAME MOMENT COMMAND ARGS...    stops it once the command MOMENT succeeds; nothing half written may stay
+left_by_signal() {
+    name=$1 moment=$2
+    shift 2
+    "$program" "$@" >out 2>err &
+    for wait in $(seq 2000); do
+        $moment && break
+        sleep 0.02
+    done
+    kill -TERM $!
+    wait $!
+    status=$?
+    [ $status -eq 130 ] || { echo "exit status $status"; cat err; return 1; }
+    says err "interrupted" && lines_are err 1 && [ -z "$(find . -name "*$name*.part")" ] && [ ! -f "$name" ]
+}
+one_kept() { [ "$(cat left.cache/runs-*.txt 2>/dev/null | wc -l)" -ge 2 ]; }
+part_there() { [ -n "$(find . -name '.reference*.part')" ]; }
+stopped() {
+    left_by_signal left.csv one_kept study "$scene" --methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^26 \
+        --reference ref_of_24.csv --quiet -o left.csv && says err "goes on from the runs that were finished"
+}
+stopped_in_reference() {
+    left_by_signal reference part_there study "$scene" --methods global --from 2^24 --to 2^24 --patch-size 0.5 --quiet -o none.csv &&
+        [ ! -f none.csv ]
+}
+check "a reference for the next" ends 0 solve "$scene" --patch-size 0.5 --lines 2^14 --quiet -o ref_of_24.csv
+check "SIGTERM ends a study at once: exit status 130, kept runs kept, nothing half written" stopped
+check "and so it does while the reference is computed" stopped_in_reference
+
 more_curves() {
     ends 0 study "$scene" $few --methods global,reuse,local --sequences random,halton:2,7,3,5 --cache a.cache -o more.csv || return
     grep '^reuse' a.csv | sort >then && grep '^reuse' more.csv | sort >now && cmp now then
