@@ -1,6 +1,7 @@
 // Light takes the colour of what reflects it, so a white floor is reddest next to a red wall: by how much is known in
 // closed form where all form factors are, and in which direction in any room.
 
+#include "form_factor.h"
 #include "radiosity/solve.h"
 #include "scene/obj_reader.h"
 #include "statistics.h"
@@ -56,14 +57,6 @@ double exchange_area_at_right_angle(double w)
     const double sum = 1.0 + d2;
     const double logs = std::log(2.0 * d2 / sum) + w2 * std::log(w2 * sum / (d2 * d2)) + std::log(sum / (2.0 * d2));
     return (angles + 0.25 * logs) / 3.14159265358979323846;
-}
-
-// Howell, C-11: two parallel unit squares at distance 1.
-double opposite_form_factor()
-{
-    return 2.0 / 3.14159265358979323846 *
-           (std::log(2.0 / std::sqrt(3.0)) + 2.0 * std::sqrt(2.0) * std::atan(1.0 / std::sqrt(2.0)) -
-            std::atan(1.0) * 2.0);
 }
 
 /// A unit cube: a lamp wall at x = 1 and a red wall at x = 0 face each other, four white strips of the floor lie

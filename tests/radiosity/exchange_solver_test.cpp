@@ -1,5 +1,6 @@
 #include "radiosity/exchange_solver.h"
 
+#include "linear_system.h"
 #include "sampling/random.h"
 #include "transport/dense_exchange.h"
 
@@ -51,31 +52,6 @@ DenseExchange exchange_of(const PairMatrix<float>& pairs, double self)
     return DenseExchange(pairs, std::move(losses), std::move(row_area), 1);
 }
 
-/// Gaussian elimination with the largest pivot of each column.
-std::vector<double> eliminated(std::vector<std::vector<double>> matrix, std::vector<double> right)
-{
-    const std::size_t n = right.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k + 1; i < n; ++i)
-            pivot = std::abs(matrix[i][k]) > std::abs(matrix[pivot][k]) ? i : pivot;
-        std::swap(matrix[k], matrix[pivot]);
-        std::swap(right[k], right[pivot]);
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const double factor = matrix[i][k] / matrix[k][k];
-            for (std::size_t j = k; j < n; ++j)
-                matrix[i][j] -= factor * matrix[k][j];
-            right[i] -= factor * right[k];
-        }
-    }
-    for (std::size_t k = n; k-- > 0;) {
-        for (std::size_t j = k + 1; j < n; ++j)
-            right[k] -= matrix[k][j] * right[j];
-        right[k] /= matrix[k][k];
-    }
-    return right;
-}
-
 /// One channel of a_i B_i - rho_i sum over j of G_ij B_j = a_i S_i, the equation as it stands in the header.
 std::vector<double> exact_channel(const DenseExchange& exchange, const PairMatrix<float>& pairs, const Field& rho,
                                   const Field& source, double Rgb::*channel)
@@ -89,7 +65,7 @@ std::vector<double> exact_channel(const DenseExchange& exchange, const PairMatri
         matrix[i][i] = exchange.row_area(i) - rho[i].*channel * exchange.self_exchange(i);
         right[i] = exchange.row_area(i) * source[i].*channel;
     }
-    return eliminated(matrix, right);
+    return solve_dense(matrix, right);
 }
 
 void check_solution(const DenseExchange& exchange, const PairMatrix<float>& pairs, const Field& rho,
