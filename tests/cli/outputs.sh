@@ -21,14 +21,14 @@ full_device() {
 
 # A limit on the size of files stands for a full disk: the write fails, and no signal ends the program.
 large_file() {
-    with_old_file large && (ulimit -f 8 && ends 1 solve "$scene" $fine -o large/a.csv) || return
+    with_old_file large && (ulimit -f 200 && ends 1 solve "$scene" $fine -o large/a.csv) || return
     says err "cannot write large/a.csv: File too large" && lines_are err 1 && untouched large
 }
 check "a file that cannot grow leaves the old one as it was" large_file
 
 one_of_several() {
     with_old_file several &&
-        (ulimit -f 8 && ends 1 solve "$scene" $fine -o several/b.ppm -o several/a.csv) &&
+        (ulimit -f 200 && ends 1 solve "$scene" $fine -o several/b.ppm -o several/a.csv) &&
         lines_are err 1 && untouched several
 }
 check "of several outputs none is written when one cannot be" one_of_several
