@@ -63,6 +63,7 @@ refused() {
 check "no points are refused" refused "--count: expected a count" --count 0
 check "no dimensions are refused" refused "--dims: expected a count" --dims 0
 check "more dimensions than the sequence has are refused with its reason" refused "--sequence: " --dims 7
+check "and another one that has them is named" refused "halton with that many bases has more" --sequence kronecker --dims 7
 check "an unknown sequence is refused" refused "unknown sequence 'sobl'" --sequence sobl
 check "points beyond the sequence's end are refused" refused "ends after 64 points" --sequence hammersley:64 --count 65
 check "skipping beyond the sequence's end is refused" refused "ends after" --skip 2^63
