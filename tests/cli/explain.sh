@@ -18,6 +18,21 @@ rays() {
 }
 check "rays of the first shot and of a later pass are told" rays
 
+# Of what the lamp sends, the share 0.1998 reaches the other square (scenes/squares.obj): of 1000 rays 200, give or take
+# 63, which is five standard deviations of random ones.
+# usage: about COUNT TEXT
+about() {
+    count=$(grep -c "$2" out)
+    [ "$count" -gt $(($1 - 63)) ] && [ "$count" -lt $(($1 + 63)) ] || { echo "$count times '$2' instead of $1"; return 1; }
+}
+lost_power() {
+    cp "$root/scenes/squares.obj" "$root/scenes/squares.mtl" . && sed 's/^f 5 6 7 8/f 8 7 6 5/' squares.obj >away.obj
+    rays_of="--patch-size 1 --stage first-shot --of 2^14 --lines 1000"
+    ends 0 explain squares.obj $rays_of && about 800 "which is lost: it leaves the scene" && about 200 " receives " || return
+    ends 0 explain away.obj $rays_of && about 800 "lost: it leaves the scene" && about 200 "lost: it meets the back of a surface"
+}
+check "rays that leave an open scene, or meet the back of a surface, are told as lost, as many as form factors say" lost_power
+
 particles() {
     ends 0 explain "$scene" --method local --of 2^14 --lines 20 && silent err && narrow && says out "particle 20 of " &&
         says out "it goes on with" && says out "it ends"
