@@ -127,15 +127,6 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 {
 }
 
-OutputFile& OutputFile::operator=(OutputFile&& other) noexcept
-{
-    std::swap(name_, other.name_);
-    std::swap(target_, other.target_);
-    std::swap(temporary_, other.temporary_);
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-}
-
 void OutputFile::write(std::string_view bytes)
 {
     assert(descriptor_ >= 0);

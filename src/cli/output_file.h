@@ -38,7 +38,6 @@ public:
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
-    OutputFile& operator=(OutputFile&& other) noexcept;
 
     /// Appends.
     void write(std::string_view bytes);
