@@ -156,6 +156,15 @@ refused_merges() {
 }
 check "merge refuses what is missing, there twice, or of other runs" refused_merges
 
+unfinished_merge() {
+    for i in 1 2; do
+        interrupted TERM --shard $i/2 && says err "--resume goes on" && mv run.state half-$i.state || return
+    done
+    ends 1 merge half-1.state half-2.state -o x.csv && lines_are err 1 && says err "half-1.state: this share is not finished" &&
+        [ ! -e x.csv ]
+}
+check "and shares that were interrupted" unfinished_merge
+
 shard_options() {
     ends 2 solve "$scene" --shard 4/3 --state x.state && ends 2 solve "$scene" --shard 0/3 --state x.state &&
         ends 2 solve "$scene" --shard 1/3 --lines 2 --state x.state && says err "more shards than lines" &&
