@@ -21,7 +21,7 @@ struct DependentDefault
 {
     std::string_view option;
     std::string_view other;
-    std::string_view value = "";
+    std::string_view value{};
 };
 
 constexpr std::array<DependentDefault, 9> dependent_defaults = {{{"ratio", "power-per-line"},

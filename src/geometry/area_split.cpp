@@ -50,7 +50,12 @@ struct Bin
         box.include(other.box);
         count += other.count;
     }
-    float cost() const { return count == 0 ? 0.0f : static_cast<float>((count + 15) / 16) * box.area(); }
+    /// Leaves of 16 places cost the same however many are taken.
+    float cost() const
+    {
+        const std::uint32_t leaves = (count + 15) / 16;
+        return leaves == 0 ? 0.0f : static_cast<float>(leaves) * box.area();
+    }
 };
 
 /// The last bin of the left part and the cost, for one axis; bin -1 where nothing is to be split.

@@ -31,30 +31,37 @@ bool is_few(const FramedRectangles& framed)
 /// each other.
 struct Intersector::Groundwork
 {
-    Groundwork(const std::vector<Surface>& surfaces, int threads) : frame(box_around(surfaces))
-    {
-        const auto share = [&] { planes = share_planes(surfaces); };
-        const auto arrange = [&] {
-            boxes = boxes_around_each(surfaces);
-            size_rank = size_ranks(surfaces);
-            if (surfaces.size() > FlatSurfaces::most) {
-                std::vector<std::uint32_t> all(surfaces.size());
-                std::iota(all.begin(), all.end(), 0u);
-                tree = WideTree(boxes, all, frame);
-            }
-        };
-        parallel_blocks(2, threads, [&](std::uint64_t part) { part == 0 ? share() : arrange(); });
-    }
-
     FilterFrame frame;
     SharedPlanes planes;
     std::vector<Bounds> boxes;
     std::vector<std::uint32_t> size_rank;
     WideTree tree; ///< of all surfaces, if they are many
+
+    static Groundwork of(const std::vector<Surface>& surfaces, int threads)
+    {
+        Groundwork ground;
+        ground.frame = FilterFrame(box_around(surfaces));
+        const auto arrange = [&] {
+            ground.boxes = boxes_around_each(surfaces);
+            ground.size_rank = size_ranks(surfaces);
+            if (surfaces.size() > FlatSurfaces::most) {
+                std::vector<std::uint32_t> all(surfaces.size());
+                std::iota(all.begin(), all.end(), 0u);
+                ground.tree = WideTree(ground.boxes, all, ground.frame);
+            }
+        };
+        parallel_blocks(2, threads, [&](std::uint64_t part) {
+            if (part == 0)
+                ground.planes = share_planes(surfaces);
+            else
+                arrange();
+        });
+        return ground;
+    }
 };
 
 Intersector::Intersector(const std::vector<Surface>& surfaces, const FilterKernel& kernel, int threads)
-    : Intersector(surfaces, Groundwork(surfaces, threads), kernel, threads)
+    : Intersector(surfaces, Groundwork::of(surfaces, threads), kernel, threads)
 {
 }
 

@@ -169,13 +169,43 @@ TEST_CASE("kernels lose no hit of a million lines through the bundled scenes")
     }
 }
 
-TEST_CASE("kernels lose no hit of a hundred thousand triangles")
+std::vector<Surface> scattered_triangles(std::size_t count, double size)
 {
-    std::vector<Surface> surfaces = scattered_surfaces(100000, 0.01, 10);
+    std::vector<Surface> surfaces = scattered_surfaces(count, size, 10);
     for (Surface& surface : surfaces)
         surface.shape = Shape::triangle;
+    return surfaces;
+}
+
+TEST_CASE("kernels lose no hit of a hundred thousand triangles")
+{
+    const std::vector<Surface> surfaces = scattered_triangles(100000, 0.01);
     CHECK(wrong_lines(surfaces, random_chords(surfaces, 300)) == 0);
     CHECK(wrong_lines(surfaces, difficult_lines(surfaces, 400, 11)) == 0);
+}
+
+TEST_CASE("no hit is lost among a million triangles")
+{
+    const std::vector<Surface> surfaces = scattered_triangles(1000000, 0.01);
+    const BruteForce brute_force(surfaces);
+    const Intersector intersector(surfaces, *available_kernels()[0], 2);
+    std::vector<Line> lines = random_chords(surfaces, 100);
+    const std::vector<Line> others = difficult_lines(surfaces, 200, 12);
+    lines.insert(lines.end(), others.begin(), others.end());
+    HitLists lists;
+    intersector.all_hits(lines.data(), lines.size(), lists);
+    std::vector<Hit> expected;
+    std::size_t wrong = 0;
+    std::size_t met = 0;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+        brute_force.all_hits(lines[n], expected);
+        const HitLists::List found = lists[n];
+        wrong += !std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
+                             [](const Hit& a, const Hit& b) { return same(a, b); });
+        met += expected.size();
+    }
+    CHECK(wrong == 0);
+    CHECK(met > 5 * lines.size()); // some of the difficult ones meet nothing
 }
 
 TEST_SUITE_END();
