@@ -1,5 +1,7 @@
 #include "geometry/area_split.h"
 
+#include "geometry/wide_node.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -50,10 +52,10 @@ struct Bin
         box.include(other.box);
         count += other.count;
     }
-    /// Leaves of 16 places cost the same however many are taken.
+    /// Leaves cost the same however many of their places are taken.
     float cost() const
     {
-        const std::uint32_t leaves = (count + 15) / 16;
+        const std::uint32_t leaves = (count + WideNode::lanes - 1) / WideNode::lanes;
         return leaves == 0 ? 0.0f : static_cast<float>(leaves) * box.area();
     }
 };

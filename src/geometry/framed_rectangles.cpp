@@ -12,14 +12,12 @@
 //
 // Then divided by |a|, for |a| not less than least_approach, A = 1e-6 S, S = FilterLine::scale between L and 2 L.
 // 4. The reciprocal is wrong by its share R <= 2^-11. t = h / a, |h| < 2.6, is wrong by 2.6 R / |a| and 3 e / |a| for
-// its
-//    operations, in all with 3. by less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the distance slack.
+//    its operations, in all with 3. by less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the distance slack.
 // 5. So t d adds 2.6 R L / |a| to 10 T L / |a|; the operations add 10 e L / |a|; together less than (1.1e-4 + 3 R) L /
 //    |a|: the slack.
-// 6. Where |a| < A, A stands for it. What double precision passes has |h| <= |a| half_length + 4 T < 1.01 A / L + 4 T,
-// so
-//    that |t| exceeds neither half_length + 4 T / A, nor the true place by more than 2 half_length + 4 T / A, 2.02 A /
-//    L being below 4e-6; and |u| < 2.5 + (1.01 A / L + 4 T) L / A < 44, less than the slack of 1.1e-4 S / A > 100.
+// 6. Where |a| < A, A stands for it. What double precision passes has |h| <= |a| half_length + 4 T < 1.01 A / L + 4 T.
+//    So |t| exceeds neither half_length + 4 T / A, nor the true place by more than 2 half_length + 4 T / A, 2.02 A / L
+//    being below 4.1e-6; and |u| < 2.5 + (1.01 A / L + 4 T) L / A < 44, less than the slack of 1.1e-4 S / A > 100.
 
 #include "geometry/framed_rectangles.h"
 

@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t work_block = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
+constexpr std::uint32_t at_a_time = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
 
 /// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
 /// once for all of its own, of any other surface.
@@ -97,9 +97,8 @@ void Intersector::sort_out_unfiltered(const std::vector<Surface>& surfaces, std:
                                       int threads)
 {
     std::vector<unsigned char> fits(surfaces.size());
-    parallel_blocks((surfaces.size() + work_block - 1) / work_block, threads, [&](std::uint64_t block) {
-        const std::uint64_t end = std::min<std::uint64_t>(surfaces.size(), work_block * (block + 1));
-        for (auto s = static_cast<std::uint32_t>(work_block * block); s < end; ++s)
+    parallel_ranges(table_.size(), at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t s = first; s < end; ++s)
             fits[s] = can_be_filtered(table_.row(s), surfaces[s], frame_);
     });
     for (std::uint32_t s = 0; s < surfaces.size(); ++s)
@@ -129,9 +128,9 @@ void Intersector::fill_blocks(int threads)
                 fill_lane(blocks_[block], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
             }
     };
-    parallel_blocks((blocks_.size() + work_block - 1) / work_block, threads, [&](std::uint64_t part) {
-        const std::uint64_t end = std::min<std::uint64_t>(blocks_.size(), work_block * (part + 1));
-        for (std::uint64_t block = work_block * part; block < end; ++block)
+    const auto count = static_cast<std::uint32_t>(blocks_.size());
+    parallel_ranges(count, at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t block = first; block < end; ++block)
             fill(block);
     });
 }

@@ -33,7 +33,7 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
 void Intersector::find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first,
                                        std::size_t count, FirstHits& found) const
 {
-    alignas(64) std::array<float, LineBatch::most> own_plane;
+    alignas(64) std::array<float, LineBatch::most> own_plane{};
     for (std::size_t i = 0; i < count; ++i)
         own_plane[i] = static_cast<float>(plane_[from[first + i]]);
     NearestCandidates candidates;

@@ -109,18 +109,18 @@ void compare_solvers()
              solver("local", scene, Method::local, 1u << 21), solver("line reuse", scene, Method::reuse, 1u << 21)});
 }
 
-void compare_patches()
+void compare_patches(Method method, const std::string& name)
 {
     std::vector<std::unique_ptr<Scene>> scenes;
     std::vector<Contestant> contestants;
     for (const std::uint64_t patches : {1000, 10000, 100000, 1000000}) {
         scenes.push_back(std::make_unique<Scene>(scene_of(room_with_boxes(5), patches)));
-        contestants.push_back(solver(std::to_string(scenes.back()->patch_count()) + " patches", *scenes.back(),
-                                     Method::global, 1u << 22));
+        contestants.push_back(
+            solver(std::to_string(scenes.back()->patch_count()) + " patches", *scenes.back(), method, 1u << 22));
     }
     for (std::size_t k = 1; k < contestants.size(); ++k)
         contestants[k].rival = contestants[0].name;
-    compete("global pass over the number of patches", contestants);
+    compete(name + " over the number of patches", contestants);
 }
 
 /// Here the clock on the wall counts, and the two take turns.
@@ -168,8 +168,10 @@ int main(int argc, char** argv)
         compare_crossings();
     if (runs("solvers"))
         compare_solvers();
-    if (runs("patches"))
-        compare_patches();
+    if (runs("patches")) {
+        compare_patches(Method::global, "global pass");
+        compare_patches(Method::first_shot, "first shot and global pass");
+    }
     if (runs("threads"))
         compare_threads();
     return 0;
