@@ -95,9 +95,8 @@ double power_from(const std::vector<ShotPass>& passes, std::size_t k)
 std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                 const ExtendedShotOptions& options, const RunControl& run, PowerState state)
 {
-    constexpr double pilot_share = 1.0 / 16;
-    const double pilot_lines = pilot_share * static_cast<double>(options.lines);
-    const double pilot_power = power_above(scene, state, options.threshold) / std::max(1.0, pilot_lines);
+    const std::uint64_t pilot_lines = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
+    const double pilot_power = power_above(scene, state, options.threshold) / static_cast<double>(pilot_lines);
     const Checkpoint::Part part(run.checkpoint, "pilot", [&](Archive& archive) { state.visit(archive); });
     return Passes(scene, sequence, first_item, options)
         .run(state, {run.threads, {}, run.checkpoint}, {}, [&](double, const auto&) { return pilot_power; });

@@ -9,7 +9,6 @@
 #include "transport/intersection_list.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -37,6 +36,12 @@ double random_number(std::uint64_t key, std::uint64_t particle, std::uint64_t co
     return bits_to_unit(random_bits(random_bits(key, particle), counter));
 }
 
+/// The chance that a particle goes on from where it arrives.
+double survival(const Scene& scene, std::uint32_t where)
+{
+    return Segment::is_patch(where) ? mean(scene.reflectance(where)) : 0.0;
+}
+
 } // namespace
 
 Item Particles::next_item(std::uint64_t particle, std::uint32_t depth) const
@@ -51,10 +56,10 @@ Item Particles::next_item(std::uint64_t particle, std::uint32_t depth) const
 ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::uint32_t from, const Item& item,
                              std::uint32_t where, Rgb power) const
 {
-    const Rgb rho = Segment::is_patch(where) ? scene_.reflectance(where) : Rgb{};
-    const double survival = mean(rho);
+    const double chance = survival(scene_, where);
     const double drawn = random_number(key_, particle, numbers_per_step * depth);
-    return {from, item, where, power, drawn, drawn < survival ? (1.0 / survival) * (rho * power) : Rgb{}};
+    const bool goes_on = drawn < chance;
+    return {from, item, where, power, drawn, goes_on ? (1.0 / chance) * (scene_.reflectance(where) * power) : Rgb{}};
 }
 
 // All particles take their first step, then all that are left their second, and so on: rays are traced faster together.
@@ -111,20 +116,23 @@ void ParticlePaths::sort_by_particle()
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads)
 {
-    const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 65536);
+    const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 4096);
     const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
     const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
-    std::atomic<std::uint64_t> steps{0};
-    constexpr std::uint64_t together = 4096;
-    parallel_blocks((pilot.count() + together - 1) / together, threads, [&](std::uint64_t block) {
+    constexpr std::uint64_t together = 1024;
+    const std::uint64_t blocks = (pilot.count() + together - 1) / together;
+    std::vector<double> further_steps(static_cast<std::size_t>(blocks), 0.0);
+    parallel_blocks(blocks, threads, [&](std::uint64_t block) {
         const std::uint64_t first = block * together;
         std::vector<Item> items(static_cast<std::size_t>(std::min(together, pilot.count() - first)));
         random->generate(first, items);
         ParticlePaths paths;
         pilot.follow(first, items, paths);
-        steps += paths.steps.size();
+        for (const ParticleStep& step : paths.steps) // the chance of a further step is steadier than what was drawn
+            further_steps[static_cast<std::size_t>(block)] += survival(scene, step.where);
     });
-    const double segments = static_cast<double>(steps) / static_cast<double>(pilot.count());
+    const double segments =
+        1.0 + std::accumulate(further_steps.begin(), further_steps.end(), 0.0) / static_cast<double>(pilot.count());
     const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) / segments));
     return Particles(scene, plan_first_shot(scene, state, 0.0, std::max<std::uint64_t>(1, wanted)), seed);
 }

@@ -5,9 +5,9 @@ scene=$root/scenes/5cubes.obj
 narrow() { ! awk 'length($0) > 110' out | grep .; }
 
 global_lines() {
-    ends 0 explain "$scene" --lines 2 --of 2^14 --line-order sequence && silent err && narrow && says out "line 1 of " && says out "line 2 of " &&
+    ends 0 explain "$scene" --lines 2 --of 2^14 --ratio 1 --line-order sequence && silent err && narrow && says out "line 1 of " && says out "line 2 of " &&
         ! grep -q "line 3 of" out && says out "on the sphere" && says out "sends forecast" && says out "then holds" &&
-        says out "ceiling (line 26) "
+        says out "floor (line 22) "
 }
 check "the first global lines are told with their meetings, pairs and powers" global_lines
 
