@@ -10,7 +10,7 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["parallel"] = ""
         below["geometry"] = " parallel "
         below["sampling"] = " geometry parallel "
-        below["scene"] = " geometry "
+        below["scene"] = " geometry parallel "
         below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
         below["radiosity"] = below["transport"] "transport "
         below["exam"] = below["radiosity"] "export radiosity "

@@ -201,8 +201,9 @@ CsvTable read_csv(const std::string& path)
 {
     TextLines lines(path);
     std::string text;
-    while (const std::optional<TextLine> line = lines.next())
-        text.append(line->text).append(line->ended ? "\n" : "");
+    TextLine line;
+    while (lines.next(line))
+        text.append(line.text).append(line.ended ? "\n" : "");
     return parse_csv(text, path);
 }
 

@@ -43,7 +43,6 @@ struct Intersector::Groundwork
         ground.frame = FilterFrame(box_around(surfaces));
         const auto arrange = [&] {
             ground.boxes = boxes_around_each(surfaces);
-            ground.size_rank = size_ranks(surfaces);
             if (surfaces.size() > FlatSurfaces::most) {
                 std::vector<std::uint32_t> all(surfaces.size());
                 std::iota(all.begin(), all.end(), 0u);
@@ -51,10 +50,12 @@ struct Intersector::Groundwork
             }
         };
         parallel_blocks(2, threads, [&](std::uint64_t part) {
-            if (part == 0)
+            if (part == 0) {
                 ground.planes = share_planes(surfaces);
-            else
+                ground.size_rank = size_ranks(surfaces);
+            } else {
                 arrange();
+            }
         });
         return ground;
     }

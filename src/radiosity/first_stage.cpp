@@ -31,12 +31,11 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
         const DirectLight direct = measure_direct_light(scene, pilot_rays, options.threads);
         figures.secondary_reflectance = direct.secondary_reflectance;
         figures.lit_fraction = direct.lit_fraction;
-    }
-    else {
+    } else {
         figures = extended_figures(figures);
     }
     if (!(figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0))
-        return 1.0; // nothing reflects direct light: any split does
+        return 1.0;                // nothing reflects direct light: any split does
     return optimal_ratio(figures); // (3)
 }
 

@@ -1,18 +1,11 @@
 #pragma once
 
+#include "parallel/mix_bits.h"
+
 #include <cstdint>
 #include <cstring>
 
 namespace multipath {
-
-/// Bijective mixing of 64 bits in which every input bit affects every output bit: the finaliser of SplitMix64
-/// (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014; constants by Stafford).
-inline std::uint64_t mix_bits(std::uint64_t x)
-{
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
 
 /// Counter-based generator: number `counter` of the stream `key` is a function of the two, so that any part of a
 /// stream can be had without the rest. The counter walks by the golden ratio as in SplitMix64.

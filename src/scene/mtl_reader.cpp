@@ -45,8 +45,9 @@ private:
 
 void MtlParser::parse()
 {
-    while (const std::optional<TextLine> line = lines_.next())
-        statement(*line);
+    TextLine line;
+    while (lines_.next(line))
+        statement(line);
     if (ignored_.empty())
         return;
     std::string names;

@@ -60,13 +60,13 @@ public:
 
 private:
     void statement(const TextLine& line);
-    void named_statement(std::string_view keyword, std::string_view rest, TextPlace place);
-    void vertex(std::string_view rest, TextPlace place);
+    void named_statement(std::string_view keyword, std::string_view rest, const TextPlace& place);
+    void vertex(std::string_view rest, const TextPlace& place);
     void face(std::string_view rest, const TextLine& line);
-    std::uint32_t corner(std::string_view word, TextPlace place) const;
+    std::uint32_t corner(std::string_view word, const TextPlace& place) const;
     void number_names(TextPlace place);
-    void library(std::string_view names, TextPlace place);
-    void unknown(std::string_view keyword, TextPlace place);
+    void library(std::string_view names, const TextPlace& place);
+    void unknown(std::string_view keyword, const TextPlace& place);
     void check_corners() const;
     void summarise_warnings();
     TextPlace at_line(std::uint32_t line) const { return {mesh_.path, line}; }
@@ -89,8 +89,9 @@ private:
 ObjMesh ObjParser::parse()
 {
     bool any_line = false;
-    while (const std::optional<TextLine> line = lines_.next()) {
-        statement(*line);
+    TextLine line;
+    while (lines_.next(line)) {
+        statement(line);
         any_line = true;
     }
     if (!any_line)
@@ -116,7 +117,7 @@ void ObjParser::statement(const TextLine& line)
         named_statement(keyword, rest, line.place);
 }
 
-void ObjParser::named_statement(std::string_view keyword, std::string_view rest, TextPlace place)
+void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextPlace& place)
 {
     if (keyword == "usemtl") {
         material_ = name_in(rest);
@@ -134,7 +135,7 @@ void ObjParser::named_statement(std::string_view keyword, std::string_view rest,
 }
 
 /// Some exporters repeat the statement for every object.
-void ObjParser::library(std::string_view names, TextPlace place)
+void ObjParser::library(std::string_view names, const TextPlace& place)
 {
     constexpr std::size_t most_libraries = 256; // the search for files that a bad file may cause must end
     std::vector<ObjName>& known = mesh_.libraries;
@@ -145,7 +146,7 @@ void ObjParser::library(std::string_view names, TextPlace place)
     known.push_back({std::string(names), place.line});
 }
 
-void ObjParser::unknown(std::string_view keyword, TextPlace place)
+void ObjParser::unknown(std::string_view keyword, const TextPlace& place)
 {
     constexpr std::size_t most_names = 8;
     if (unknown_keywords_.empty())
@@ -157,7 +158,7 @@ void ObjParser::unknown(std::string_view keyword, TextPlace place)
 }
 
 /// x y z, then perhaps a weight (one more number) or a colour (three more).
-void ObjParser::vertex(std::string_view rest, TextPlace place)
+void ObjParser::vertex(std::string_view rest, const TextPlace& place)
 {
     std::array<double, 3> x = {};
     for (double& coordinate : x) {
@@ -205,7 +206,7 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
 }
 
 /// The vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A number that refers forward is returned unchecked.
-std::uint32_t ObjParser::corner(std::string_view word, TextPlace place) const
+std::uint32_t ObjParser::corner(std::string_view word, const TextPlace& place) const
 {
     constexpr std::int64_t too_large = std::numeric_limits<std::uint32_t>::max();
     const bool negative = word[0] == '-';

@@ -108,13 +108,10 @@ double default_patch_size(const std::vector<Surface>& surfaces)
 
     // Long or many triangles give more cells than their area says.
     constexpr std::uint64_t most = 4000;
-    const auto count = [&](double size) {
-        std::uint64_t cells = 0;
-        for (const Surface& surface : surfaces)
-            cells += tessellate(surface, size).cell_count();
-        return cells;
+    const auto too_many = [&](double size) {
+        return surfaces.size() > most || cell_count(surfaces, size) > static_cast<double>(most);
     };
-    while (round_size(k + 1) <= 3.0 * wanted && count(round_size(k)) > most)
+    while (round_size(k + 1) <= 3.0 * wanted && too_many(round_size(k)))
         ++k;
     return round_size(k);
 }

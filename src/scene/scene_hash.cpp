@@ -1,5 +1,7 @@
 #include "scene/scene_hash.h"
 
+#include "parallel/mix_bits.h"
+
 #include <cstring>
 
 namespace multipath {
@@ -9,11 +11,7 @@ namespace {
 class Hash
 {
 public:
-    void add(std::uint64_t value)
-    {
-        for (int shift = 0; shift < 64; shift += 8)
-            state_ = (state_ ^ (value >> shift & 0xffu)) * 0x100000001b3u;
-    }
+    void add(std::uint64_t value) { state_ = mix_bits(state_ ^ value); }
     void add(double value)
     {
         const double without_sign_of_zero = value == 0.0 ? 0.0 : value;

@@ -21,6 +21,16 @@ bool is_line_end(char c)
     return c == '\n' || c == '\r';
 }
 
+/// Whether none of the eight bytes at p is below ' ': then subtracting ' ' from each sets the high bit only where it
+/// was set before, as in UTF-8.
+bool has_no_controls(const char* p)
+{
+    constexpr std::uint64_t each_byte = 0x0101010101010101u;
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, p, sizeof eight);
+    return ((eight - ' ' * each_byte) & ~eight & 0x80 * each_byte) == 0;
+}
+
 /// Paths and names may end in a backslash of their own.
 bool takes_name(std::string_view keyword)
 {
@@ -88,36 +98,38 @@ TextLines::TextLines(const std::string& path) : path_(path), buffer_(first_buffe
         begin_ = 3;
 }
 
-std::optional<TextLine> TextLines::next()
+bool TextLines::next(TextLine& line)
 {
-    const std::optional<std::string_view> text = physical_line();
-    if (!text)
-        return std::nullopt;
-    if (ends_in_backslash(*text)) {
-        std::string_view rest = *text;
+    std::string_view text;
+    if (!physical_line(text))
+        return false;
+    line = {text, place(), ended_};
+    if (ends_in_backslash(text)) {
+        std::string_view rest = text;
         if (!takes_name(next_word(rest)))
-            return join_continued(*text, place());
+            line = join_continued(text);
     }
-    return TextLine{*text, place(), ended_};
+    return true;
 }
 
-TextLine TextLines::join_continued(std::string_view first, TextPlace place)
+TextLine TextLines::join_continued(std::string_view first)
 {
+    const TextPlace first_place = place();
     joined_ = without_backslash(first);
     for (bool more = true; more;) {
-        const std::optional<std::string_view> text = physical_line();
-        if (!text)
-            refuse(place, "the file ends behind a `\\`, expected the rest of the line");
-        if (joined_.size() + text->size() > longest_line)
-            refuse(place, "continued line is longer than 16 MB");
-        more = ends_in_backslash(*text);
+        std::string_view text;
+        if (!physical_line(text))
+            refuse(first_place, "the file ends behind a `\\`, expected the rest of the line");
+        if (joined_.size() + text.size() > longest_line)
+            refuse(first_place, "continued line is longer than 16 MB");
+        more = ends_in_backslash(text);
         joined_ += ' ';
-        joined_ += more ? without_backslash(*text) : *text;
+        joined_ += more ? without_backslash(text) : text;
     }
-    return {joined_, place, ended_};
+    return {joined_, first_place, ended_};
 }
 
-std::optional<std::string_view> TextLines::physical_line()
+bool TextLines::physical_line(std::string_view& text)
 {
     if (after_carriage_return_ && (begin_ < end_ || refill()) && buffer_[begin_] == '\n')
         ++begin_;
@@ -127,12 +139,12 @@ std::optional<std::string_view> TextLines::physical_line()
 
     ended_ = begin_ + length < end_;
     if (!ended_ && length == 0)
-        return std::nullopt;
-    const std::string_view text(buffer_.data() + begin_, length);
+        return false;
+    text = {buffer_.data() + begin_, length};
     after_carriage_return_ = ended_ && buffer_[begin_ + length] == '\r';
     begin_ += length + (ended_ ? 1 : 0);
     ++number_;
-    return text;
+    return true;
 }
 
 /// Length of the line from begin_, of which `length` is known; up to end_ if the line goes on behind the buffer.
@@ -141,6 +153,8 @@ std::size_t TextLines::scan_to_end_of_line(std::size_t length) const
     const char* const begin = buffer_.data() + begin_;
     const char* const end = buffer_.data() + end_;
     const char* p = begin + length;
+    while (end - p >= 8 && has_no_controls(p))
+        p += 8;
     for (; p != end && !is_line_end(*p); ++p)
         if (static_cast<unsigned char>(*p) < ' ' && !is_blank(*p))
             refuse({path_, number_ + 1}, "control character, expected a text file (is it binary or damaged?)");

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,8 +44,9 @@ public:
     /// Throws InputError for a file that cannot be read, is a directory or is not UTF-8 text.
     explicit TextLines(const std::string& path);
 
-    /// Throws InputError at binary data, a line that is too long, or a file that ends behind a backslash.
-    std::optional<TextLine> next();
+    /// False behind the last. Throws InputError at binary data, a line that is too long, or a file that ends behind a
+    /// backslash.
+    bool next(TextLine& line);
 
 private:
     struct Closer
@@ -54,10 +54,10 @@ private:
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
-    std::optional<std::string_view> physical_line();
+    bool physical_line(std::string_view& text);
     std::size_t scan_to_end_of_line(std::size_t length) const;
     bool refill();
-    TextLine join_continued(std::string_view first, TextPlace place);
+    TextLine join_continued(std::string_view first);
     TextPlace place() const { return {path_, number_}; }
 
     std::string path_;

@@ -8,13 +8,17 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 
 namespace multipath {
 
 namespace {
 
+constexpr std::ptrdiff_t most_digits = 19; // of 64 bits
+
 struct Decimal
 {
+    bool is_number = false;
     bool negative = false;
     bool all_digits_kept = true;
     std::uint64_t digits = 0;
@@ -26,16 +30,11 @@ bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/// Adds the digits at p to the number and returns the end of them. Their count is bounded by the longest line.
+/// Adds the digits at p to the number and returns the end of them. More than most_digits overflow.
 const char* scan_digits(const char* p, const char* end, Decimal& number)
 {
-    constexpr std::uint64_t enough = 1'000'000'000'000'000'000; // one more digit still fits
-    for (; p != end && is_digit(*p); ++p) {
-        if (number.digits < enough)
-            number.digits = 10 * number.digits + static_cast<std::uint64_t>(*p - '0');
-        else
-            number.all_digits_kept = false;
-    }
+    for (; p != end && is_digit(*p); ++p)
+        number.digits = 10 * number.digits + static_cast<std::uint64_t>(*p - '0');
     return p;
 }
 
@@ -64,7 +63,7 @@ std::optional<int> scan_exponent(const char* p, const char* end)
     return p == end ? std::optional<int>(negative ? -exponent : exponent) : std::nullopt;
 }
 
-std::optional<Decimal> scan_decimal(std::string_view word)
+Decimal scan_decimal(std::string_view word)
 {
     Decimal number;
     const char* const end = word.data() + word.size();
@@ -79,7 +78,9 @@ std::optional<Decimal> scan_decimal(std::string_view word)
     }
     const std::optional<int> exponent = scan_exponent(p, end);
     if (digit_count == 0 || !exponent)
-        return std::nullopt;
+        return number;
+    number.is_number = true;
+    number.all_digits_kept = digit_count <= most_digits;
     number.exponent += *exponent;
     return number;
 }
@@ -88,17 +89,34 @@ constexpr std::array<double, 23> exact_powers_of_ten = {1e0,  1e1,  1e2,  1e3,  
                                                         1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                         1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-std::optional<double> exact_value(const Decimal& number)
+// Not std::optional: to copy one costs as much as to read a number.
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// no_number if one operation cannot give it.
+double exact_value(const Decimal& number)
 {
     constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
     const int size = std::abs(number.exponent);
     if (!number.all_digits_kept || number.digits > exact_integers ||
         size >= static_cast<int>(exact_powers_of_ten.size()))
-        return std::nullopt;
+        return no_number;
     const double power = exact_powers_of_ten[static_cast<std::size_t>(size)];
     const double digits = static_cast<double>(number.digits);
     const double value = number.exponent < 0 ? digits / power : digits * power;
     return number.negative ? -value : value;
+}
+
+/// no_number for anything but a finite decimal number.
+double value_of(std::string_view word)
+{
+    const Decimal number = scan_decimal(word);
+    if (!number.is_number)
+        return no_number;
+    const double exact = exact_value(number);
+    if (!std::isnan(exact))
+        return exact;
+    const double value = std::strtod(std::string(word).c_str(), nullptr);
+    return std::isfinite(value) ? value : no_number;
 }
 
 std::string_view without_sign(std::string_view word)
@@ -121,7 +139,7 @@ std::string problem_with(std::string_view word)
         return "a number is missing";
     if (names_infinity_or_nan(word))
         return in_quotes(word) + " is not a finite number";
-    if (scan_decimal(word))
+    if (scan_decimal(word).is_number)
         return in_quotes(word) + " is too large for a number";
     if (word.find(',') != std::string_view::npos)
         return in_quotes(word) + " has a decimal comma, expected a decimal point";
@@ -170,21 +188,16 @@ std::string_view name_in(std::string_view rest)
 
 std::optional<double> to_number(std::string_view word)
 {
-    const std::optional<Decimal> number = scan_decimal(word);
-    if (!number)
-        return std::nullopt;
-    if (const std::optional<double> value = exact_value(*number))
-        return value;
-    const double value = std::strtod(std::string(word).c_str(), nullptr);
-    return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+    const double value = value_of(word);
+    return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
-double read_number(std::string_view word, TextPlace place, std::string_view owner)
+double read_number(std::string_view word, const TextPlace& place, std::string_view owner)
 {
-    const std::optional<double> value = to_number(word);
-    if (!value)
+    const double value = value_of(word);
+    if (std::isnan(value))
         refuse(place, std::string(owner) + ": " + problem_with(word));
-    return *value;
+    return value;
 }
 
 } // namespace multipath

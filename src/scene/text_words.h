@@ -30,6 +30,6 @@ std::string_view name_in(std::string_view rest);
 std::optional<double> to_number(std::string_view word);
 
 /// The same, but throws InputError that says what `word` is instead; `owner` says whose number it is.
-double read_number(std::string_view word, TextPlace place, std::string_view owner);
+double read_number(std::string_view word, const TextPlace& place, std::string_view owner);
 
 } // namespace multipath

@@ -1,5 +1,8 @@
 #include "scene/vertex_weld.h"
 
+#include "parallel/mix_bits.h"
+#include "parallel/prefetch.h"
+
 #include <cstring>
 
 namespace multipath {
@@ -17,40 +20,45 @@ std::uint64_t bits_of(double coordinate)
     return bits;
 }
 
-/// All bits of the result depend on both.
-std::uint64_t mix(std::uint64_t hash, std::uint64_t value)
-{
-    hash = (hash ^ value) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio
-    return hash ^ (hash >> 32);
-}
-
 std::uint64_t hash_of(Vec3 p)
 {
-    return mix(mix(mix(0, bits_of(p.x)), bits_of(p.y)), bits_of(p.z));
+    return mix_bits(mix_bits(mix_bits(bits_of(p.x)) ^ bits_of(p.y)) ^ bits_of(p.z));
 }
 
 } // namespace
 
 std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices)
 {
-    constexpr std::uint32_t empty = 0xffffffffu;
-    std::size_t table_size = 16; // a power of two, at most half full
-    while (table_size < 2 * vertices.size())
+    std::size_t table_size = 16; // a power of two, less than half full
+    while (table_size <= 2 * vertices.size())
         table_size *= 2;
+    const std::size_t slot_mask = table_size - 1;
+
+    // An entry is a vertex, and above the bits of its number some of its hash: another vertex is then hardly ever read.
+    const std::uint64_t number_mask = table_size / 2 - 1;
+    constexpr std::uint32_t empty = 0xffffffffu; // a number that no vertex has
     std::vector<std::uint32_t> table(table_size, empty);
-    const std::size_t mask = table.size() - 1;
+    const auto entry_of = [&](std::uint64_t hash, std::uint32_t i) {
+        return static_cast<std::uint32_t>((hash >> 32 & ~number_mask) | i);
+    };
 
     std::vector<std::uint32_t> representative(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        constexpr std::size_t ahead = 16; // the table is larger than the caches
+        if (i + ahead < vertices.size())
+            prefetch(&table[hash_of(vertices[i + ahead]) & slot_mask]);
         representative[i] = i;
-        std::size_t slot = static_cast<std::size_t>(hash_of(vertices[i])) & mask;
-        for (int step = 0; step < most_steps; ++step, slot = (slot + 1) & mask) {
+        const std::uint64_t hash = hash_of(vertices[i]);
+        const std::uint32_t entry = entry_of(hash, i);
+        std::size_t slot = hash & slot_mask;
+        for (int step = 0; step < most_steps; ++step, slot = (slot + 1) & slot_mask) {
             if (table[slot] == empty) {
-                table[slot] = i;
+                table[slot] = entry;
                 break;
             }
-            if (vertices[table[slot]] == vertices[i]) {
-                representative[i] = table[slot];
+            const std::uint32_t other = table[slot] & static_cast<std::uint32_t>(number_mask);
+            if (entry_of(hash, other) == table[slot] && vertices[other] == vertices[i]) {
+                representative[i] = other;
                 break;
             }
         }

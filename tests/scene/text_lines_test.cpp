@@ -19,8 +19,9 @@ Lines lines_of(const std::string& path)
 {
     TextLines lines(path);
     Lines all;
-    while (const std::optional<TextLine> line = lines.next())
-        all.emplace_back(std::string(line->text), line->place.line);
+    TextLine line;
+    while (lines.next(line))
+        all.emplace_back(std::string(line.text), line.place.line);
     return all;
 }
 
