@@ -1,5 +1,8 @@
 #include "cli/help_text.h"
 
+#include "cli/wrapped_text.h"
+#include "scene/utf8.h"
+
 #include <algorithm>
 
 namespace multipath {
@@ -7,34 +10,6 @@ namespace multipath {
 namespace {
 
 constexpr std::size_t widest_left_column = 30; // longer entries put their help on the next line
-
-/// Columns on the screen: bytes of UTF-8 except continuation bytes.
-std::size_t columns(std::string_view text)
-{
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-/// The words of `text` in lines up to `width` columns; the first starts at `column`, the others at `indent`.
-std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t width)
-{
-    std::string result;
-    bool line_empty = true;
-    while (!text.empty()) {
-        const std::size_t length = std::min(text.find(' '), text.size());
-        const std::string_view word = text.substr(0, length);
-        text.remove_prefix(std::min(length + 1, text.size()));
-        if (!line_empty && column + 1 + columns(word) > width) {
-            result.append("\n").append(indent, ' ');
-            column = indent;
-            line_empty = true;
-        }
-        result.append(line_empty ? "" : " ").append(word);
-        column += (line_empty ? 0 : 1) + columns(word);
-        line_empty = false;
-    }
-    return result + "\n";
-}
 
 std::string left_column(const Option& option)
 {
@@ -53,7 +28,7 @@ std::size_t left_width(const std::vector<OptionGroup>& groups)
         for (const Option& option : group.options) {
             if (option.hidden)
                 continue;
-            const std::size_t width = columns(left_column(option)) + 2;
+            const std::size_t width = column_count(left_column(option)) + 2;
             widest = width <= widest_left_column ? std::max(widest, width) : widest;
         }
     return widest;
@@ -63,9 +38,9 @@ std::size_t left_width(const std::vector<OptionGroup>& groups)
 
 std::string two_columns(const std::string& left, std::string_view right, std::size_t indent, std::size_t width)
 {
-    const std::size_t used = columns(left);
+    const std::size_t used = column_count(left);
     const std::string gap = used + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - used, ' ');
-    return left + (right.empty() ? "\n" : gap + wrapped(right, indent, indent, width));
+    return left + (right.empty() ? "\n" : gap + wrapped_text(right, indent, indent, width));
 }
 
 std::string option_help(const Option& option)
@@ -99,7 +74,7 @@ std::string help_text(const CommandTable& table)
     groups.push_back({"Help", {{"help", 'h', "", "", "print this help"}}});
     const std::size_t indent = left_width(groups);
 
-    std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped(table.summary, 0, 0, page_width);
+    std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped_text(table.summary, 0, 0, page_width);
     for (const OptionGroup& group : groups) {
         text.append("\n").append(group.heading).append(":\n");
         for (const Option& option : group.options)
@@ -115,7 +90,7 @@ std::string command_list(const std::vector<CommandTable>& tables)
 {
     std::size_t indent = 0;
     for (const CommandTable& table : tables)
-        indent = std::max(indent, columns(table.name) + 4);
+        indent = std::max(indent, column_count(table.name) + 4);
     std::string text;
     for (const CommandTable& table : tables)
         text += two_columns("  " + std::string(table.name), table.summary, indent);
@@ -129,7 +104,7 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
         names.append(names.empty() ? "" : ", ").append(topic.name);
     return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + command_list(tables) +
            "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n" +
-           wrapped("'multipath help TOPIC' explains " + names + ".", 0, 0, page_width) +
+           wrapped_text("'multipath help TOPIC' explains " + names + ".", 0, 0, page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";
 }
 

@@ -1,8 +1,11 @@
 #include "commands/story_words.h"
 
+#include "cli/wrapped_text.h"
 #include "scene/text_format.h"
+#include "scene/utf8.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace multipath {
 
@@ -11,23 +14,16 @@ namespace {
 constexpr std::size_t page_width = 110;
 constexpr std::size_t widest_name = 41;
 
-/// Bytes that begin a character.
-std::size_t columns(const std::string& text)
-{
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
 /// Cut or filled to a number of columns.
 std::string fitted(const std::string& text, std::size_t width)
 {
     std::string cut = text;
-    if (columns(text) > width) {
-        while (columns(cut) > width - 2)
+    if (column_count(text) > width) {
+        while (column_count(cut) > width - 2)
             cut.pop_back();
         cut += "..";
     }
-    return cut + std::string(width - std::min(width, columns(cut)), ' ');
+    return cut + std::string(width - std::min(width, column_count(cut)), ' ');
 }
 
 std::string patch_number(std::uint32_t patch)
@@ -39,24 +35,9 @@ std::string patch_number(std::uint32_t patch)
 
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others)
 {
-    std::string result(first, ' ');
-    std::size_t column = first;
-    bool line_is_empty = true;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        if (!line_is_empty && column + 1 + columns(word) > page_width) {
-            result += "\n" + std::string(others, ' ');
-            column = others;
-            line_is_empty = true;
-        }
-        result += (line_is_empty ? "" : " ") + word;
-        column += (line_is_empty ? 0 : 1) + columns(word);
-        line_is_empty = false;
-        begin = end + 1;
-    }
+    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, page_width);
     std::replace(result.begin(), result.end(), tied, ' ');
-    return result + "\n";
+    return result;
 }
 
 std::string colour_text(Rgb c)
@@ -104,7 +85,7 @@ std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meeti
 {
     std::size_t name_width = 7;
     for (const Meeting& meeting : meetings)
-        name_width = std::max(name_width, columns(surface_name(scene, meeting.hit.surface)));
+        name_width = std::max(name_width, column_count(surface_name(scene, meeting.hit.surface)));
     name_width = std::min(name_width, widest_name);
     std::string text = "   no       t  " + fitted("surface", name_width) + "  side   arrives at  leaves  point\n";
     for (std::size_t k = 0; k < meetings.size(); ++k) {

@@ -6,7 +6,7 @@
 #include "image/checksum.h"
 #include "image/deflate.h"
 #include "image/png_chunks.h"
-#include "image/utf8.h"
+#include "scene/utf8.h"
 
 #include <algorithm>
 #include <array>

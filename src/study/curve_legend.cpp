@@ -1,5 +1,6 @@
 #include "study/curve_legend.h"
 
+#include "scene/utf8.h"
 #include "study/number_words.h"
 
 #include <algorithm>
@@ -15,13 +16,12 @@ constexpr double gap = 14.0;
 constexpr double character = 0.55; // width of one over the font's size, at most, on average
 constexpr std::size_t most_in_one_column = 4;
 
-/// [characters] of the longest; continuation bytes of UTF-8 are none.
+/// [characters] of the longest.
 double longest(const std::vector<std::string>& texts)
 {
-    std::ptrdiff_t most = 0;
+    std::size_t most = 0;
     for (const std::string& text : texts)
-        most = std::max(most, std::count_if(text.begin(), text.end(),
-                                            [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+        most = std::max(most, column_count(text));
     return static_cast<double>(most);
 }
 

@@ -1,6 +1,17 @@
-#include "image/utf8.h"
+#include "scene/utf8.h"
+
+#include <algorithm>
 
 namespace multipath {
+
+namespace {
+
+bool is_continuation(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;
+}
+
+} // namespace
 
 std::size_t utf8_character_size(std::string_view text)
 {
@@ -13,12 +24,17 @@ std::size_t utf8_character_size(std::string_view text)
     if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < size)
         return 0;
     for (std::size_t k = 1; k < size; ++k)
-        if ((byte(k) & 0xc0u) != 0x80u)
+        if (!is_continuation(text[k]))
             return 0;
     // Longer than needed, a half of a pair of UTF-16, or beyond the last character.
     const bool wrong = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
                        (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
     return wrong ? 0 : size;
+}
+
+std::size_t column_count(std::string_view text)
+{
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation));
 }
 
 } // namespace multipath

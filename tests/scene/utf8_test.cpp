@@ -1,4 +1,4 @@
-#include "image/utf8.h"
+#include "scene/utf8.h"
 
 #include <doctest/doctest.h>
 
@@ -38,4 +38,11 @@ TEST_CASE("every character is well-formed in as many bytes as it needs, and in n
     }
     CHECK(utf8_character_size("\x80") == 0);
     CHECK(utf8_character_size("\xff\xbf\xbf\xbf") == 0);
+}
+
+TEST_CASE("a character takes one column, of however many bytes it is")
+{
+    CHECK(column_count("") == 0);
+    CHECK(column_count("plain") == 5);
+    CHECK(column_count("caf\xc3\xa9, 3 \xe2\x82\xac, \xf0\x9f\x92\xa1") == 12);
 }
