@@ -1,6 +1,6 @@
 #include "exam/exam_row.h"
 
-#include "exam/student_t.h"
+#include "radiosity/student_t.h"
 
 #include <algorithm>
 #include <cmath>

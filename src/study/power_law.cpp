@@ -1,21 +1,13 @@
 #include "study/power_law.h"
 
+#include "radiosity/student_t.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace multipath {
 
 namespace {
-
-/// Two-sided 95 % point of Student's t; beyond the table the first terms of its expansion about the normal one's.
-double student_95(int degrees)
-{
-    constexpr std::array<double, 10> table = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
-    const auto row = static_cast<std::size_t>(std::max(1, degrees)) - 1;
-    const double n = degrees;
-    return row < table.size() ? table[row] : 1.960 + (2.372 + 2.823 / n) / n;
-}
 
 double mean_of(const std::vector<double>& values)
 {
@@ -75,7 +67,8 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::
 
 double exponent_interval(const PowerLaw& law)
 {
-    return student_95(law.points - 2) * law.exponent_error;
+    constexpr double tail = 0.05; // beyond either end of the interval
+    return student_quantile(tail, law.points - 2) * law.exponent_error;
 }
 
 } // namespace multipath

@@ -1,6 +1,6 @@
 #include "exam/exam_runs.h"
 #include "exam/exam_table.h"
-#include "exam/student_t.h"
+#include "radiosity/student_t.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

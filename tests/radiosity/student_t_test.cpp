@@ -1,4 +1,4 @@
-#include "exam/student_t.h"
+#include "radiosity/student_t.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -12,6 +12,8 @@ TEST_CASE("Student's quantiles are those of the tables")
     CHECK(student_quantile(0.05, 1) == doctest::Approx(12.706).epsilon(1e-4));
     CHECK(student_quantile(0.05, 2) == doctest::Approx(4.303).epsilon(2e-4));
     CHECK(student_quantile(0.05, 5) == doctest::Approx(2.571).epsilon(2e-4));
+    CHECK(student_quantile(0.05, 30) == doctest::Approx(2.042).epsilon(3e-4));
+    CHECK(student_quantile(0.05, 100) == doctest::Approx(1.984).epsilon(3e-4));
     CHECK(student_quantile(0.01, 10) == doctest::Approx(3.169).epsilon(2e-4));
     CHECK(student_quantile(0.001, 31) == doctest::Approx(3.633).epsilon(2e-4));
 }

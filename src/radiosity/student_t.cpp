@@ -1,4 +1,4 @@
-#include "exam/student_t.h"
+#include "radiosity/student_t.h"
 
 #include <cmath>
 
