@@ -36,9 +36,7 @@ std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, 
         const std::uint64_t planned = run.stopped() ? lines_cast - done : counted.lines_cast;
         const double crossing_area = 1.0 / lines.expected_crossings(1.0, counted.lines_cast); // (G1)
         const SparseExchange exchange(counted.counts, crossing_area, run.threads);
-        constexpr double tolerance = 1e-6; // far below the noise of counts
-        const ExchangeSolution solution =
-            solve_exchange(exchange, rho, source, source, tolerance, 500, run.threads); // (R1)
+        const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, run.threads); // (R1)
         const double share = static_cast<double>(planned) / static_cast<double>(lines_cast);
         distribute(scene, exchange, solution.radiosity, share, run.threads, state);
         done += counted.lines_cast;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace multipath {
 
@@ -110,6 +111,14 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
     for (std::uint32_t i = 0; i < n; ++i)
         solution.radiosity[i] += rho_root[i] * y[i];
     return solution;
+}
+
+ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
+                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads)
+{
+    constexpr double tolerance = 1e-6; // a tenth of the noise of 10^9 lines
+    constexpr int most_steps = 500;
+    return solve_exchange(exchange, reflectance, source, std::move(first_guess), tolerance, most_steps, threads);
 }
 
 } // namespace multipath

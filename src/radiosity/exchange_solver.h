@@ -19,4 +19,8 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
                                 const std::vector<Rgb>& source, std::vector<Rgb> first_guess, double tolerance,
                                 int most_steps, int threads);
 
+/// The same as closely as any number of lines is worth.
+ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
+                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads);
+
 } // namespace multipath

@@ -126,14 +126,6 @@ void clamp_to_positive(PairMatrix<float>& pairs)
             pairs.at(i, j) = std::max(pairs.at(i, j), 0.0f);
 }
 
-ExchangeSolution solve(const Exchange& exchange, const Field& rho, const Field& source, const Field& first_guess,
-                       int threads)
-{
-    constexpr double tolerance = 1e-6; // a tenth of the noise of 10^9 lines
-    constexpr int most_steps = 500;
-    return solve_exchange(exchange, rho, source, first_guess, tolerance, most_steps, threads);
-}
-
 } // namespace
 
 double reuse_bytes(std::uint32_t patches)
@@ -179,11 +171,11 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
                                                run.threads);
     };
     std::unique_ptr<DenseExchange> exchange = exchange_of_pairs();
-    ExchangeSolution solution = solve(*exchange, rho, source, first_guess, run.threads);
+    ExchangeSolution solution = solve_exchange(*exchange, rho, source, first_guess, run.threads); // (R1)
     if (!solution.converged) {
         clamp_to_positive(closed_exchange.pairs);
         exchange = exchange_of_pairs();
-        solution = solve(*exchange, rho, source, source, run.threads);
+        solution = solve_exchange(*exchange, rho, source, source, run.threads);
     }
     distribute(scene, *exchange, solution.radiosity, 1.0, run.threads, state);
     return lines_cast;
