@@ -97,7 +97,7 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
           "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
           false,
-          {"sphere", "box"}},
+          {sphere_chords, box_chords}},
          {"sequence", 's', "NAME", "sobol",
           "Where the lines come from, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath help "
           "sequences' lists them all."},
@@ -144,7 +144,12 @@ Pairing pairing_named(std::string_view name)
 
 Chords chords_named(std::string_view name)
 {
-    return name == "box" ? Chords::box : Chords::sphere;
+    return name == box_chords ? Chords::box : Chords::sphere;
+}
+
+std::string chords_name(Chords chords)
+{
+    return std::string(chords == Chords::box ? box_chords : sphere_chords);
 }
 
 LineOrder line_order_named(std::string_view name)

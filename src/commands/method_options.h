@@ -32,6 +32,12 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
 /// The same without method, sequence, pairing, line order, chords and number of lines.
 SolveOptions read_settings(const CommandLine& line);
 
+/// The choices of --chords.
+inline constexpr std::string_view sphere_chords = "sphere";
+inline constexpr std::string_view box_chords = "box";
+
+std::string chords_name(Chords chords);
+
 /// Words that the tables allow.
 Method method_named(std::string_view name);
 Pairing pairing_named(std::string_view name);

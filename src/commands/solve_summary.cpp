@@ -1,5 +1,6 @@
 #include "commands/solve_summary.h"
 
+#include "commands/method_options.h"
 #include "radiosity/replicates.h"
 #include "scene/text_format.h"
 
@@ -107,10 +108,10 @@ JsonObject summary_json(const SolveSummary& s)
     json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
     json.text("method", s.method);
     json.text("sequence", s.sequence);
-    if (s.options.method == Method::local)
+    if (!has_global_lines(s.options.method))
         json.null("chords");
     else
-        json.text("chords", chords_of(s.options) == Chords::box ? "box" : "sphere");
+        json.text("chords", chords_name(chords_of(s.options)));
     json.count("seed", s.options.seed);
     json.count("lines", s.solution.local_lines + s.solution.global_lines);
     json.count("local_lines", s.solution.local_lines);

@@ -11,8 +11,6 @@ namespace multipath {
 
 namespace {
 
-constexpr const char* chord_names[] = {"sphere", "box"};
-
 /// The entries of the option `name`. Without choices anything goes.
 std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
                                    const std::vector<std::string_view>& choices)
@@ -42,9 +40,7 @@ CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
         plan.options.chords = chords_named(wanted.chords);
     plan.options.line_order = line_order_named(wanted.line_order);
     plan.kind.sequence = checked_sequence_name(plan.options, "--sequences");
-    plan.kind.chords = !has_global_lines(plan.options.method)   ? ""
-                       : chords_of(plan.options) == Chords::box ? chord_names[1]
-                                                                : chord_names[0];
+    plan.kind.chords = has_global_lines(plan.options.method) ? chords_name(chords_of(plan.options)) : "";
     if (!walks(plan.options.method))
         plan.kind.line_order.clear();
     return plan;
@@ -83,15 +79,17 @@ std::vector<std::string> split_list(const std::string& text)
 
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
-    const std::vector<std::string> methods =
-        read_list(line, "methods", {"local", "global", "first-shot", "extended", "reuse"});
+    std::vector<std::string_view> method_names;
+    for (const MethodDescription& method : method_descriptions())
+        method_names.push_back(method.name);
+    const std::vector<std::string> methods = read_list(line, "methods", method_names);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);
     const std::vector<std::string> sequences = read_list(line, "sequences", {});
     const std::vector<std::string> pairings = read_list(line, "pairings", {"4d", "2d"});
     const std::vector<std::string> orders = read_list(line, "line-orders", {"shuffled", "sequence"});
     const std::vector<std::string> chords =
-        line.has("chords") ? read_list(line, "chords", {chord_names[0], chord_names[1]}) : std::vector<std::string>{""};
+        line.has("chords") ? read_list(line, "chords", {sphere_chords, box_chords}) : std::vector<std::string>{""};
 
     std::vector<CurvePlan> curves;
     for (const std::string& method : methods)
