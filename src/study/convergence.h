@@ -29,8 +29,8 @@ struct StudyPlan
 /// sequence that the seed randomises differ by it, also from one number of lines to the next; those of one that it does
 /// not, such as Sobol's, take successive stretches of it, the first of them its beginning. Runs that the journal knows
 /// are not repeated. Every run has one thread to itself, and `threads` run at a time, so that the seconds measured are
-/// comparable. A point belongs to the fit if its error is ten times that of the reference. Throws InputError like
-/// solve, and what `progress` throws, which is called often, by one thread at a time.
+/// comparable. A point belongs to the fit if its error is ten times that of the reference. Throws what solve
+/// throws, and what `progress` throws, which is called before each run and often during it, by one thread at a time.
 Study run_study(const Scene& scene, const Reference& reference, const StudyPlan& plan, Journal& journal, int threads,
                 const ProgressCallback& progress);
 
