@@ -68,10 +68,9 @@ VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& value
 {
     if (samples_along_ == 1) // one point would tell all or nothing
         return;
-    constexpr std::uint32_t per_block = 64;
-    parallel_blocks((scene.patch_count() + per_block - 1) / per_block, threads, [&](std::uint64_t block) {
-        const auto first = static_cast<std::uint32_t>(block) * per_block;
-        for (std::uint32_t i = first; i < std::min(first + per_block, scene.patch_count()); ++i)
+    constexpr std::uint32_t patches_at_a_time = 64;
+    parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i)
             open_[i] = open_points(scene, i, samples_along_);
     });
 }
