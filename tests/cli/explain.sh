@@ -97,6 +97,8 @@ check "a pass that is no number is refused" refused 2 "--stage: expected a count
 check "pass 0 is refused" refused 2 "--stage: expected a count" --method extended --stage extended:0
 check "a first shot of the global method is refused" refused 2 "no stage first-shot" --method global --stage first-shot
 check "particles of another method are refused" refused 2 "no stage local" --stage local
+check "line reuse, which carries nothing along its lines, is refused" refused 2 "--method: expected one of local, global, first-shot, extended, got 'reuse'" \
+    --method reuse
 check "global lines of the local method are refused" refused 2 "no stage global" --method local --stage global
 check "a later pass of the plain first shot is refused" refused 2 "no stage extended:2" --stage extended:2
 check "a pass that does not happen is refused" refused 2 "but pass 900 is asked for" --method extended --stage extended:900
