@@ -13,7 +13,7 @@ namespace multipath {
 Option memory_option();
 
 // What is too large for the memory is refused with the numbers before it is allocated, which the system may allow and
-// then end the program for. The limit is --memory, else what the machine has. All throw InputError.
+// then end the program for. The limit is --memory, else what the machine has. These throw InputError.
 
 void require_memory_for_file(const CommandLine& line, const std::string& path);
 void require_memory_for_patches(const CommandLine& line, const SceneFile& file, double patches);

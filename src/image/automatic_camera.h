@@ -8,7 +8,8 @@ namespace multipath {
 
 /// A camera that shows most of the scene well: from inside a closed room, from behind a wall (looked through, as the
 /// backs of one-sided surfaces are) of one too small to step back in, or from outside through an open side. `aspect` is
-/// the picture's width / height; `up` must not be zero (InputError). The same scene always gives the same camera.
+/// the picture's width / height; `up` must be finite and not zero (SettingsError). The same scene always gives the same
+/// camera.
 Camera automatic_camera(const Scene& scene, double aspect, Vec3 up = {0.0, 1.0, 0.0});
 
 } // namespace multipath

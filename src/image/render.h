@@ -32,8 +32,7 @@ struct RenderOptions
 
 /// What the camera sees of a scene with the given radiosity [W/m^2] per patch; black where it meets nothing. Sides that
 /// do not exist are looked through. Gathering takes `radiosity` for a solution, of which it replaces the last
-/// reflection. The same bytes for any number of threads. Throws InputError for an impossible
-/// camera or picture size.
+/// reflection. The same bytes for any number of threads. Throws SettingsError for an impossible camera or picture size.
 Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options);
 
 } // namespace multipath

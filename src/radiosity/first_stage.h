@@ -22,7 +22,8 @@ std::uint64_t lines_for_what_stands_out(const Scene& scene, const SolveOptions& 
                                         std::uint64_t lines_left);
 
 /// What comes before the global lines: the passes of the (extended) first shot as the options want them, none for the
-/// methods without. Takes the items from first_item on. Throws InputError for more rays by power_by_line than lines.
+/// methods without. Takes the items from first_item on. Throws SettingsError for more rays by power_by_line than
+/// lines.
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe = {});

@@ -53,8 +53,8 @@ struct GlobalStory
     std::vector<GlobalLine> lines;
 };
 
-/// Walks the lines of the global pass up to the last one of the range and tells those in it. Throws InputError for
-/// lines that the pass does not have, and what solve throws.
+/// Walks the lines of the global pass up to the last one of the range and tells those in it. Throws SettingsError
+/// for lines that the pass does not have, and what solve throws.
 GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, const ToldRange& range);
 
 } // namespace multipath

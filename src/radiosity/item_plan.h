@@ -18,7 +18,7 @@ struct ItemPlan
     std::uint64_t end = 0;         ///< one after the last item used
 };
 
-/// Throws InputError when the sequence has too few items.
+/// Throws SettingsError when the sequence has too few items.
 ItemPlan plan_items(const Sequence& sequence, std::uint64_t skip, std::uint64_t local_lines,
                     std::uint64_t global_lines_cast);
 

@@ -37,7 +37,7 @@ struct Meeting
 
 Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit);
 
-/// Throws InputError unless the stage has all these lines; `what` names them: "global lines".
+/// Throws SettingsError unless the stage has all these lines; `what` names them: "global lines".
 void require_in_stage(const ToldRange& range, std::uint64_t lines, const char* what);
 
 } // namespace multipath

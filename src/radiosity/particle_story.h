@@ -33,7 +33,8 @@ struct ParticleStory
     std::vector<ToldParticle> particles;
 };
 
-/// Throws InputError for particles that the run does not have, and what solve throws.
+/// Follows the particles up to the last one of the range and tells those in it. Throws SettingsError for particles that
+/// the run does not have, and what solve throws.
 ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, const ToldRange& range);
 
 } // namespace multipath

@@ -15,8 +15,8 @@ std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
 
 /// The mean of `replicates` >= 2 runs with independent randomisations of the sequence (randomised_name), which share
 /// the lines of the options equally, with the standard error of every patch. Throws std::invalid_argument for a
-/// sequence that cannot be randomised, InputError like solve, and for fewer lines than replicates. If the checkpoint
-/// stops the work, the result is that of the replicates that are finished, or of the first one as it is.
+/// sequence that cannot be randomised, SettingsError for fewer lines than replicates, and what solve throws. If the
+/// checkpoint stops the work, the result is that of the replicates that are finished, or of the first one as it is.
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                           int replicates, const ProgressCallback& progress, Checkpoint* checkpoint = nullptr);
 

@@ -31,8 +31,8 @@ struct ShotStory
     std::vector<ShotRay> rays;
 };
 
-/// Follows the rays of a pass (from 0) up to the last one of the range and tells those in it. Throws InputError for a
-/// pass or rays that the run does not have, and what solve throws.
+/// Follows the rays of a pass (from 0) up to the last one of the range and tells those in it. Throws SettingsError for
+/// a pass or rays that the run does not have, and what solve throws.
 ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const ToldRange& range);
 
 } // namespace multipath

@@ -25,8 +25,9 @@ Preparation prepare(const Scene& scene, const SolveOptions& options);
 
 /// The radiosity of every patch. The result is a function of scene, options and seed; not of the threads. If the
 /// checkpoint stops the work, the result is what it was then; a share of it has no result but what it hands in.
-/// Throws InputError for a sequence with too few items or more rays by power_by_line than lines, std::invalid_argument
-/// for an unknown one.
+/// Throws SettingsError for a sequence with too few items, more rays by power_by_line than lines, and more lines than
+/// `reuse` can count; InputError for a share whose counts fill the memory; std::invalid_argument for an unknown
+/// sequence.
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Share share = {});
 

@@ -27,7 +27,7 @@ public:
     static constexpr std::uint32_t no_patch = 0xffffffffu;
 
     /// Cuts every surface into patches no longer than patch_size [scene units].
-    /// Throws InputError for a scene without surfaces or light, or with more patches than fit (2^31).
+    /// Throws InputError for a scene without surfaces or light, SettingsError for more patches than fit (2^31).
     Scene(SceneFile file, double patch_size, bool two_sided = false, int threads = 1);
 
     const std::string& path() const { return file_.path; }

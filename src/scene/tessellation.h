@@ -68,7 +68,7 @@ inline std::uint32_t Tessellation::cell_at(double u, double v) const
 }
 
 /// Cells along an edge = ceil(edge / patch_size), at least one; a triangle is cut by its longest edge.
-/// Throws InputError when a surface would get 2^31 cells or more.
+/// Throws SettingsError when a surface would get 2^31 cells or more.
 Tessellation tessellate(const Surface& surface, double patch_size);
 
 /// How many cells all surfaces get; a real number, since a small patch size gives more than an integer holds.
