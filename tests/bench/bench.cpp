@@ -113,7 +113,7 @@ void compare_patches(Method method, const std::string& name)
 {
     std::vector<std::unique_ptr<Scene>> scenes;
     std::vector<Contestant> contestants;
-    for (const std::uint64_t patches : {1000, 10000, 100000, 1000000}) {
+    for (const std::uint64_t patches : {1000u, 10000u, 100000u, 1000000u}) {
         scenes.push_back(std::make_unique<Scene>(scene_of(room_with_boxes(5), patches)));
         contestants.push_back(
             solver(std::to_string(scenes.back()->patch_count()) + " patches", *scenes.back(), method, 1u << 22));
