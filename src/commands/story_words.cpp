@@ -69,9 +69,8 @@ std::string surface_name(const Scene& scene, std::uint32_t surface)
 
 std::string patch_name(const Scene& scene, std::uint32_t patch)
 {
-    const bool back = scene.two_sided() && patch >= scene.patch_count() / 2;
     return "patch " + std::to_string(patch) + " of " + surface_name(scene, scene.surface_of(patch)) +
-           (back ? ", its back" : "");
+           (scene.is_front(patch) ? "" : ", its back");
 }
 
 std::string origin_text(const LineOrigin& origin)

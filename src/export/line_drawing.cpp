@@ -177,8 +177,8 @@ std::string outlines(const Scene& scene, const View& view)
 std::string sources(const Scene& scene, const View& view)
 {
     std::string shape;
-    for (std::size_t s = 0; s < scene.surfaces().size(); ++s) {
-        if (!(mean(scene.materials()[scene.file().material[s]].emittance) > 0.0))
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
+        if (!(mean(scene.surface_material(s).emittance) > 0.0))
             continue;
         const std::vector<Vec3> points = corners(scene.surfaces()[s]);
         for (std::size_t k = 0; k < points.size(); ++k)

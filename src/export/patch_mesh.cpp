@@ -39,7 +39,7 @@ public:
     void add_side(std::uint32_t surface, bool front)
     {
         const Tessellation& tessellation = scene_.tessellation(surface);
-        const std::uint32_t first_patch = scene_.first_patch(surface) + (front ? 0 : scene_.patch_count() / 2);
+        const std::uint32_t first_patch = scene_.first_patch(surface, front);
         const auto cells = static_cast<std::uint32_t>(tessellation.cell_count());
         const std::size_t first_vertex = mesh_.positions.size();
         const std::size_t first_face = mesh_.faces.size();

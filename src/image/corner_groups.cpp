@@ -39,7 +39,7 @@ public:
         : patches_(patches),
           scene_(patches.scene()),
           surface_(surface),
-          first_patch_(scene_.first_patch(surface) + (front ? 0 : scene_.patch_count() / 2)),
+          first_patch_(scene_.first_patch(surface, front)),
           normal_(front ? scene_.surfaces()[surface].normal() : -scene_.surfaces()[surface].normal()),
           lattice_(scene_.tessellation(surface))
     {

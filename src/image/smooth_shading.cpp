@@ -29,7 +29,7 @@ struct BorderGroup
 
 bool is_source(const Scene& scene, std::uint32_t surface)
 {
-    return scene.materials()[scene.file().material[surface]].emittance != Rgb{};
+    return scene.surface_material(surface).emittance != Rgb{};
 }
 
 /// Names a point to within a millionth of the scene, on a grid that is shifted so that round numbers fall inside cells.
@@ -120,7 +120,7 @@ Rgb SmoothShading::at(const Hit& hit) const
     const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
     if (is_source(scene_, hit.surface))
         return values_[patch];
-    const std::size_t first_patch = scene_.first_patch(hit.surface) + (hit.front ? 0 : scene_.patch_count() / 2);
+    const std::size_t first_patch = scene_.first_patch(hit.surface, hit.front);
     return CornerLattice(scene_.tessellation(hit.surface))
         .interpolated(&corners_[CornerLattice::per_cell * first_patch], hit.u, hit.v);
 }

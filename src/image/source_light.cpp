@@ -70,7 +70,7 @@ std::vector<SourceLight::Source> SourceLight::sources_of(const Scene& scene)
 {
     std::vector<Source> sources;
     for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-        const Rgb emittance = scene.materials()[scene.file().material[surface]].emittance;
+        const Rgb emittance = scene.surface_material(surface).emittance;
         const double power = scene.surfaces()[surface].area() * mean(emittance);
         if (power > 0.0)
             sources.push_back({surface, emittance, power});

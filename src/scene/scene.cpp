@@ -50,7 +50,7 @@ Scene::Scene(SceneFile file, double patch_size, bool two_sided, int threads)
     surface_of_.reserve(cell_count_);
     Rgb reflecting_area;
     for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s) {
-        const Material& material = file_.materials[file_.material[s]];
+        const Material& material = surface_material(s);
         const double area = file_.surfaces[s].area();
         const double sides_area = (two_sided ? 2.0 : 1.0) * area;
         bounds_.include(file_.surfaces[s].bounds());

@@ -49,10 +49,8 @@ public:
         const std::uint32_t surface = surface_of(patch);
         return tessellations_[surface].corners(cell_of(patch) - first_cell_[surface]);
     }
-    const Material& material_of(std::uint32_t patch) const
-    {
-        return file_.materials[file_.material[surface_of(patch)]];
-    }
+    const Material& surface_material(std::uint32_t surface) const { return file_.materials[file_.material[surface]]; }
+    const Material& material_of(std::uint32_t patch) const { return surface_material(surface_of(patch)); }
     Patch patch(std::uint32_t patch) const;
     double area(std::uint32_t patch) const { return cell_area_[surface_of(patch)]; }      ///< [m^2]
     std::vector<double> areas() const;                                                    ///< [m^2] of all patches
@@ -70,7 +68,11 @@ public:
     };
     Sides patches_at(std::uint32_t surface, double u, double v, std::uint32_t none) const;
     const Tessellation& tessellation(std::uint32_t surface) const { return tessellations_[surface]; }
-    std::uint32_t first_patch(std::uint32_t surface) const { return first_cell_[surface]; } ///< first front patch
+    /// The first patch of a side that exists; the others follow.
+    std::uint32_t first_patch(std::uint32_t surface, bool front = true) const
+    {
+        return first_cell_[surface] + (front ? 0 : cell_count_);
+    }
 
     double total_area() const { return total_area_; }  ///< [m^2] A_T, of all sides that exist
     Rgb source_power() const { return source_power_; } ///< [W] Phi_T

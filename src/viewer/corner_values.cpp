@@ -23,11 +23,12 @@ std::size_t grid_size(const Tessellation& tessellation)
 }
 
 /// Takes the patches of one side of a surface.
-void append_side(const Scene& scene, std::uint32_t surface, std::uint32_t first_patch, const SmoothShading& shading,
+void append_side(const Scene& scene, std::uint32_t surface, bool front, const SmoothShading& shading,
                  CornerValues& result)
 {
+    const std::uint32_t first_patch = scene.first_patch(surface, front);
     const Tessellation& tessellation = scene.tessellation(surface);
-    const bool source = scene.materials()[scene.file().material[surface]].emittance != Rgb{};
+    const bool source = scene.surface_material(surface).emittance != Rgb{};
     const std::size_t first = result.shared.size();
     result.shared.resize(first + grid_size(tessellation));
     std::vector<bool> known(grid_size(tessellation), false);
@@ -55,10 +56,10 @@ CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_pe
     CornerValues result;
     const auto surfaces = static_cast<std::uint32_t>(scene.surfaces().size());
     for (std::uint32_t surface = 0; surface < surfaces; ++surface)
-        append_side(scene, surface, scene.first_patch(surface), shading, result);
+        append_side(scene, surface, true, shading, result);
     if (scene.two_sided())
         for (std::uint32_t surface = 0; surface < surfaces; ++surface)
-            append_side(scene, surface, scene.patch_count() / 2 + scene.first_patch(surface), shading, result);
+            append_side(scene, surface, false, shading, result);
     return result;
 }
 
