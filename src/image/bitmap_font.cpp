@@ -75,11 +75,8 @@ void fill_square(ScreenImage& picture, int x, int y, int side, std::uint8_t grey
 {
     const int right = std::min(x + side, picture.width);
     for (int row = std::max(y, 0); row < std::min(y + side, picture.height); ++row)
-        for (int column = std::max(x, 0); column < right; ++column) {
-            const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                                      static_cast<std::size_t>(column);
-            std::fill_n(picture.bytes.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, grey);
-        }
+        for (int column = std::max(x, 0); column < right; ++column)
+            std::fill_n(picture.at(column, row), 3, grey);
 }
 
 } // namespace

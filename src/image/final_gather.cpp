@@ -87,17 +87,12 @@ Rgb FinalGather::indirect_irradiance(const Place& place, int x, int y, RayFan& f
     return indirect_light_.at(place, number_in_squares(x, y), fan).irradiance;
 }
 
-std::size_t FinalGather::index(int x, int y) const
-{
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-}
-
 Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
 {
     const Place place = place_of(scene_, hit);
     const std::uint64_t pixel = number_in_squares(x, y);
     const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
-    const Middle& middle = middles_[index(x, y)];
+    const Middle& middle = middles_[pixel_index(width_, x, y)];
     const bool is_level = middle.indirect && middle.hit->surface == hit.surface && middle.hit->front == hit.front;
     Rgb irradiance = is_level ? *middle.indirect : indirect_irradiance(place, x, y, fan);
     const SourceLight::Items items{*sequence_, number * rays_to_sources_, rays_to_sources_};

@@ -2,6 +2,7 @@
 
 #include "geometry/hit.h"
 #include "image/camera.h"
+#include "image/image.h"
 #include "image/indirect_grid.h"
 #include "image/indirect_light.h"
 #include "image/ray_fan.h"
@@ -10,7 +11,7 @@
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -49,8 +50,7 @@ private:
     void find_middles(const PixelRays& pixels, int threads);
     void gather_indirect_light(int threads);
     Rgb indirect_irradiance(const Place& place, int x, int y, RayFan& fan) const;
-    Middle& middle(int x, int y) { return middles_[index(x, y)]; }
-    std::size_t index(int x, int y) const;
+    Middle& middle(int x, int y) { return middles_[pixel_index(width_, x, y)]; }
 
     const Scene& scene_;
     int width_;

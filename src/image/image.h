@@ -8,6 +8,12 @@
 
 namespace multipath {
 
+/// The place of a pixel in a picture that is stored row by row from the top left.
+inline std::size_t pixel_index(int width, int x, int y)
+{
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 /// What the camera sees, in linear light: radiosity [W/m^2] per pixel, row by row from the top left.
 struct Image
 {
@@ -15,14 +21,8 @@ struct Image
     int height = 0;
     std::vector<Rgb> pixels;
 
-    const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
-    Rgb& at(int x, int y) { return pixels[index(x, y)]; }
-
-private:
-    std::size_t index(int x, int y) const
-    {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    }
+    const Rgb& at(int x, int y) const { return pixels[pixel_index(width, x, y)]; }
+    Rgb& at(int x, int y) { return pixels[pixel_index(width, x, y)]; }
 };
 
 /// What a screen shows: sRGB, one byte for each of red, green, blue per pixel, row by row from the top left.
@@ -31,6 +31,8 @@ struct ScreenImage
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> bytes; ///< 3 * width * height
+
+    std::uint8_t* at(int x, int y) { return &bytes[3 * pixel_index(width, x, y)]; } ///< its three bytes
 };
 
 } // namespace multipath

@@ -1,5 +1,7 @@
 #include "image/indirect_grid.h"
 
+#include "image/image.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +36,7 @@ IndirectGrid::IndirectGrid(int width, int height)
 
 void IndirectGrid::set(int x, int y, const IndirectSample& sample)
 {
-    samples_[index(x, y)] = sample;
+    samples_[pixel_index(width_, x, y)] = sample;
 }
 
 std::optional<Rgb> IndirectGrid::irradiance(const Place& place, int x, int y) const
@@ -64,18 +66,13 @@ IndirectGrid::Shared IndirectGrid::shared(const Place& place, int x, int y, int 
     Shared sum;
     for (int row = first(y); row <= std::min(height_ - 1, y + reach); row += spacing)
         for (int column = first(x); column <= std::min(width_ - 1, x + reach); column += spacing) {
-            const IndirectSample& sample = samples_[index(column, row)];
+            const IndirectSample& sample = samples_[pixel_index(width_, column, row)];
             const double w = sample.distance > 0.0 ? weight(sample, place) : 0.0;
             sum.irradiance += w * sample.irradiance;
             sum.weights += w;
             ++sum.pixels;
         }
     return sum;
-}
-
-std::size_t IndirectGrid::index(int x, int y) const
-{
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
 }
 
 } // namespace multipath

@@ -35,7 +35,6 @@ private:
     };
 
     static bool is_enough(const Shared& found);
-    std::size_t index(int x, int y) const;
     Shared shared(const Place& place, int x, int y, int reach, int spacing) const;
 
     int width_;

@@ -26,11 +26,6 @@ constexpr int least_width = 300;   // numbers of five steps side by side
 constexpr std::uint8_t paper = 32; // neither black, which means no value, nor a colour of the map
 constexpr std::uint8_t ink = 230;
 
-std::size_t byte_of(const ScreenImage& picture, int x, int y)
-{
-    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-}
-
 /// Colours and marks between the columns `left` and `right`.
 void draw_bar(ScreenImage& strip, int scale, int left, int right, int steps)
 {
@@ -38,14 +33,12 @@ void draw_bar(ScreenImage& strip, int scale, int left, int right, int steps)
         const Rgb colour = map_colour((x - left + 0.5) / (right - left));
         const std::array<std::uint8_t, 3> bytes = {screen_byte(colour.r), screen_byte(colour.g), screen_byte(colour.b)};
         for (int y = scale * bar_top; y < scale * bar_bottom; ++y)
-            std::copy(bytes.begin(), bytes.end(),
-                      strip.bytes.begin() + static_cast<std::ptrdiff_t>(byte_of(strip, x, y)));
+            std::copy(bytes.begin(), bytes.end(), strip.at(x, y));
     }
     for (int step = 0; step <= steps; ++step) {
         const int middle = left + (right - left) * step / steps;
         for (int y = scale * bar_bottom; y < scale * mark_bottom; ++y)
-            std::fill_n(strip.bytes.begin() + static_cast<std::ptrdiff_t>(byte_of(strip, middle - scale / 2, y)),
-                        3 * scale, ink);
+            std::fill_n(strip.at(middle - scale / 2, y), 3 * scale, ink);
     }
 }
 
