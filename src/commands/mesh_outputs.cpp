@@ -6,6 +6,7 @@
 #include "export/ply.h"
 #include "image/picture.h"
 #include "image/smooth_shading.h"
+#include "image/srgb.h"
 #include "scene/text_format.h"
 
 #include <cmath>

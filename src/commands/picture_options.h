@@ -3,8 +3,8 @@
 #include "cli/command_line.h"
 #include "cli/option_table.h"
 #include "image/camera.h"
+#include "image/picture.h"
 #include "image/render.h"
-#include "image/tone_map.h"
 #include "scene/scene.h"
 
 #include <optional>

@@ -8,7 +8,7 @@
 #include "image/png.h"
 #include "image/ppm.h"
 #include "image/quantity.h"
-#include "image/tone_map.h"
+#include "image/srgb.h"
 #include "radiosity/direct_radiosity.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown show
 std::vector<Rgb> decoded(std::vector<Rgb> colours)
 {
     for (Rgb& colour : colours)
-        colour = {srgb_decoded(colour.r), srgb_decoded(colour.g), srgb_decoded(colour.b)};
+        colour = srgb_decoded(colour);
     return colours;
 }
 

@@ -5,8 +5,6 @@
 
 #include "image/colour_map.h"
 
-#include "image/tone_map.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -55,11 +53,6 @@ Rgb map_colour(double share)
     const OkLab to = milestones[piece + 1];
     return linear_light({between(from.lightness, to.lightness, rest), between(from.green_red, to.green_red, rest),
                          between(from.blue_yellow, to.blue_yellow, rest)});
-}
-
-std::uint8_t screen_byte(double linear)
-{
-    return static_cast<std::uint8_t>(255.0 * srgb_encoded(linear) + 0.5);
 }
 
 } // namespace multipath

@@ -2,8 +2,6 @@
 
 #include "scene/rgb.h"
 
-#include <cstdint>
-
 namespace multipath {
 
 /// A colour of the space OKLab: lightness 0 ... 1 and two hue axes, green to red and blue to yellow. Equal distances in
@@ -22,8 +20,5 @@ Rgb linear_light(OkLab colour);
 /// (or more). Equal steps look equally large, and every step is lighter than the one before, so that the scale can be
 /// read without seeing hues. Black is not in it.
 Rgb map_colour(double share);
-
-/// What a screen needs to show a channel of linear light, nearest of 256 steps.
-std::uint8_t screen_byte(double linear);
 
 } // namespace multipath

@@ -2,6 +2,7 @@
 
 #include "image/colour_map.h"
 #include "image/legend.h"
+#include "image/srgb.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "image/bitmap_font.h"
 #include "image/colour_map.h"
+#include "image/srgb.h"
 
 #include <algorithm>
 #include <array>

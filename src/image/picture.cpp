@@ -37,7 +37,7 @@ ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const
     const double scale = picture_scale(scene, radiosity, camera, options, tone);
     RenderOptions clipped = options;
     clipped.white = white_point(tone.tone) / scale;
-    return tone_map(render(scene, radiosity, camera, clipped), {tone.tone, 0.0, scale});
+    return tone_map(render(scene, radiosity, camera, clipped), tone.tone, scale);
 }
 
 } // namespace multipath

@@ -6,9 +6,19 @@
 #include "image/tone_map.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <vector>
 
 namespace multipath {
+
+/// How radiosity becomes brightness on the screen.
+struct ToneMapOptions
+{
+    ToneOperator tone = ToneOperator::reinhard;
+    double exposure = 0.0; ///< [stops] added to the automatic or given scale
+    /// [m^2/W] brings radiosity to the operator's input; measured on the picture if absent
+    std::optional<double> scale = std::nullopt;
+};
 
 /// [m^2/W] The scale at which picture() shows the radiosity: the given or the measured one, exposure included.
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,

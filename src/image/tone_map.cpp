@@ -4,6 +4,8 @@
 
 #include "image/tone_map.h"
 
+#include "image/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,25 +98,6 @@ std::uint8_t quantized(double linear, double threshold)
 
 } // namespace
 
-double srgb_encoded(double linear)
-{
-    if (!(linear > 0.0))
-        return 0.0;
-    if (linear >= 1.0)
-        return 1.0;
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-Rgb srgb_encoded(Rgb linear)
-{
-    return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
-}
-
-double srgb_decoded(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 double white_point(ToneOperator tone)
 {
     return inverse_curve(tone, 1.0);
@@ -139,16 +122,14 @@ Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale)
     return {shown(radiosity.r), shown(radiosity.g), shown(radiosity.b)};
 }
 
-ScreenImage tone_map(const Image& image, const ToneMapOptions& options)
+ScreenImage tone_map(const Image& image, ToneOperator tone, double scale)
 {
-    const double base = options.scale ? *options.scale : automatic_scale(image, options.tone);
-    const double scale = base * std::exp2(options.exposure);
     ScreenImage screen{image.width, image.height, {}};
     screen.bytes.reserve(3 * image.pixels.size());
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const double threshold = dither_threshold(x, y);
-            const Rgb light = screen_light(image.at(x, y), options.tone, scale);
+            const Rgb light = screen_light(image.at(x, y), tone, scale);
             for (const double channel : {light.r, light.g, light.b})
                 screen.bytes.push_back(quantized(channel, threshold));
         }

@@ -4,7 +4,6 @@
 #include "scene/rgb.h"
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace multipath {
@@ -28,14 +27,6 @@ inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard"
                                                                      {"aces", ToneOperator::aces},
                                                                      {"percentile", ToneOperator::percentile}}};
 
-struct ToneMapOptions
-{
-    ToneOperator tone = ToneOperator::reinhard;
-    double exposure = 0.0; ///< [stops] added to the automatic or given scale
-    /// [m^2/W] brings radiosity to the operator's input; measured on the image if absent
-    std::optional<double> scale = std::nullopt;
-};
-
 /// [m^2/W] The scale that puts the room's mid-tones where a photographer would, for an image seen through `tone`.
 /// Ignores black pixels and does not let lamps or dark corners decide. 1 for a black image.
 double automatic_scale(const Image& image, ToneOperator tone);
@@ -47,13 +38,6 @@ double white_point(ToneOperator tone);
 Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale);
 
 /// The picture for the screen; rounded with a fixed pattern of thresholds, so that smooth walls show no bands.
-ScreenImage tone_map(const Image& image, const ToneMapOptions& options);
-
-/// The transfer function of IEC 61966-2-1, from linear light in [0, 1] to the encoded value in [0, 1].
-double srgb_encoded(double linear);
-Rgb srgb_encoded(Rgb linear);
-
-/// Its inverse.
-double srgb_decoded(double encoded);
+ScreenImage tone_map(const Image& image, ToneOperator tone, double scale);
 
 } // namespace multipath

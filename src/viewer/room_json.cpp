@@ -4,6 +4,7 @@
 #include "image/colour_map.h"
 #include "image/legend.h"
 #include "image/picture.h"
+#include "image/srgb.h"
 #include "viewer/corner_values.h"
 #include "viewer/packed_values.h"
 #include "viewer/story_json.h"

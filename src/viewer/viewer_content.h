@@ -2,8 +2,8 @@
 
 #include "export/line_drawing.h"
 #include "image/camera.h"
+#include "image/picture.h"
 #include "image/render.h"
-#include "image/tone_map.h"
 #include "scene/rgb.h"
 
 #include <cstdint>

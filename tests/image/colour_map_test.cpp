@@ -96,12 +96,3 @@ TEST_CASE("beyond its ends the map stays what it is there")
     CHECK(map_colour(-3.0) == map_colour(0.0));
     CHECK(map_colour(1e300) == map_colour(1.0));
 }
-
-// The encoded value of linear 0.5 is 0.73536 (IEC 61966-2-1), 187.5 of 255.
-TEST_CASE("linear light becomes the nearest byte of sRGB")
-{
-    CHECK(screen_byte(0.0) == 0);
-    CHECK(screen_byte(0.499) == 187);
-    CHECK(screen_byte(0.501) == 188);
-    CHECK(screen_byte(1.0) == 255);
-}

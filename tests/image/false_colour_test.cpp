@@ -2,6 +2,7 @@
 
 #include "image/colour_map.h"
 #include "image/legend.h"
+#include "image/srgb.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,7 @@
 #include "image/legend.h"
 
 #include "image/colour_map.h"
+#include "image/srgb.h"
 #include "sampling/random.h"
 
 #include <doctest/doctest.h>
