@@ -3,6 +3,7 @@
 
 #include "image/deflate.h"
 
+#include "image/big_endian.h"
 #include "image/checksum.h"
 #include "image/huffman.h"
 #include "image/lz77.h"
@@ -200,10 +201,7 @@ std::string zlib_bytes(const std::string& bytes)
 {
     std::string result = "\x78\x9c"; // deflate with a window of 32768 bytes, default effort, check bits
     result += deflate(bytes);
-    const std::uint32_t check = adler32(bytes);
-    for (int shift = 24; shift >= 0; shift -= 8)
-        result += static_cast<char>((check >> shift) & 0xffu);
-    return result;
+    return result + big_endian(adler32(bytes));
 }
 
 } // namespace multipath

@@ -3,6 +3,7 @@
 
 #include "image/png.h"
 
+#include "image/big_endian.h"
 #include "image/checksum.h"
 #include "image/deflate.h"
 #include "image/png_chunks.h"
@@ -19,14 +20,6 @@ namespace multipath {
 namespace {
 
 constexpr std::size_t channels = 3;
-
-std::string big_endian(std::uint32_t value)
-{
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8)
-        bytes += static_cast<char>((value >> shift) & 0xffu);
-    return bytes;
-}
 
 std::string chunk(const std::string& type, const std::string& data)
 {
@@ -126,7 +119,7 @@ std::string png_bytes(const ScreenImage& image, const std::string& comment)
 {
     // 8 bits per channel, red green blue, and the only compression, filter set and (no) interlacing of the format.
     const std::string format = {8, 2, 0, 0, 0};
-    std::string bytes = "\x89PNG\r\n\x1a\n";
+    std::string bytes(png_signature);
     bytes += chunk("IHDR", big_endian(static_cast<std::uint32_t>(image.width)) +
                                big_endian(static_cast<std::uint32_t>(image.height)) + format);
     bytes += chunk("sRGB", std::string(1, '\0'));

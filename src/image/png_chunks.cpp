@@ -1,28 +1,20 @@
 #include "image/png_chunks.h"
 
-#include <cstdint>
+#include "image/big_endian.h"
+
 #include <utility>
 
 namespace multipath {
 
 namespace {
 
-constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t frame_size = 12; ///< length, type and checksum [byte]
-
-std::uint32_t big_endian(std::string_view bytes)
-{
-    std::uint32_t value = 0;
-    for (const char c : bytes)
-        value = value << 8 | static_cast<unsigned char>(c);
-    return value;
-}
 
 } // namespace
 
 bool is_png(std::string_view bytes)
 {
-    return bytes.substr(0, signature.size()) == signature;
+    return bytes.substr(0, png_signature.size()) == png_signature;
 }
 
 std::vector<PngChunk> png_chunks(std::string_view bytes)
@@ -30,9 +22,9 @@ std::vector<PngChunk> png_chunks(std::string_view bytes)
     std::vector<PngChunk> chunks;
     if (!is_png(bytes))
         return chunks;
-    bytes.remove_prefix(signature.size());
+    bytes.remove_prefix(png_signature.size());
     while (bytes.size() >= frame_size) {
-        const std::size_t size = big_endian(bytes.substr(0, 4));
+        const std::size_t size = from_big_endian(bytes.substr(0, 4));
         if (size > bytes.size() - frame_size)
             return chunks;
         chunks.push_back({bytes.substr(4, 4), bytes.substr(8, size)});

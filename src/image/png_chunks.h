@@ -13,6 +13,9 @@ struct PngChunk
     std::string_view data;
 };
 
+/// How a PNG file begins.
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
+
 bool is_png(std::string_view bytes);
 
 /// The chunks in the file's order, as far as they are whole; none for what is no PNG. Checksums are not looked at.
