@@ -17,7 +17,6 @@ namespace multipath {
 
 namespace {
 
-constexpr double radians = 3.14159265358979323846 / 180.0; // per degree
 constexpr int coarse_rows = 9;
 constexpr int fine_rows = 18;
 
@@ -65,7 +64,8 @@ Room room_of(const Scene& scene, Vec3 up)
 /// The vertical angle [degrees], smaller in wide pictures so that their sides are not stretched.
 double field_of_view(double vertical, double widest, double aspect)
 {
-    const double from_width = 2.0 / radians * std::atan(std::tan(0.5 * widest * radians) / aspect);
+    const double from_width =
+        2.0 / radians_per_degree * std::atan(std::tan(0.5 * widest * radians_per_degree) / aspect);
     return std::min(vertical, from_width);
 }
 
@@ -103,8 +103,8 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
 {
     std::vector<Camera> cameras;
     const Vec3 size = room.box.size();
-    const double half_height = std::tan(0.5 * angle * radians);
-    const double diagonal_distance = 0.5 * room.box.diagonal() / std::sin(0.5 * angle * radians);
+    const double half_height = std::tan(0.5 * angle * radians_per_degree);
+    const double diagonal_distance = 0.5 * room.box.diagonal() / std::sin(0.5 * angle * radians_per_degree);
     for (const double side : {1.0, -1.0}) {
         const double for_height = 0.5 * size.y / half_height;
         const double along_z = std::max(for_height, 0.5 * size.x / (half_height * aspect)) / size.z + 0.5;

@@ -44,9 +44,8 @@ void require_camera(const Camera& camera)
 
 Camera cropped(Camera camera, int rows_before, int rows)
 {
-    constexpr double radians = 3.14159265358979323846 / 180.0; // per degree
-    const double half_height = std::tan(0.5 * camera.field_of_view * radians) * rows / rows_before;
-    camera.field_of_view = 2.0 / radians * std::atan(half_height);
+    const double half_height = std::tan(0.5 * camera.field_of_view * radians_per_degree) * rows / rows_before;
+    camera.field_of_view = 2.0 / radians_per_degree * std::atan(half_height);
     return camera;
 }
 

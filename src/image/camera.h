@@ -5,6 +5,8 @@
 
 namespace multipath {
 
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
 /// A pinhole camera: what it stands on, what it looks at, and how much it sees.
 struct Camera
 {

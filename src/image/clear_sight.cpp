@@ -4,7 +4,6 @@
 #include "geometry/flat_polygon.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace multipath {

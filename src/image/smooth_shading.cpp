@@ -23,7 +23,7 @@ constexpr std::size_t most_joined = 1000; // a hub of more surfaces stays unjoin
 /// A group that may coincide with groups of other surfaces.
 struct BorderGroup
 {
-    std::uint64_t place = 0; ///< equal for coinciding corners on the same kind of side
+    std::uint64_t key = 0; ///< equal for coinciding corners on the same kind of side
     CornerGroup group;
 };
 
@@ -33,14 +33,14 @@ bool is_source(const Scene& scene, std::uint32_t surface)
 }
 
 /// Names a point to within a millionth of the scene, on a grid that is shifted so that round numbers fall inside cells.
-std::uint64_t place_of(const Scene& scene, Vec3 point, std::uint64_t kind)
+std::uint64_t corner_key(const Scene& scene, Vec3 point, std::uint64_t kind)
 {
     const double cell = 1e-6 * scene.bounds().diagonal();
     const Vec3 from_low = point - scene.bounds().low;
-    std::uint64_t place = mix_bits(kind);
+    std::uint64_t key = mix_bits(kind);
     for (const double x : {from_low.x, from_low.y, from_low.z})
-        place = mix_bits(place ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell + 0.382))));
-    return place;
+        key = mix_bits(key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell + 0.382))));
+    return key;
 }
 
 /// Is there a free way from one to the other?
@@ -77,12 +77,12 @@ void join_borders(const Scene& scene, std::vector<BorderGroup> borders, const Pu
 {
     // The corner's number decides among equals, so that sums do not depend on the sorting algorithm.
     std::sort(borders.begin(), borders.end(), [](const BorderGroup& a, const BorderGroup& b) {
-        return a.place < b.place || (a.place == b.place && a.group.places.front() < b.group.places.front());
+        return a.key < b.key || (a.key == b.key && a.group.places.front() < b.group.places.front());
     });
     const BorderGroup* const end = borders.data() + borders.size();
     for (const BorderGroup* first = borders.data(); first != end;) {
         const BorderGroup* last =
-            std::find_if(first, end, [&](const BorderGroup& other) { return other.place != first->place; });
+            std::find_if(first, end, [&](const BorderGroup& other) { return other.key != first->key; });
         const auto count = static_cast<std::size_t>(last - first);
         if (count > 1 && count <= most_joined)
             join_place(scene, first, last, put);
@@ -109,7 +109,7 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
             for (CornerGroup& group : corner_groups(patches, surface, front)) {
                 put(group, group.value);
                 if (group.on_border)
-                    borders.push_back({place_of(scene, group.corner, kind), std::move(group)});
+                    borders.push_back({corner_key(scene, group.corner, kind), std::move(group)});
             }
         }
     join_borders(scene, std::move(borders), put);

@@ -12,7 +12,7 @@ namespace multipath {
 
 namespace {
 
-constexpr double cells_along_diagonal = 24.0; // places closer than this share of the scene count as one
+constexpr double cells_along_diagonal = 24.0; // points of one cell of the scene count as one place
 constexpr double too_near = 0.08;             // of the scene's diagonal
 
 /// What the rays of one view met.
@@ -23,19 +23,20 @@ struct View
     int near = 0;
     int floor = 0;   ///< surfaces that face up
     int ceiling = 0; ///< surfaces that face down
-    std::vector<std::uint64_t> places;
+    std::vector<std::uint64_t> cells;
     std::vector<std::uint32_t> surfaces;
     std::vector<std::uint32_t> materials;
 };
 
-std::uint64_t place_of(const Scene& scene, Vec3 point)
+/// The number of the cell in which a point lies.
+std::uint64_t cell_of(const Scene& scene, Vec3 point)
 {
-    const double cell = scene.bounds().diagonal() / cells_along_diagonal;
-    const Vec3 p = (1.0 / cell) * (point - scene.bounds().low);
-    std::uint64_t place = 0;
+    const double size = scene.bounds().diagonal() / cells_along_diagonal;
+    const Vec3 p = (1.0 / size) * (point - scene.bounds().low);
+    std::uint64_t cell = 0;
     for (const double x : {p.x, p.y, p.z})
-        place = 64 * place + static_cast<std::uint64_t>(std::clamp(x, 0.0, 63.0));
-    return place;
+        cell = 64 * cell + static_cast<std::uint64_t>(std::clamp(x, 0.0, 63.0));
+    return cell;
 }
 
 void look(const Scene& scene, const Line& ray, Vec3 up, VisibleHits& visible, View& view)
@@ -54,7 +55,7 @@ void look(const Scene& scene, const Line& ray, Vec3 up, VisibleHits& visible, Vi
     view.floor += upward > 0.7 ? 1 : 0;
     view.ceiling += upward < -0.7 ? 1 : 0;
     view.materials.push_back(scene.file().material[hit->surface]);
-    view.places.push_back(place_of(scene, ray.at(hit->t)));
+    view.cells.push_back(cell_of(scene, ray.at(hit->t)));
     view.surfaces.push_back(hit->surface);
 }
 
@@ -89,7 +90,7 @@ ViewQuality view_quality(const Scene& scene, const Camera& camera, double aspect
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x)
             look(scene, rays.through(x + 0.5, y + 0.5), up, visible, view);
-    keep_distinct(view.places);
+    keep_distinct(view.cells);
     keep_distinct(view.surfaces);
     keep_distinct(view.materials);
     double seen = 0.0;
@@ -100,7 +101,7 @@ ViewQuality view_quality(const Scene& scene, const Camera& camera, double aspect
         all += weight(surface);
 
     const double count = static_cast<double>(columns) * rows;
-    const double variety = static_cast<double>(view.places.size()) / count;
+    const double variety = static_cast<double>(view.cells.size()) / count;
     const double completeness = seen / all;
     const double balance = 0.5 * share_up_to(view.floor, count, 0.25) + 0.2 * share_up_to(view.ceiling, count, 0.08);
     const double colours =

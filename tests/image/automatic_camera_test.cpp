@@ -4,6 +4,7 @@
 #include "scene/input_error.h"
 #include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace multipath;
@@ -85,5 +86,6 @@ TEST_CASE("a scene that is one flat piece is seen from its front")
 TEST_CASE("a direction up that is none is refused")
 {
     const Scene scene = furnished_room().scene(1.0);
-    CHECK_THROWS_AS(automatic_camera(scene, aspect, {0, 0, 0}), InputError);
+    CHECK_THROWS_AS(automatic_camera(scene, aspect, {0, 0, 0}), SettingsError);
+    CHECK_THROWS_AS(automatic_camera(scene, aspect, {0, INFINITY, 0}), SettingsError);
 }

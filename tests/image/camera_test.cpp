@@ -58,13 +58,13 @@ TEST_CASE("a camera that has no picture is refused")
     const Vec3 eye = {1.0, 2.0, 3.0};
     const Vec3 target = {1.0, 5.0, 3.0};
     const Vec3 up = {0.0, 1.0, 0.0};
-    CHECK_THROWS_AS(PixelRays({eye, eye, up, 60.0}, 10, 10), InputError);
-    CHECK_THROWS_AS(PixelRays({eye, target, up, 60.0}, 10, 10), InputError);
-    CHECK_THROWS_AS(PixelRays({eye, target, {0.0, 0.0, 0.0}, 60.0}, 10, 10), InputError);
-    CHECK_THROWS_AS(PixelRays({eye, target, {0.0, 0.0, std::nan("")}, 60.0}, 10, 10), InputError);
+    CHECK_THROWS_AS(PixelRays({eye, eye, up, 60.0}, 10, 10), SettingsError);
+    CHECK_THROWS_AS(PixelRays({eye, target, up, 60.0}, 10, 10), SettingsError);
+    CHECK_THROWS_AS(PixelRays({eye, target, {0.0, 0.0, 0.0}, 60.0}, 10, 10), SettingsError);
+    CHECK_THROWS_AS(PixelRays({eye, target, {0.0, 0.0, std::nan("")}, 60.0}, 10, 10), SettingsError);
     for (const double angle : {0.0, -10.0, 180.0, std::nan("")})
-        CHECK_THROWS_AS(PixelRays({eye, {0.0, 0.0, 0.0}, up, angle}, 10, 10), InputError);
-    CHECK_THROWS_AS(PixelRays(oblique, 0, 10), InputError);
+        CHECK_THROWS_AS(PixelRays({eye, {0.0, 0.0, 0.0}, up, angle}, 10, 10), SettingsError);
+    CHECK_THROWS_AS(PixelRays(oblique, 0, 10), SettingsError);
     CHECK_THROWS_AS(PixelRays(oblique, 10, 100000), SettingsError);
     CHECK_THROWS_AS(PixelRays({{1e300, 0.0, 0.0}, target, up, 60.0}, 10, 10), SettingsError);
 }
