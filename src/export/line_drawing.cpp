@@ -4,6 +4,7 @@
 #include "export/line_drawing.h"
 
 #include "export/svg_plot.h"
+#include "geometry/flat_polygon.h"
 
 #include <algorithm>
 #include <array>
@@ -76,13 +77,6 @@ struct View
     }
 };
 
-std::vector<Vec3> corners(const Surface& s)
-{
-    if (s.shape == Shape::triangle)
-        return {s.at(0, 0), s.at(1, 0), s.at(0, 1)};
-    return {s.at(0, 0), s.at(1, 0), s.at(1, 1), s.at(0, 1)};
-}
-
 /// Right, up and towards the viewer of the side view: unit vectors.
 std::array<Vec3, 3> axes(Vec3 up_direction)
 {
@@ -115,11 +109,11 @@ double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const Line
             farthest = std::max(farthest, std::abs(dot(p - box.centre(), axis)));
     };
     for (const Surface& surface : scene.surfaces())
-        for (const Vec3 corner : corners(surface))
+        for (const Vec3 corner : corners_of(surface))
             include(corner);
     if (drawing.box)
         for (const Surface& side : sides(*drawing.box))
-            for (const Vec3 corner : corners(side))
+            for (const Vec3 corner : corners_of(side))
                 include(corner);
     for (const DrawnLine& line : lines)
         for (const DrawnStretch& stretch : line.stretches) {
@@ -144,7 +138,7 @@ std::string box_shape(const Bounds& box, const View& view)
 {
     std::string shape;
     for (const Surface& side : sides(box)) {
-        const std::vector<Vec3> points = corners(side);
+        const std::vector<Vec3> points = corners_of(side);
         for (std::size_t k = 0; k < points.size(); ++k)
             shape += place(k == 0 ? 'M' : 'L', view.at(points[k]));
         shape += "Z";
@@ -157,7 +151,7 @@ std::string outlines(const Scene& scene, const View& view)
 {
     std::set<std::string> edges;
     for (const Surface& surface : scene.surfaces()) {
-        const std::vector<Vec3> points = corners(surface);
+        const std::vector<Vec3> points = corners_of(surface);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Pixel a = view.at(points[k]);
             const Pixel b = view.at(points[(k + 1) % points.size()]);
@@ -180,7 +174,7 @@ std::string sources(const Scene& scene, const View& view)
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
         if (!(mean(scene.surface_material(s).emittance) > 0.0))
             continue;
-        const std::vector<Vec3> points = corners(scene.surfaces()[s]);
+        const std::vector<Vec3> points = corners_of(scene.surfaces()[s]);
         for (std::size_t k = 0; k < points.size(); ++k)
             shape += place(k == 0 ? 'M' : 'L', view.at(points[k]));
         shape += "Z";

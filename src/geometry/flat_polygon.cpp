@@ -15,6 +15,12 @@ FlatPolygon polygon_of(const Surface& surface)
     return result;
 }
 
+std::vector<Vec3> corners_of(const Surface& surface)
+{
+    const FlatPolygon polygon = polygon_of(surface);
+    return {polygon.corners.begin(), polygon.corners.begin() + static_cast<std::ptrdiff_t>(polygon.size)};
+}
+
 HeightRange heights(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
 {
     const double first = dot(polygon.corners[0] - point, normal);

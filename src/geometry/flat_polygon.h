@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace multipath {
 
@@ -19,6 +20,9 @@ struct FlatPolygon
 };
 
 FlatPolygon polygon_of(const Surface& surface);
+
+/// Of the same polygon, three or four.
+std::vector<Vec3> corners_of(const Surface& surface);
 
 /// Lowest and highest corner over the plane through `point` [scene units].
 struct HeightRange

@@ -5,6 +5,7 @@
 #include "image/automatic_camera.h"
 
 #include "geometry/bounds.h"
+#include "geometry/flat_polygon.h"
 #include "image/view_quality.h"
 #include "scene/input_error.h"
 
@@ -42,16 +43,9 @@ Room room_of(const Scene& scene, Vec3 up)
     const Vec3 toward = std::abs(room.axis_y.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, -1.0, 0.0};
     room.axis_x = normalized(cross(room.axis_y, toward));
     room.axis_z = cross(room.axis_x, room.axis_y);
-    const auto include = [&](Vec3 p) {
-        room.box.include(Vec3{dot(p, room.axis_x), dot(p, room.axis_y), dot(p, room.axis_z)});
-    };
-    for (const Surface& surface : scene.surfaces()) {
-        include(surface.origin);
-        include(surface.at(1.0, 0.0));
-        include(surface.at(0.0, 1.0));
-        if (surface.shape == Shape::parallelogram)
-            include(surface.at(1.0, 1.0));
-    }
+    for (const Surface& surface : scene.surfaces())
+        for (const Vec3 corner : corners_of(surface))
+            room.box.include(Vec3{dot(corner, room.axis_x), dot(corner, room.axis_y), dot(corner, room.axis_z)});
     // A flat scene still needs a room around it to stand in.
     const double least = 0.1 * room.box.diagonal();
     const Vec3 size = room.box.size();

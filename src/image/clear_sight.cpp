@@ -15,12 +15,7 @@ constexpr std::size_t most_pairs = std::size_t{1} << 24;
 constexpr std::uint8_t unclear = 1;
 constexpr std::uint8_t clear = 2;
 
-std::vector<Vec3> corners_of(const FlatPolygon& polygon)
-{
-    return {polygon.corners.begin(), polygon.corners.begin() + static_cast<std::ptrdiff_t>(polygon.size)};
-}
-
-/// Do all points lie on one side of the plane of the polygon, or in it?
+/// Do all points lie on one side of the plane of the surface, or in it?
 bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double touching)
 {
     double low = 0.0;
@@ -63,8 +58,8 @@ bool ClearSight::find(std::uint32_t patch, std::uint32_t target) const
 {
     const Surface here = scene_.patch(patch).shape;
     const Surface& there = scene_.surfaces()[target];
-    std::vector<Vec3> points = corners_of(polygon_of(here));
-    for (const Vec3& corner : corners_of(polygon_of(there)))
+    std::vector<Vec3> points = corners_of(here);
+    for (const Vec3& corner : corners_of(there))
         points.push_back(corner);
     const ConvexHull hull(points);
     const std::uint32_t own = scene_.surface_of(patch);
@@ -77,7 +72,7 @@ bool ClearSight::find(std::uint32_t patch, std::uint32_t target) const
         const bool is_flat = level.within(touching_);
         if (!is_flat && on_one_side(points, surface, touching_))
             continue;
-        if (!hull.is_beside(corners_of(polygon_of(surface)), is_flat ? -touching_ : touching_))
+        if (!hull.is_beside(corners_of(surface), is_flat ? -touching_ : touching_))
             return false;
     }
     return true;
