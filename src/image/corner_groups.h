@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/corner_lattice.h"
+#include "image/skin.h"
 #include "image/visible_patches.h"
 #include "scene/rgb.h"
 

@@ -6,6 +6,7 @@
 
 #include "image/corner_groups.h"
 #include "image/corner_lattice.h"
+#include "image/skin.h"
 #include "image/visible_patches.h"
 #include "sampling/random.h"
 

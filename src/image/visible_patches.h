@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/surface.h"
+#include "geometry/vec3.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
@@ -34,19 +34,5 @@ private:
     std::uint32_t samples_along_;     ///< an edge of a patch
     std::vector<std::uint64_t> open_; ///< per patch: a bit for each of its sampled points
 };
-
-/// A point in the open, with the unit normal there.
-struct OpenPoint
-{
-    Vec3 point;
-    Vec3 normal;
-};
-
-/// Does anything stand between two points of the same skin, close to each other, such as a wall on a floor? What lies
-/// level with one of them does not count.
-bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
-
-/// Do the two normals belong to one skin, or is there a crease between them?
-bool level(Vec3 a, Vec3 b);
 
 } // namespace multipath
