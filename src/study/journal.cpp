@@ -32,7 +32,7 @@ std::string checksum_text(const std::string& text)
 std::string values_text(const Execution& e)
 {
     std::array<char, 192> text{};
-    std::snprintf(text.data(), text.size(), "\t%" PRIu64 "\t%" PRIu64 "\t%.17g\t%.17g\t%.6g", e.local_lines,
+    std::snprintf(text.data(), text.size(), "\t%" PRIu64 "\t%" PRIu64 "\t%.17g\t%.17g\t%.17g", e.local_lines,
                   e.global_lines, e.mean_square, e.relative, e.seconds);
     return text.data();
 }

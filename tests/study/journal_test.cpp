@@ -14,7 +14,7 @@ using namespace multipath;
 namespace {
 
 const ExecutionKey key{"global halton:2,7,3,5 4d sphere shuffled", 1u << 20, 3};
-const Execution execution{123, 456, 0.1, 1.0 / 3.0, 2.5};
+const Execution execution{123, 456, 0.1, 1.0 / 3.0, 2.0 / 7.0};
 
 std::string text_of(const std::string& path)
 {
