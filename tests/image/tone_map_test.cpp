@@ -97,7 +97,11 @@ TEST_CASE("the scene's unit of light does not matter")
 
 TEST_CASE("an even room is shown in a middle grey")
 {
-    for (const ToneOperator tone : {ToneOperator::linear, ToneOperator::reinhard, ToneOperator::aces}) {
+    for (const NamedToneOperator& named : tone_operators) {
+        const ToneOperator tone = named.tone;
+        if (tone == ToneOperator::percentile) // which is to show it white
+            continue;
+        CAPTURE(named.name);
         const double shown = decoded(mean_byte(at_automatic_scale(grey_image(std::vector<double>(1000, 3.7)), tone)));
         CHECK(shown > 0.18);
         CHECK(shown < 0.25);
