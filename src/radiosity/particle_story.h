@@ -33,7 +33,7 @@ struct ParticleStory
     std::vector<ToldParticle> particles;
 };
 
-/// Follows the particles up to the last one of the range and tells those in it. Throws SettingsError for particles that
+/// Follows the particles of the range, each from its source to its end. Throws SettingsError for particles that
 /// the run does not have, and what solve throws.
 ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, const ToldRange& range);
 
