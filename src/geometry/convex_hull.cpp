@@ -1,16 +1,16 @@
 // Quickhull (Barber, Dobkin, Huhdanpaa 1996): every face keeps the points outside of it; the farthest of them becomes a
-// corner of the hull, the faces that it sees are replaced by a cone over their rim. Points less than a tolerance
-// outside are ignored, which keeps nearly coplanar faces harmless.
+// corner of the hull, the faces that it sees are replaced by a cone over their rim. They hang together, so they are
+// found from neighbour to neighbour. Points less than a tolerance outside are ignored, which keeps nearly coplanar
+// faces harmless.
 
 #include "geometry/convex_hull.h"
-
-#include "geometry/bounds.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <set>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace multipath {
@@ -22,15 +22,29 @@ using Corner = std::uint32_t;
 struct Face
 {
     std::array<Corner, 3> corners; ///< counter-clockwise seen from outside
-    Vec3 normal;                   ///< unit
+    Vec3 normal;                   ///< unit, like the offset of the thickened points
     double offset;
-    std::vector<Corner> outside; ///< points in front of this face, each in the list of one face only
+    std::array<std::size_t, 3> neighbours = {}; ///< across the edge from corner i to the next
+    std::vector<Corner> outside;                ///< points in front of this face, each in the list of one face only
     bool alive = true;
 };
+
+/// An edge between what a new corner sees of the hull and what it does not.
+struct RimEdge
+{
+    Corner from, to;    ///< as the seen face has them
+    std::size_t beyond; ///< the face that is not seen
+};
+
+Vec3 unit_or_zero(Vec3 v)
+{
+    return v == Vec3{} ? v : normalized(v);
+}
 
 class HullBuilder
 {
 public:
+    /// `tolerance`: as a share of the extent of the points.
     HullBuilder(const std::vector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
     /// Triangles that cover the hull; none when all points lie in one plane.
@@ -39,8 +53,8 @@ public:
         if (!start())
             return {};
         for (std::size_t f = 0; f < faces_.size(); ++f)
-            while (faces_[f].alive && !faces_[f].outside.empty())
-                add_corner(farthest(faces_[f]));
+            if (faces_[f].alive && !faces_[f].outside.empty())
+                add_corner(farthest(faces_[f]), f);
         std::vector<Face> result;
         for (const Face& face : faces_)
             if (face.alive)
@@ -48,18 +62,12 @@ public:
         return result;
     }
 
-    double area_of(const Face& face) const
-    {
-        const std::array<Corner, 3>& c = face.corners;
-        return 0.5 * length(cross(points_[c[1]] - points_[c[0]], points_[c[2]] - points_[c[0]]));
-    }
-
     /// All points in one plane: their hull is a polygon, whose corners are found by walking around it (gift wrapping).
     double flat_area() const
     {
         if (points_.size() < 3)
             return 0.0;
-        const Vec3 normal = make_face(a_, b_, c_).normal;
+        const Vec3 normal = cross(points_[b_] - points_[a_], points_[c_] - points_[a_]);
         Vec3 twice_area;
         Corner corner = a_; // the farthest from some point, so a corner of the hull
         for (std::size_t step = 0; step < points_.size(); ++step) {
@@ -80,14 +88,12 @@ public:
     }
 
 private:
-    double distance(const Face& face, Corner p) const { return dot(face.normal, points_[p]) - face.offset; }
+    double distance(const Face& face, Corner p) const { return dot(face.normal, thick_[p]) - face.offset; }
 
     Face make_face(Corner a, Corner b, Corner c) const
     {
-        const Vec3 n = cross(points_[b] - points_[a], points_[c] - points_[a]);
-        const double size = length(n);
-        const Vec3 normal = size > 0.0 ? (1.0 / size) * n : Vec3{};
-        return {{a, b, c}, normal, dot(normal, points_[a]), {}, true};
+        const Vec3 normal = unit_or_zero(cross(thick_[b] - thick_[a], thick_[c] - thick_[a]));
+        return {{a, b, c}, normal, dot(normal, thick_[a]), {}, {}, true};
     }
 
     template <class Measure>
@@ -107,21 +113,40 @@ private:
             return false;
         const Vec3 first = points_[0];
         a_ = argmax([&](Corner p) { return length(points_[p] - first); });
-        b_ = argmax([&](Corner p) { return length(points_[p] - points_[a_]); });
-        const Vec3 axis = points_[b_] - points_[a_];
-        c_ = argmax([&](Corner p) { return length(cross(axis, points_[p] - points_[a_])); });
-        const Face base = make_face(a_, b_, c_);
-        const Corner d = argmax([&](Corner p) { return std::abs(distance(base, p)); });
-        if (std::abs(distance(base, d)) <= tolerance_)
+        const Vec3 origin = points_[a_];
+        b_ = argmax([&](Corner p) { return length(points_[p] - origin); });
+        const Vec3 axis = points_[b_] - origin;
+        c_ = argmax([&](Corner p) { return length(cross(axis, points_[p] - origin)); });
+        const Vec3 normal = unit_or_zero(cross(axis, points_[c_] - origin));
+        const auto height = [&](Corner p) { return dot(normal, points_[p] - origin); };
+        const Corner d = argmax([&](Corner p) { return std::abs(height(p)); });
+        if (std::abs(height(d)) <= tolerance_ * length(axis))
             return false;
-        if (distance(base, d) > 0.0)
+        thicken(origin, axis, cross(normal, axis), std::abs(height(d)) * normal);
+        if (height(d) > 0.0)
             std::swap(b_, c_);
         faces_ = {make_face(a_, b_, c_), make_face(a_, d, b_), make_face(b_, d, c_), make_face(c_, d, a_)};
+        faces_[0].neighbours = {1, 2, 3};
+        faces_[1].neighbours = {3, 2, 0};
+        faces_[2].neighbours = {1, 3, 0};
+        faces_[3].neighbours = {2, 1, 0};
         std::vector<Corner> all(points_.size());
         for (Corner p = 0; p < all.size(); ++p)
             all[p] = p;
         distribute(all, 0);
         return true;
+    }
+
+    /// The points in coordinates in which the widest triangle and the height above it measure about 1.
+    void thicken(Vec3 origin, Vec3 axis, Vec3 across, Vec3 height)
+    {
+        const double width = dot(across, points_[c_] - origin);
+        thick_.reserve(points_.size());
+        for (const Vec3 point : points_) {
+            const Vec3 p = point - origin;
+            thick_.push_back(
+                {dot(axis, p) / dot(axis, axis), dot(across, p) / width, dot(height, p) / dot(height, height)});
+        }
     }
 
     /// Gives each point to the first face from `first_face` on that has it outside; points inside all are dropped.
@@ -141,31 +166,69 @@ private:
                                  [&](Corner p, Corner q) { return distance(face, p) < distance(face, q); });
     }
 
-    void add_corner(Corner apex)
+    /// Replaces the faces that the apex sees, `seen_first` among them.
+    void add_corner(Corner apex, std::size_t seen_first)
     {
-        std::set<std::pair<Corner, Corner>> rim; // edges of seen faces, without those shared by two of them
-        std::vector<Corner> orphans;
-        for (Face& face : faces_) {
-            if (!face.alive || distance(face, apex) <= tolerance_)
-                continue;
-            face.alive = false;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Corner from = face.corners[i];
-                const Corner to = face.corners[(i + 1) % 3];
-                if (rim.erase({to, from}) == 0)
-                    rim.insert({from, to});
-            }
-            orphans.insert(orphans.end(), face.outside.begin(), face.outside.end());
-            face.outside = {};
-        }
+        std::vector<RimEdge> rim;
+        const std::vector<std::size_t> seen = take_away_seen(apex, seen_first, rim);
         const std::size_t first_new = faces_.size();
-        for (const auto& [from, to] : rim)
-            faces_.push_back(make_face(from, to, apex));
+        for (const RimEdge& edge : rim)
+            faces_.push_back(make_face(edge.from, edge.to, apex));
+        join_cone(rim, first_new);
+        std::vector<Corner> orphans;
+        for (const std::size_t f : seen) {
+            orphans.insert(orphans.end(), faces_[f].outside.begin(), faces_[f].outside.end());
+            faces_[f].outside = {};
+        }
         distribute(orphans, first_new);
+    }
+
+    /// The faces that the apex sees, by number; they are no longer alive. Both lists are sorted, so that what is built
+    /// on them does not depend on the way through the neighbours.
+    std::vector<std::size_t> take_away_seen(Corner apex, std::size_t first, std::vector<RimEdge>& rim)
+    {
+        std::vector<std::size_t> seen = {first};
+        faces_[first].alive = false;
+        for (std::size_t k = 0; k < seen.size(); ++k)
+            for (const std::size_t neighbour : faces_[seen[k]].neighbours)
+                if (faces_[neighbour].alive && distance(faces_[neighbour], apex) > tolerance_) {
+                    faces_[neighbour].alive = false;
+                    seen.push_back(neighbour);
+                }
+        for (const std::size_t f : seen)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (faces_[faces_[f].neighbours[i]].alive)
+                    rim.push_back({faces_[f].corners[i], faces_[f].corners[(i + 1) % 3], faces_[f].neighbours[i]});
+        std::sort(seen.begin(), seen.end());
+        std::sort(rim.begin(), rim.end(),
+                  [](const RimEdge& a, const RimEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
+        return seen;
+    }
+
+    /// Makes the new faces, over the edges of the rim in order, neighbours of each other and of what lies beyond.
+    void join_cone(const std::vector<RimEdge>& rim, std::size_t first_new)
+    {
+        std::vector<std::size_t> by_end(rim.size());
+        std::iota(by_end.begin(), by_end.end(), std::size_t{0});
+        std::sort(by_end.begin(), by_end.end(), [&](std::size_t k, std::size_t l) {
+            return std::tie(rim[k].to, rim[k].from) < std::tie(rim[l].to, rim[l].from);
+        });
+        for (std::size_t next = 0; next < rim.size(); ++next) { // where one edge ends another one begins
+            faces_[first_new + by_end[next]].neighbours[1] = first_new + next;
+            faces_[first_new + next].neighbours[2] = first_new + by_end[next];
+        }
+        for (std::size_t k = 0; k < rim.size(); ++k) {
+            faces_[first_new + k].neighbours[0] = rim[k].beyond;
+            Face& beyond = faces_[rim[k].beyond];
+            for (std::size_t i = 0; i < 3; ++i)
+                if (beyond.corners[i] == rim[k].to && beyond.corners[(i + 1) % 3] == rim[k].from)
+                    beyond.neighbours[i] = first_new + k;
+        }
     }
 
     const std::vector<Vec3>& points_;
     double tolerance_;
+    std::vector<Vec3> thick_;
     std::vector<Face> faces_;
     Corner a_ = 0, b_ = 0, c_ = 0; ///< the widest triangle found at the start
 };
@@ -174,14 +237,14 @@ private:
 
 ConvexHull::ConvexHull(const std::vector<Vec3>& points)
 {
-    Bounds bounds;
-    for (const Vec3 p : points)
-        bounds.include(p);
-    HullBuilder builder(points, 1e-7 * bounds.diagonal());
-    const std::vector<Face> faces = points.empty() ? std::vector<Face>{} : builder.faces();
+    HullBuilder builder(points, 1e-7);
+    const std::vector<Face> faces = builder.faces();
     for (const Face& face : faces) {
-        area_ += builder.area_of(face);
-        sides_.push_back({face.normal, face.offset});
+        const Vec3 corner = points[face.corners[0]];
+        const Vec3 normal = cross(points[face.corners[1]] - corner, points[face.corners[2]] - corner);
+        area_ += 0.5 * length(normal);
+        if (normal != Vec3{})
+            sides_.push_back({normalized(normal), dot(normalized(normal), corner)});
     }
     if (faces.empty())
         area_ = builder.flat_area();

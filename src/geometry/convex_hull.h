@@ -7,14 +7,14 @@
 
 namespace multipath {
 
-/// The convex hull of points, to about 1e-7 of their extent. A flat set counts both of its sides, as integral geometry
-/// does; fewer than three distinct points have no area.
+/// The convex hull of points, to about 1e-7 of their extent, and of their thickness if they are all but flat. A flat
+/// set counts both of its sides, as integral geometry does; points on one line have no area. In time n log n.
 class ConvexHull
 {
 public:
     explicit ConvexHull(const std::vector<Vec3>& points);
 
-    double area() const { return area_; }
+    double area() const { return area_; } ///< [square of the points' unit]
     /// Does the line, taken without ends, meet the hull? Never true of a flat hull.
     bool meets(const Line& line) const;
     /// Do all points lie beyond the plane of one side, or at most `overlap` [scene units] before it? Then nothing that

@@ -1,5 +1,7 @@
 #include "geometry/convex_hull.h"
 
+#include "random_surfaces.h"
+
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -44,6 +46,40 @@ TEST_CASE("a flat set counts both sides, a line or a point has no area")
     CHECK(ConvexHull({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).area() == doctest::Approx(0.0));
     CHECK(ConvexHull({{1, 2, 3}}).area() == 0.0);
     CHECK(ConvexHull({}).area() == 0.0);
+}
+
+// Flattened to a ten-thousandth and less, points have the hull of their outline, seen from both sides, and a rim: less
+// than the thickness times the circumference. In space the set lies askew, so that coordinates round.
+TEST_CASE("the hull of a set that is all but flat is that of its outline, twice")
+{
+    const Vec3 x = normalized({1, 2, -0.5});
+    const Vec3 y = normalized(cross(x, {0.3, -1, 2}));
+    const Vec3 z = cross(x, y);
+    for (const double thickness : {1e-3, 1e-4, 1e-5, 1e-6, 3e-7}) {
+        CAPTURE(thickness);
+        for (std::uint64_t key = 0; key < 40; ++key) {
+            Numbers numbers(key);
+            std::vector<Vec3> flat, thick;
+            for (int i = 0; i < 500; ++i) {
+                const Vec3 p = numbers.point(-1, 1);
+                flat.push_back({p.x, p.y, 0});
+                thick.push_back(p.x * x + p.y * y + thickness * p.z * z);
+            }
+            const double outline = ConvexHull(flat).area();
+            CHECK(ConvexHull(thick).area() > (1.0 - 1e-6) * outline);
+            CHECK(ConvexHull(thick).area() < outline + 8.0 * 2.0 * thickness);
+        }
+    }
+}
+
+TEST_CASE("points beyond one side of a hull lie beside it, points around an edge are not found to")
+{
+    const ConvexHull cube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+    CHECK(cube.is_beside({{2, 0, 0}, {1.1, 5, 0}, {1.1, -5, 7}}, 0.0));
+    CHECK(!cube.is_beside({{2, 0, 0}, {0.9, 0.5, 0.5}}, 0.0));
+    CHECK(cube.is_beside({{2, 0, 0}, {0.9, 0.5, 0.5}}, 0.11));
+    CHECK(!cube.is_beside({{1.1, 0.5, 0.5}, {0.5, 1.1, 0.5}}, 0.0));
+    CHECK(!ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).is_beside({{0, 0, 1}}, 0.0)); // flat
 }
 
 // A line meets the cube's hull exactly when it meets one of the cube's six faces.
