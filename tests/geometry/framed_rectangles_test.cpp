@@ -3,7 +3,6 @@
 #include "surface_pieces.h"
 
 #include <cmath>
-
 #include <doctest/doctest.h>
 #include <numeric>
 

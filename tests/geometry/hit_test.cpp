@@ -37,8 +37,8 @@ TEST_CASE("hits of different t stay where they are")
 // A box resting on a floor: the line leaves the box through its bottom and arrives at the floor, both at one t.
 TEST_CASE("coincident faces continue the alternation of departures and arrivals")
 {
-    CHECK(ordered("DAA=D") ==
-          "0132"); // down through the box: top (arrival), then bottom departs before the floor is met
+    // Down through the box: top (arrival), then the bottom departs before the floor is met.
+    CHECK(ordered("DAA=D") == "0132");
     CHECK(ordered("DAD=A") == "0123");
     CHECK(ordered("DD=AA") == "0213"); // a thin sheet: arrival at one face, departure from the other
     CHECK(ordered("DA=DA") == "0123");
@@ -46,8 +46,8 @@ TEST_CASE("coincident faces continue the alternation of departures and arrivals"
 
 TEST_CASE("at the start of a line the first hit that tells decides")
 {
-    CHECK(ordered("A=DDA") ==
-          "1023"); // from below a floor with a box on it: floor departs, bottom is met, box top departs
+    // From below a floor with a box on it: floor departs, bottom is met, box top departs.
+    CHECK(ordered("A=DDA") == "1023");
     CHECK(ordered("D=ADA") == "0123");
     CHECK(ordered("D=AA") == "102");      // a sheet lit from both sides: arrival first
     CHECK(ordered("D=AA=DD") == "01324"); // a box in a corner: two gaps, then something departs: still inside
