@@ -11,9 +11,8 @@
 //    plane's distance and the moment lose less than 10^-8 (m + 1) L < e/4 (m + 1) L each, the four together e (m + 1)
 //    L. Nothing is said of the sign of a, which rounding can turn when a line lies in the plane: |u a| <= |a| needs
 //    none. In all |u a| exceeds |a| by at most 28 m e L + 8 e L < 32 (m + 1) e L: the slack.
-// 3. The diagonal of a triangle: (u a + v a) sign(a) is wrong by twice that when the sign is right. When it is not, a
-// is
-//    mere rounding, |a| < 8 e L, and |u a|, |v a| passed by double precision are no larger than it: again twice the
+// 3. The diagonal of a triangle: (u a + v a) sign(a) is wrong by twice that when the sign is right. When it is wrong, a
+//    is mere rounding, |a| < 8 e L, and |u a|, |v a| passed by double precision are no larger than it: again twice the
 //    slack is enough.
 // 4. The distance h = offset - dot(n, middle), |middle| < 1.5: (2 + 4) e (1 + 1.5) = 15 e, and |a| half_length, at most
 //    1.01, 10 e: below 32 e. The double precision result passes |h| <= |a| half_length: what it meets lies in the box,

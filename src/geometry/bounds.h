@@ -29,7 +29,7 @@ struct Bounds
     Vec3 size() const { return high - low; }
     Vec3 centre() const { return 0.5 * (low + high); }
     double diagonal() const { return length(size()); }
-    double area() const
+    double area() const ///< of its six sides
     {
         const Vec3 s = size();
         return 2.0 * (s.x * s.y + s.y * s.z + s.z * s.x);

@@ -34,7 +34,7 @@ Edges edges_of(const FlatPolygon& polygon)
 {
     Edges result = {{}, polygon.size};
     for (std::size_t k = 0; k < polygon.size; ++k) {
-        const Vec3 along = polygon.corners[(k + 1) % polygon.size] - polygon.corners[k];
+        const Vec3 along = polygon.next(k) - polygon.corners[k];
         const double l = length(along);
         result.edges[k] = {polygon.corners[k], l > 0.0 ? (1.0 / l) * along : Vec3{}, l};
     }

@@ -4,7 +4,7 @@
 
 namespace multipath {
 
-// Each in its own file; they are one source (lane_filter.inl, lane_tree.inl) over the Lanes of the instruction set.
+// Each in its own file; they are one source (lane_*.inl) over the Lanes of the instruction set.
 extern const FilterKernel plain_kernel;
 #if defined(__x86_64__)
 extern const FilterKernel sse2_kernel;

@@ -11,7 +11,7 @@ struct FlatPiece
     Vec3 normal;
     Vec3 centre;
     double area = 0.0;   ///< [m^2]
-    double radius = 0.0; ///< from the centre to the farthest corner
+    double radius = 0.0; ///< [scene units] from the centre to the farthest corner
     /// Uniform points of the surface scatter about the centre with covariance (u u^T + v v^T) / 12.
     Vec3 spread_u;
     Vec3 spread_v;

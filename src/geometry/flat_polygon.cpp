@@ -37,7 +37,7 @@ FlatPolygon part_in_front(const FlatPolygon& polygon, Vec3 point, Vec3 normal, d
     FlatPolygon part;
     for (std::size_t k = 0; k < polygon.size; ++k) {
         const Vec3 from = polygon.corners[k];
-        const Vec3 to = polygon.corners[(k + 1) % polygon.size];
+        const Vec3 to = polygon.next(k);
         const double here = dot(from - point, normal);
         const double there = dot(to - point, normal);
         if (here >= -touching)

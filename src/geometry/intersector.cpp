@@ -19,7 +19,7 @@ constexpr std::uint32_t no_plane = 0xffffffffu;
 FlatSurfaces Intersector::flat_surfaces() const
 {
     return {blocks_.data(),
-            lane_plane_.data(),
+            flat_plane_.data(),
             flat_number_.data(),
             flat_triangles_,
             static_cast<unsigned>(framed_.others.size()),
@@ -78,15 +78,17 @@ void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
     put_in_order(hits.data(), hits.size());
 }
 
-/// Insertion sort: a line meets a handful of surfaces.
+/// Insertion sort, since most lines meet a handful of surfaces.
 void Intersector::put_in_order(Hit* hits, std::size_t count) const
 {
-    bool coincide = false;
-    if (count > 64) {
+    constexpr std::size_t handful = 64;
+    if (count > handful) {
         std::sort(hits, hits + count, [this](const Hit& a, const Hit& b) { return comes_before(a, b); });
-        coincide = true;
+        order_coincident_hits(hits, count, outside_is_solid_);
+        return;
     }
-    for (std::size_t i = 1; count <= 64 && i < count; ++i) {
+    bool coincide = false;
+    for (std::size_t i = 1; i < count; ++i) {
         const Hit moving = hits[i];
         std::size_t place = i;
         for (; place > 0 && comes_before(moving, hits[place - 1]); --place)
@@ -106,8 +108,7 @@ std::optional<Hit> Intersector::closest_hit(const Line& line) const
 
 std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
 {
-    // Where another face lies on the start, its place in the order of coincident faces decides whether the ray meets
-    // it.
+    // Where another face lies on the start, the order of coincident faces decides whether the ray meets it.
     if (!is_covered(from, ray.origin))
         return nearest(ray, plane_[from]);
     std::vector<Hit> along;

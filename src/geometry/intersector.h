@@ -55,7 +55,7 @@ private:
     struct Groundwork;
 
     Intersector(const std::vector<Surface>& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
-    void sort_out_unfiltered(const std::vector<Surface>& surfaces, std::vector<std::uint32_t>& filtered, int threads);
+    std::vector<std::uint32_t> sort_out_unfiltered(const std::vector<Surface>& surfaces, int threads);
     void fill_blocks(int threads);
 
     template <class Visit>
@@ -95,8 +95,8 @@ private:
     FilterFrame frame_;
     WideTree tree_;                          ///< empty for few surfaces
     std::vector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
-    std::vector<float> lane_plane_;          ///< plane number of the same
     std::vector<float> flat_number_;         ///< without a tree: lane_number_
+    std::vector<float> flat_plane_;          ///< without a tree: plane numbers of the same
     unsigned flat_triangles_ = 0;            ///< without a tree: the first lanes
     FramedRectangles framed_;                ///< without a tree: the last lanes
     std::vector<SurfaceBlock> blocks_;

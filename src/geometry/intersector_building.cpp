@@ -3,6 +3,7 @@
 #include "geometry/intersector.h"
 
 #include "geometry/block_filling.h"
+#include "geometry/surface_boxes.h"
 #include "geometry/surface_order.h"
 #include "parallel/ordered_blocks.h"
 
@@ -27,8 +28,7 @@ bool is_few(const FramedRectangles& framed)
 
 } // namespace
 
-/// What is made of the surfaces first. Sharing planes and building the hierarchy take longest, and do not depend on
-/// each other.
+/// What is made of the surfaces first: sharing planes and building the hierarchy take longest, and can go side by side.
 struct Intersector::Groundwork
 {
     FilterFrame frame;
@@ -77,8 +77,7 @@ Intersector::Intersector(const std::vector<Surface>& surfaces, Groundwork ground
       size_rank_(std::move(groundwork.size_rank)),
       neighbours_(groundwork.boxes, plane_)
 {
-    std::vector<std::uint32_t> filtered;
-    sort_out_unfiltered(surfaces, filtered, threads);
+    const std::vector<std::uint32_t> filtered = sort_out_unfiltered(surfaces, threads);
     if (filtered.size() <= FlatSurfaces::most)
         framed_ = group_by_frames(table_, filtered, frame_);
     if (filtered.size() <= FlatSurfaces::most && is_few(framed_)) {
@@ -94,16 +93,18 @@ Intersector::Intersector(const std::vector<Surface>& surfaces, Groundwork ground
     fill_blocks(threads);
 }
 
-void Intersector::sort_out_unfiltered(const std::vector<Surface>& surfaces, std::vector<std::uint32_t>& filtered,
-                                      int threads)
+/// Returns the others.
+std::vector<std::uint32_t> Intersector::sort_out_unfiltered(const std::vector<Surface>& surfaces, int threads)
 {
     std::vector<unsigned char> fits(surfaces.size());
     parallel_ranges(table_.size(), at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t s = first; s < end; ++s)
             fits[s] = can_be_filtered(table_.row(s), surfaces[s], frame_);
     });
+    std::vector<std::uint32_t> filtered;
     for (std::uint32_t s = 0; s < surfaces.size(); ++s)
         (fits[s] != 0 ? filtered : unfiltered_).push_back(s);
+    return filtered;
 }
 
 void Intersector::fill_blocks(int threads)
@@ -114,8 +115,9 @@ void Intersector::fill_blocks(int threads)
         const auto end_of_triangles = std::stable_partition(lane_number_.begin(), lane_number_.end(), is_triangle);
         flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
         flat_number_.assign(lane_number_.begin(), lane_number_.end());
+        for (const std::uint32_t surface : lane_number_)
+            flat_plane_.push_back(static_cast<float>(plane_[surface]));
     }
-    lane_plane_.resize(lane_number_.size());
     blocks_.resize((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes);
     const auto fill = [&](std::size_t block) {
         const std::size_t first = SurfaceBlock::lanes * block;
@@ -124,10 +126,8 @@ void Intersector::fill_blocks(int threads)
             std::stable_partition(place(first), place(end), is_triangle);
         blocks_[block] = empty_block();
         for (std::size_t i = first; i < end; ++i)
-            if (lane_number_[i] != WideTree::nothing) {
-                lane_plane_[i] = static_cast<float>(plane_[lane_number_[i]]);
+            if (lane_number_[i] != WideTree::nothing)
                 fill_lane(blocks_[block], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
-            }
     };
     const auto count = static_cast<std::uint32_t>(blocks_.size());
     parallel_ranges(count, at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {

@@ -35,8 +35,7 @@ KERNEL_CODE void to_columns(const Line* lines, std::size_t count, LineColumns& c
     }
 }
 
-/// FilterFrame::place for the first lines of the columns, always as many as there can be, which then needs no rest
-/// loop.
+/// FilterFrame::place for all lines of the columns, whether or not they are filled: a fixed count needs no rest loop.
 KERNEL_CODE void place_columns(const FilterFrame& frame, const LineColumns& lines, std::size_t first, LineBatch& batch)
 {
     for (std::size_t k = 0; k < LineColumns::most; ++k) {

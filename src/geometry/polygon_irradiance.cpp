@@ -50,8 +50,9 @@ double distance(Vec3 point, const FlatPolygon& polygon)
 
 double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
 {
-    // Each edge adds the angle under which it is seen times the cosine between the normal and the plane through edge
-    // and point; clockwise as seen from the front, hence the sign.
+    // Each edge adds the angle under which it is seen times the cosine between the normal and the normal of the plane
+    // through edge and point. Edges run counter-clockwise as seen from the point, so that the cross products of their
+    // ends point away from the polygon: hence the sign.
     double sum = 0.0;
     for (std::size_t k = 0; k < polygon.size; ++k) {
         const Vec3 a = polygon.corners[k] - point;

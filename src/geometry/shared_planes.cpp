@@ -3,7 +3,7 @@
 
 #include "geometry/shared_planes.h"
 
-#include "geometry/bounds.h"
+#include "geometry/surface_boxes.h"
 #include "geometry/surface_order.h"
 #include "parallel/prefetch.h"
 
@@ -159,6 +159,13 @@ private:
     CellTable cells_;
 };
 
+/// How many surfaces of a plane face with and against its own direction.
+struct PlaneUse
+{
+    std::uint32_t along = 0;
+    std::uint32_t against = 0;
+};
+
 } // namespace
 
 SharedPlanes share_planes(const std::vector<Surface>& surfaces)
@@ -166,17 +173,9 @@ SharedPlanes share_planes(const std::vector<Surface>& surfaces)
     SharedPlanes result;
     if (surfaces.empty())
         return result;
-    Bounds bounds;
-    for (const Surface& surface : surfaces)
-        bounds.include(surface.bounds());
-
-    struct Use
-    {
-        std::uint32_t along = 0;
-        std::uint32_t against = 0;
-    };
+    const Bounds bounds = bounds_of(surfaces);
     PlaneIndex index(bounds.centre(), bounds.diagonal(), surfaces.size());
-    std::vector<Use> uses; // per plane: surfaces that face with and against its own direction
+    std::vector<PlaneUse> uses;
     result.plane_of_surface.reserve(surfaces.size());
     for (const Surface& surface : surfaces) {
         const Vec3 normal = surface.normal();
@@ -207,15 +206,13 @@ SharedPlanes share_planes(const std::vector<Surface>& surfaces)
         result.plane_number[s] = number;
     }
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-        const Use use = uses[result.plane_number[s]];
+        const PlaneUse use = uses[result.plane_number[s]];
         if (use.along == 0 || use.against == 0)
             continue;
         const Plane& shared = index.plane(result.plane_number[s]);
         const bool along = dot(shared.normal, result.plane_of_surface[s].normal) > 0.0;
         result.plane_of_surface[s] = along ? shared : Plane{-shared.normal, -shared.offset};
     }
-    for (const Use& use : uses)
-        result.is_shared.push_back(use.along + use.against > 1);
     return result;
 }
 

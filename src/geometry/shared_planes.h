@@ -23,7 +23,6 @@ struct SharedPlanes
 {
     std::vector<Plane> plane_of_surface;     ///< facing as the surface does
     std::vector<std::uint32_t> plane_number; ///< per surface; equal for surfaces in one plane, whichever way they face
-    std::vector<bool> is_shared;             ///< per plane number: more than one surface lies in it
 };
 
 /// Surfaces whose corners all lie within coplanar_distance of a larger surface's plane get its number. They get its

@@ -19,6 +19,7 @@ struct Surface
     Vec3 at(double u, double v) const { return origin + u * edge_u + v * edge_v; }
     /// Unit normal on the front; the surface must have area.
     Vec3 normal() const { return normalized(cross(edge_u, edge_v)); }
+    /// [square of the scene unit]
     double area() const { return (shape == Shape::triangle ? 0.5 : 1.0) * length(cross(edge_u, edge_v)); }
     Vec3 centre() const { return shape == Shape::triangle ? at(1.0 / 3.0, 1.0 / 3.0) : at(0.5, 0.5); }
     Bounds bounds() const

@@ -1,19 +1,11 @@
 #pragma once
 
-#include "geometry/bounds.h"
 #include "geometry/surface.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace multipath {
-
-/// Around all surfaces, with room for how far beside it a surface may be met: on a plane that it shares with others
-/// (see coplanar_distance) and by rounding.
-Bounds box_around(const std::vector<Surface>& surfaces);
-
-/// Around each surface, with the same room.
-std::vector<Bounds> boxes_around_each(const std::vector<Surface>& surfaces);
 
 /// The numbers of the surfaces, the largest first; of equal ones the earlier.
 std::vector<std::uint32_t> from_large_to_small(const std::vector<Surface>& surfaces);

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -36,14 +35,8 @@ public:
     const SurfaceRow& row(std::uint32_t surface) const { return rows_[surface]; }
     bool is_triangle(std::uint32_t surface) const { return rows_[surface].offset[3] > 0.0; }
 
-    /// The hit of the line with one surface, borders included. The definition that all faster code must reproduce.
-    std::optional<Hit> hit(const Line& line, std::uint32_t surface) const
-    {
-        Hit result;
-        return decide(line, surface, result) ? std::optional<Hit>(result) : std::nullopt;
-    }
-
-    /// The same without a branch, for loops: writes `hit` whatever comes out, and says whether it is one.
+    /// Whether the line meets one surface, borders included, and the hit if it does; else `hit` holds anything, since
+    /// there is no branch. The definition that all faster code must reproduce.
     bool decide(const Line& line, std::uint32_t surface, Hit& hit) const;
 
     /// Whether a point of the plane of the surface lies on it, borders included.

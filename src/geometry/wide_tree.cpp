@@ -12,7 +12,7 @@ namespace multipath {
 namespace {
 
 constexpr std::uint32_t leaf_size = WideNode::lanes;
-constexpr int most_levels = 60; // the stack of the filters holds 15 pending children for each of 64 levels
+constexpr int levels_by_area = 28; // then halves, 32 levels at most: the stack of the filters has room for 64
 
 /// Things first ... last - 1 of the list, which become one child of a node.
 struct Range
@@ -96,8 +96,8 @@ private:
             if (largest->size() <= leaf_size)
                 break;
             const Range range = *largest;
-            const std::uint32_t middle = level < most_levels - 32 ? split_by_area(things_, range.first, range.last)
-                                                                  : range.first + range.size() / 2;
+            const std::uint32_t middle = level < levels_by_area ? split_by_area(things_, range.first, range.last)
+                                                                : range.first + range.size() / 2;
             *largest = {range.first, middle, box_of(range.first, middle)};
             ranges.push_back({middle, range.last, box_of(middle, range.last)});
         }

@@ -5,6 +5,7 @@
 #include "contest.h"
 #include "embree_scene.h"
 #include "geometry/intersector.h"
+#include "geometry/surface_boxes.h"
 #include "transport/line_sampling.h"
 #include "transport/local_ray.h"
 
@@ -29,9 +30,7 @@ struct Rivals
 
 std::vector<Line> chords_through(const std::vector<Surface>& surfaces)
 {
-    Bounds box;
-    for (const Surface& surface : surfaces)
-        box.include(surface.bounds());
+    const Bounds box = bounds_of(surfaces);
     std::vector<Line> lines(line_count);
     GlobalLines(box).lines(some_items(line_count).data(), line_count, lines.data());
     return lines;

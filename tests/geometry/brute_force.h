@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/intersector.h"
+#include "geometry/shared_planes.h"
 #include "geometry/surface_order.h"
 
 #include <algorithm>
@@ -24,9 +25,10 @@ public:
     void all_hits(const Line& line, std::vector<Hit>& hits) const
     {
         hits.clear();
+        Hit hit;
         for (std::uint32_t s = 0; s < table_.size(); ++s)
-            if (const std::optional<Hit> hit = table_.hit(line, s))
-                hits.push_back(*hit);
+            if (table_.decide(line, s, hit))
+                hits.push_back(hit);
         std::sort(hits.begin(), hits.end(), [this](const Hit& a, const Hit& b) {
             return a.t < b.t || (a.t == b.t && rank_[a.surface] < rank_[b.surface]);
         });

@@ -1,5 +1,6 @@
 #include "geometry/framed_rectangles.h"
 
+#include "geometry/surface_boxes.h"
 #include "surface_pieces.h"
 
 #include <cmath>
@@ -21,9 +22,7 @@ FramedRectangles grouped(const std::vector<Surface>& surfaces)
 {
     std::vector<std::uint32_t> all(surfaces.size());
     std::iota(all.begin(), all.end(), 0u);
-    Bounds bounds;
-    for (const Surface& surface : surfaces)
-        bounds.include(surface.bounds());
+    const Bounds bounds = bounds_of(surfaces);
     return group_by_frames(SurfaceTable(surfaces, share_planes(surfaces)), all, FilterFrame(bounds));
 }
 

@@ -2,6 +2,7 @@
 
 #include "brute_force.h"
 #include "geometry/first_hits.h"
+#include "geometry/surface_boxes.h"
 #include "random_surfaces.h"
 #include "sampling/sequence.h"
 #include "transport/line_sampling.h"
@@ -24,9 +25,7 @@ inline Vec3 along_axis(std::size_t axis, double size)
 /// from far away.
 inline std::vector<Line> difficult_lines(const std::vector<Surface>& surfaces, std::size_t count, std::uint64_t key)
 {
-    Bounds box;
-    for (const Surface& surface : surfaces)
-        box.include(surface.bounds());
+    const Bounds box = bounds_of(surfaces);
     const double size = box.diagonal();
     Numbers numbers(key);
     const auto anywhere = [&] { return box.centre() + size * numbers.point(-0.7, 0.7); };
@@ -152,9 +151,7 @@ inline std::size_t wrong_rays(const std::vector<Surface>& surfaces, const RaysFr
 
 inline std::vector<Line> random_chords(const std::vector<Surface>& surfaces, std::size_t count)
 {
-    Bounds box;
-    for (const Surface& surface : surfaces)
-        box.include(surface.bounds());
+    const Bounds box = bounds_of(surfaces);
     const GlobalLines global_lines(box);
     const auto sequence = make_sequence("sobol", 1);
     std::vector<Line> lines;

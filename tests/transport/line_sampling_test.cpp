@@ -1,6 +1,7 @@
 #include "transport/line_sampling.h"
 
 #include "geometry/intersector.h"
+#include "geometry/surface_boxes.h"
 #include "statistics.h"
 
 #include <array>
@@ -18,14 +19,6 @@ Bounds box_between(Vec3 low, Vec3 high)
     Bounds box;
     box.include(low);
     box.include(high);
-    return box;
-}
-
-Bounds box_around(const std::vector<Surface>& surfaces)
-{
-    Bounds box;
-    for (const Surface& surface : surfaces)
-        box.include(surface.bounds());
     return box;
 }
 
@@ -98,7 +91,7 @@ TEST_CASE("a global line crosses patches in proportion to their area")
     };
     for (const Chords chords : both_kinds) {
         CAPTURE(static_cast<int>(chords));
-        check_crossings(surfaces, GlobalLines(box_around(surfaces), chords), 400000);
+        check_crossings(surfaces, GlobalLines(bounds_of(surfaces), chords), 400000);
     }
 }
 
@@ -218,7 +211,7 @@ TEST_CASE("in a flat scene every line of the box crosses the plane once")
         const Vec3 corner = {0.5, -1.0, 3.0};
         const std::vector<Surface> surfaces = {{Shape::parallelogram, corner, 0.25 * u, v},
                                                {Shape::parallelogram, corner + 0.25 * u, 0.75 * u, v}};
-        const GlobalLines lines(box_around(surfaces), Chords::box);
+        const GlobalLines lines(bounds_of(surfaces), Chords::box);
         constexpr std::uint64_t count = 100000;
         CHECK(lines.expected_crossings(2.0, count) == doctest::Approx(count));
         check_crossings(surfaces, lines, count);
