@@ -6,6 +6,9 @@
 
 namespace multipath {
 
+/// The statement of MTL files that holds the emittance: older exporters have no `Ke` and put lamps into `Ka`.
+enum class EmissionFrom { ke, ka };
+
 /// What a surface does with light: it reflects diffusely and may emit.
 struct Material
 {

@@ -33,6 +33,7 @@ private:
     void note_ambient(std::string_view rest);
     MtlMaterial& current_material(std::string_view keyword, TextPlace place);
     const std::string& name_of_current() const;
+    std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
 
     const std::string path_;
     const EmissionFrom emission_from_;
@@ -53,22 +54,21 @@ void MtlParser::parse()
     std::string names;
     for (const std::string& name : ignored_)
         names += (names.empty() ? "" : ", ") + name;
-    library_.warnings.push_back(name_of({path_, first_ignored_line_}) +
-                                ": ignored, since they say nothing about diffuse light: " + names);
+    library_.warnings.push_back(name_of({path_, first_ignored_line_}) + ": ignored, since only Kd and " +
+                                emission_keyword() + " count: " + names);
 }
 
 void MtlParser::statement(const TextLine& line)
 {
     std::string_view rest = line.text;
     const std::string_view keyword = next_word(rest);
-    const std::string_view emission_keyword = emission_from_ == EmissionFrom::ka ? "Ka" : "Ke";
     if (keyword.empty() || keyword[0] == '#')
         return;
     if (keyword == "newmtl")
         define(std::string(name_in(rest)), line.place);
     else if (keyword == "Kd")
         set_reflectance(without_comment(rest), line.place);
-    else if (keyword == emission_keyword)
+    else if (keyword == emission_keyword())
         set_emittance(keyword, without_comment(rest), line.place);
     else
         note_ignored(keyword, line.place);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "scene/material.h"
-#include "scene/obj_reader.h"
 
 #include <cstdint>
 #include <string>

@@ -6,8 +6,6 @@
 
 namespace multipath {
 
-enum class EmissionFrom { ke, ka };
-
 /// Reads an OBJ file and the MTL files that it names. Lenient in syntax, strict in meaning: nothing that changes the
 /// light of the scene is dropped, guessed or clipped without a word. Parallelograms become one surface, also those that
 /// were cut into two triangles; other polygons become triangles. What has no defined material is grey, reflectance 0.5.

@@ -79,7 +79,7 @@ TEST_CASE("ignored statements are named once")
 {
     const MaterialLibrary library = read("newmtl a\nKd 0.5\nNs 1\nillum 2\nKs 1 1 1\nnewmtl b\nNs 2\nmap_Kd x.png\n");
     REQUIRE(library.warnings.size() == 1);
-    CHECK(contains(library.warnings[0], "a.mtl:3: ignored"));
+    CHECK(contains(library.warnings[0], "a.mtl:3: ignored, since only Kd and Ke count: "));
     CHECK(contains(library.warnings[0], ": `Ns`, `illum`, `Ks`, `map_Kd`"));
 }
 
@@ -89,5 +89,6 @@ TEST_CASE("emission comes from Ke or from Ka, never from both")
     CHECK(read(text).materials[0].material.emittance == Rgb{4, 5, 6});
     CHECK(read(text).materials[0].ambient == Rgb{1, 2, 3});
     CHECK(read(text, EmissionFrom::ka).materials[0].material.emittance == Rgb{1, 2, 3});
+    CHECK(contains(read(text, EmissionFrom::ka).warnings.at(0), "a.mtl:3: ignored, since only Kd and Ka count: `Ke`"));
     CHECK(read("newmtl a\nKa spectral x.rfl\n").materials[0].ambient == Rgb{});
 }
