@@ -1,6 +1,7 @@
 #include "radiosity/scene_lint.h"
 
 #include "scene/coincident_faces.h"
+#include "scene/open_edges.h"
 #include "scene/text_format.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ private:
         const double lost = share(report_.balance.escaped);
         if (!(lost > 1e-9))
             return;
-        const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_);
+        const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
         std::string edges;
         for (std::size_t i = 0; i < std::min(most_named, open.size()); ++i)
             edges += (i == 0 ? "; open edges: " : ", ") + name_of(open[i]);

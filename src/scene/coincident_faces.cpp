@@ -1,9 +1,6 @@
 #include "scene/coincident_faces.h"
 
-#include "scene/vertex_weld.h"
-
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -11,7 +8,8 @@ namespace multipath {
 
 namespace {
 
-/// Points inside of a surface: enough of them to find what covers a tenth of it, fewer in a large scene.
+/// Points inside of a surface: enough of them to find what covers a tenth of it, unless that is narrow; one in a large
+/// scene.
 std::vector<Vec3> sample_points(const Surface& surface, std::size_t surface_count)
 {
     const int n = surface_count > 100000 ? 1 : 4;
@@ -24,13 +22,6 @@ std::vector<Vec3> sample_points(const Surface& surface, std::size_t surface_coun
             points.push_back(folded ? surface.at(0.9 * (1.0 - u) + 0.03, 0.9 * (1.0 - v) + 0.03) : surface.at(u, v));
         }
     return points;
-}
-
-/// Corners in the direction of the border; a triangle's first corner closes it twice.
-std::array<Vec3, 4> corners(const Surface& s)
-{
-    const Vec3 third = s.shape == Shape::triangle ? s.at(0.0, 1.0) : s.at(1.0, 1.0);
-    return {s.origin, s.at(1.0, 0.0), third, s.shape == Shape::triangle ? s.origin : s.at(0.0, 1.0)};
 }
 
 } // namespace
@@ -49,36 +40,6 @@ std::vector<CoincidentFaces> find_coincident_faces(const Scene& scene, std::size
     for (const auto& [first, second] : pairs)
         result.push_back({first, second, dot(surfaces[first].normal(), surfaces[second].normal()) > 0.0});
     return result;
-}
-
-std::vector<std::uint32_t> surfaces_with_open_edges(const Scene& scene)
-{
-    std::vector<Vec3> points;
-    for (const Surface& surface : scene.surfaces())
-        for (const Vec3 corner : corners(surface))
-            points.push_back(corner);
-    const std::vector<std::uint32_t> welded = weld(points);
-
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    const auto edge = [&](std::size_t surface, std::size_t i) {
-        return Edge{welded[4 * surface + i], welded[4 * surface + (i + 1) % 4]};
-    };
-    std::vector<Edge> edges;
-    for (std::size_t s = 0; s < scene.surfaces().size(); ++s)
-        for (std::size_t i = 0; i < 4; ++i)
-            edges.push_back(edge(s, i));
-    std::sort(edges.begin(), edges.end());
-
-    std::vector<std::uint32_t> open;
-    for (std::size_t s = 0; s < scene.surfaces().size(); ++s)
-        for (std::size_t i = 0; i < 4; ++i) {
-            const auto [from, to] = edge(s, i);
-            if (from != to && !std::binary_search(edges.begin(), edges.end(), Edge{to, from})) {
-                open.push_back(static_cast<std::uint32_t>(s));
-                break;
-            }
-        }
-    return open;
 }
 
 } // namespace multipath

@@ -19,8 +19,4 @@ struct CoincidentFaces
 /// Pairs of surfaces that overlap at one of the points sampled on each, in order of the surfaces; at most `most` pairs.
 std::vector<CoincidentFaces> find_coincident_faces(const Scene& scene, std::size_t most);
 
-/// Surfaces with an edge that no other surface runs along in the opposite direction from corner to corner: where a
-/// closed scene would leak. An edge that meets several shorter ones counts as open too.
-std::vector<std::uint32_t> surfaces_with_open_edges(const Scene& scene);
-
 } // namespace multipath

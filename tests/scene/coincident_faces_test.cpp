@@ -21,16 +21,3 @@ TEST_CASE("coincident faces are found, whether they look at each other or the sa
     CHECK((pairs[1].first == 0 && pairs[1].second == 2 && pairs[1].same_side));
     CHECK(find_coincident_faces(builder.scene(1.0), 1).size() == 1);
 }
-
-TEST_CASE("a closed room has no open edge, a room without one wall has four")
-{
-    SceneBuilder closed;
-    const std::uint32_t grey = closed.grey(0.5, 1.0);
-    closed.room({0, 0, 0}, {1, 2, 3}, grey).box({0.2, 0.2, 0.2}, {0.5, 0.5, 0.5}, grey);
-    CHECK(surfaces_with_open_edges(closed.scene(1.0)).empty());
-
-    SceneFile file = closed.file();
-    file.surfaces.erase(file.surfaces.begin()); // the floor
-    file.material.pop_back();
-    CHECK(surfaces_with_open_edges(Scene(file, 1.0)) == std::vector<std::uint32_t>{1, 2, 3, 4});
-}
