@@ -7,6 +7,7 @@
 #include "commands/paper_steps.h"
 #include "commands/scene_options.h"
 #include "scene/obj_reader.h"
+#include "scene/patch_size.h"
 #include "scene/text_format.h"
 #include "study/paper_report.h"
 #include "study/study_reader.h"

@@ -4,6 +4,7 @@
 #include "cli/usage_error.h"
 #include "commands/memory_limit.h"
 #include "scene/obj_reader.h"
+#include "scene/patch_size.h"
 
 #include <algorithm>
 #include <thread>

@@ -41,8 +41,7 @@ bool reflects_everything(const MtlMaterial& m)
     return std::max({rho.r, rho.g, rho.b}) == 1.0;
 }
 
-/// Modellers write the same Ka everywhere or repeat Kd there. A lamp sticks out: above 1, or not Kd while others have
-/// 0.
+/// Modellers write the same Ka everywhere or repeat Kd there. A lamp sticks out: above 1, or not Kd while others are 0.
 std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
 {
     const bool some_have_none =

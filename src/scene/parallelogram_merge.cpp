@@ -1,7 +1,6 @@
 // Every pair that shares an edge may form a parallelogram, and in a regular mesh a triangle has up to three such
 // partners. The diagonal of a rectangle is the longest edge of both its halves, so pairs across longest edges go first:
-// that finds the rectangles that an exporter cut, in whatever order it wrote their halves. Then whatever is left is
-// joined.
+// that finds the rectangles that an exporter cut, in whatever order it wrote their halves. Then the rest is joined.
 
 #include "scene/parallelogram_merge.h"
 

@@ -1,10 +1,9 @@
 #include "scene/scene.h"
 
+#include "geometry/surface_boxes.h"
 #include "scene/input_error.h"
 #include "scene/scene_hash.h"
 
-#include <array>
-#include <cmath>
 #include <utility>
 
 namespace multipath {
@@ -32,6 +31,7 @@ Scene::Scene(SceneFile file, double patch_size, bool two_sided, int threads)
       two_sided_(two_sided),
       patch_size_(patch_size),
       intersector_(file_.surfaces, *available_kernels()[0], threads),
+      bounds_(bounds_of(file_.surfaces)),
       tessellations_(tessellate_all(file_.surfaces, patch_size))
 {
     if (file_.surfaces.empty())
@@ -40,12 +40,13 @@ Scene::Scene(SceneFile file, double patch_size, bool two_sided, int threads)
     std::uint64_t cells = 0;
     for (const Tessellation& tessellation : tessellations_)
         cells += tessellation.cell_count();
+    const std::uint64_t patches = two_sided ? 2 * cells : cells;
     constexpr std::uint64_t patch_limit = std::uint64_t{1} << 31;
-    if (cells * (two_sided ? 2 : 1) >= patch_limit)
-        throw SettingsError(file_.path + ": this patch size gives " + std::to_string(cells) +
+    if (patches >= patch_limit)
+        throw SettingsError(file_.path + ": this patch size gives " + std::to_string(patches) +
                             " patches; expected fewer than 2^31; choose a larger one with --patch-size");
     cell_count_ = static_cast<std::uint32_t>(cells);
-    patch_count_ = two_sided ? 2 * cell_count_ : cell_count_;
+    patch_count_ = static_cast<std::uint32_t>(patches);
 
     surface_of_.reserve(cell_count_);
     Rgb reflecting_area;
@@ -53,7 +54,6 @@ Scene::Scene(SceneFile file, double patch_size, bool two_sided, int threads)
         const Material& material = surface_material(s);
         const double area = file_.surfaces[s].area();
         const double sides_area = (two_sided ? 2.0 : 1.0) * area;
-        bounds_.include(file_.surfaces[s].bounds());
         first_cell_.push_back(static_cast<std::uint32_t>(surface_of_.size()));
         surface_of_.resize(surface_of_.size() + tessellations_[s].cell_count(), s);
         cell_area_.push_back(area / static_cast<double>(tessellations_[s].cell_count()));
@@ -81,39 +81,6 @@ Patch Scene::patch(std::uint32_t patch) const
     const std::uint32_t s = surface_of_[cell];
     const Surface shape = tessellations_[s].cell(file_.surfaces[s], cell - first_cell_[s]);
     return {s, is_front(patch) ? shape : turned_over(shape)};
-}
-
-namespace {
-
-/// 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: number k of these sizes, 10 to a decade.
-double round_size(int k)
-{
-    constexpr std::array<double, 10> mantissas = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
-    const int exponent = k >= 0 ? k / 10 : -((9 - k) / 10);
-    const double mantissa = mantissas[static_cast<std::size_t>(k - 10 * exponent)];
-    return exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
-}
-
-} // namespace
-
-double default_patch_size(const std::vector<Surface>& surfaces)
-{
-    double area = 0.0;
-    for (const Surface& surface : surfaces)
-        area += surface.area();
-    const double wanted = std::sqrt(area / 2500.0);
-    int k = 10 * static_cast<int>(std::floor(std::log10(wanted)));
-    while (round_size(k + 1) <= wanted)
-        ++k;
-
-    // Long or many triangles give more cells than their area says.
-    constexpr std::uint64_t most = 4000;
-    const auto too_many = [&](double size) {
-        return surfaces.size() > most || cell_count(surfaces, size) > static_cast<double>(most);
-    };
-    while (round_size(k + 1) <= 3.0 * wanted && too_many(round_size(k)))
-        ++k;
-    return round_size(k);
 }
 
 } // namespace multipath

@@ -12,7 +12,7 @@
 
 namespace multipath {
 
-/// Where a patch lies and what it does with light.
+/// Where a patch lies.
 struct Patch
 {
     std::uint32_t surface = 0;
@@ -111,9 +111,5 @@ inline Scene::Sides Scene::patches_at(std::uint32_t surface, double u, double v,
     const std::uint32_t cell = first_cell_[surface] + tessellations_[surface].cell_at(u, v);
     return {cell, two_sided_ ? cell_count_ + cell : none};
 }
-
-/// A patch size that gives a few thousand patches: the largest round number not above sqrt(A / 2500), or up to 2.5
-/// times as much if it takes that to stay below 4000 patches.
-double default_patch_size(const std::vector<Surface>& surfaces);
 
 } // namespace multipath

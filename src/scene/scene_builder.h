@@ -46,7 +46,8 @@ public:
         return surface({Shape::triangle, a, b - a, c - a}, material);
     }
 
-    /// The six walls of a room seen from inside: floor, ceiling (y), then x low, x high, z low, z high.
+    /// The six walls of a room seen from inside, each with its material: floor, ceiling (y), x low, x high, z low, z
+    /// high.
     SceneBuilder& room(Vec3 low, Vec3 high, const std::vector<std::uint32_t>& materials)
     {
         const Vec3 d = high - low;

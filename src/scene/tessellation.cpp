@@ -90,23 +90,4 @@ double cell_count(const std::vector<Surface>& surfaces, double patch_size)
     return sum;
 }
 
-double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t wanted)
-{
-    Bounds bounds;
-    double area = 0.0;
-    for (const Surface& surface : surfaces) {
-        bounds.include(surface.bounds());
-        area += surface.area();
-    }
-    // The count falls with the size: bisection between squares of the mean area, which are too small, and no cut at
-    // all.
-    double too_small = 0.5 * std::sqrt(area / static_cast<double>(wanted));
-    double enough = bounds.diagonal();
-    for (int step = 0; step < 50 && enough > too_small; ++step) {
-        const double middle = 0.5 * (too_small + enough);
-        (cell_count(surfaces, middle) > static_cast<double>(wanted) ? too_small : enough) = middle;
-    }
-    return enough;
-}
-
 } // namespace multipath

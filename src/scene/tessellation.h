@@ -17,8 +17,7 @@ struct GridPoint
     std::uint32_t j = 0;
 };
 
-/// The corners of a cell in turn, counter-clockwise on the front: its origin, the end of its edge_u, ... , of its
-/// edge_v.
+/// The corners of a cell in turn, counter-clockwise on the front, from its origin along its edge_u.
 struct CellCorners
 {
     std::array<GridPoint, 4> points;
@@ -73,9 +72,5 @@ Tessellation tessellate(const Surface& surface, double patch_size);
 
 /// How many cells all surfaces get; a real number, since a small patch size gives more than an integer holds.
 double cell_count(const std::vector<Surface>& surfaces, double patch_size);
-
-/// The patch size [scene units] that cuts the surfaces into a number of patches close to `wanted`, never above it
-/// unless the surfaces alone are more.
-double patch_size_for_count(const std::vector<Surface>& surfaces, std::uint64_t wanted);
 
 } // namespace multipath

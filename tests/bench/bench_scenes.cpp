@@ -1,6 +1,7 @@
 #include "bench_scenes.h"
 
 #include "sampling/random.h"
+#include "scene/patch_size.h"
 
 #include <algorithm>
 #include <cmath>

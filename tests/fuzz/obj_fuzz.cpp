@@ -3,6 +3,7 @@
 #include "fuzz_file.h"
 #include "scene/input_error.h"
 #include "scene/obj_reader.h"
+#include "scene/patch_size.h"
 #include "scene/scene.h"
 
 #include <cmath>

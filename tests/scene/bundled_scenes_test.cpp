@@ -4,6 +4,7 @@
 #include "radiosity/line_budget.h"
 #include "radiosity/solve.h"
 #include "scene/obj_reader.h"
+#include "scene/patch_size.h"
 #include "statistics.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,6 @@
 #include "scene/tessellation.h"
 
 #include "scene/input_error.h"
-#include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -14,8 +13,8 @@ TEST_CASE("cells along an edge are edge / patch size rounded up, but not for rou
     CHECK(tessellate(surface, 0.1).cells_v == 2);
     CHECK(tessellate(surface, 0.3).cells_u == 4);
     CHECK(tessellate(surface, 5.0).cell_count() == 1);
-    CHECK(tessellate({Shape::triangle, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0.5).cell_count() ==
-          9); // longest edge: sqrt 2
+    const Surface triangle = {Shape::triangle, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    CHECK(tessellate(triangle, 0.5).cell_count() == 9); // longest edge: sqrt 2
     CHECK_THROWS_AS(tessellate(surface, 1e-6), InputError);
 }
 
@@ -86,84 +85,4 @@ TEST_CASE("points on or just beyond the border fall into cells at the border")
             CHECK(triangles.cell_at(u, 1.0 - u + beyond) < 9);
     CHECK(triangles.cell_at(1.0, 0.0) == 8);
     CHECK(triangles.cell_at(0.0, 1.0) == 4);
-}
-
-TEST_CASE("a scene's patches cover its surfaces on the sides that exist")
-{
-    SceneBuilder builder;
-    const std::uint32_t lamp = builder.material({0.5, 0.4, 0.3}, {3, 2, 1});
-    const std::uint32_t wall = builder.grey(0.8, 0.0);
-    builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 0, 1}, lamp).triangle({0, 1, 0}, {2, 1, 0}, {0, 1, 3}, wall);
-    for (const bool two_sided : {false, true}) {
-        const Scene scene = builder.scene(0.4, two_sided);
-        double area = 0.0;
-        Rgb power;
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-            area += scene.area(i);
-            power += scene.area(i) * scene.emittance(i);
-            CHECK(scene.patch(i).shape.area() == doctest::Approx(scene.area(i)));
-        }
-        CHECK(area == doctest::Approx(two_sided ? 10.0 : 5.0).epsilon(1e-12));
-        CHECK(area == doctest::Approx(scene.total_area()).epsilon(1e-12));
-        CHECK(power.r == doctest::Approx(6.0).epsilon(1e-12)); // fronts alone emit
-        CHECK(scene.source_power().g == doctest::Approx(4.0));
-        CHECK(scene.average_reflectance().r == doctest::Approx((2 * 0.5 + 3 * 0.8) / 5));
-        CHECK((scene.patch_at(0, 0.5, 0.5, false) == Scene::no_patch) == !two_sided);
-    }
-    const Scene scene = builder.scene(0.4, true);
-    const std::uint32_t front = scene.patch_at(1, 0.3, 0.2, true);
-    const std::uint32_t back = scene.patch_at(1, 0.3, 0.2, false);
-    CHECK(dot(scene.patch(front).shape.normal(), scene.patch(back).shape.normal()) == doctest::Approx(-1.0));
-    CHECK(length(scene.patch(front).shape.centre() - scene.patch(back).shape.centre()) < 1e-15);
-}
-
-TEST_CASE("a scene without light or surfaces is refused")
-{
-    SceneBuilder dark;
-    const std::uint32_t wall = dark.grey(0.5, 0.0);
-    CHECK_THROWS_AS(dark.scene(1.0), InputError);
-    dark.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, wall);
-    CHECK_THROWS_AS(dark.scene(1.0), InputError);
-}
-
-TEST_CASE("the default patch size is a round number that gives some thousand patches")
-{
-    for (const double edge : {1e-3, 0.5, 1.0, 3.0, 6.4, 700.0}) {
-        SceneBuilder builder;
-        const SceneFile file = builder.room({0, 0, 0}, {edge, edge, edge}, builder.grey(0.5, 1.0)).file();
-        const std::uint32_t patches = Scene(file, default_patch_size(file.surfaces)).patch_count();
-        CHECK(patches >= 2000);
-        CHECK(patches <= 5500);
-    }
-}
-
-TEST_CASE("a wanted number of patches is met closely and not exceeded")
-{
-    SceneBuilder builder;
-    const std::uint32_t grey = builder.grey(0.5, 1.0);
-    builder.room({0, 0, 0}, {3, 2, 1}, grey).box({1, 0, 0.2}, {1.3, 0.9, 0.7}, grey);
-    const SceneFile file = builder.file();
-    for (const std::uint64_t wanted : {100ull, 1000ull, 30000ull, 1000000ull}) {
-        const double size = patch_size_for_count(file.surfaces, wanted);
-        std::uint64_t count = 0;
-        for (const Surface& surface : file.surfaces)
-            count += tessellate(surface, size).cell_count();
-        CHECK(count <= wanted);
-        CHECK(static_cast<double>(count) > 0.8 * static_cast<double>(wanted));
-    }
-    CHECK(Scene(file, patch_size_for_count(file.surfaces, 1)).patch_count() == 12); // the surfaces alone
-}
-
-TEST_CASE("the scene's hash tells what changes the result from what does not")
-{
-    const auto hash = [](double y, double reflectance, double size, const char* name) {
-        SceneBuilder builder;
-        SceneFile file = builder.rectangle({0, y, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(reflectance, 1.0)).file();
-        file.materials[0].name = name;
-        return Scene(file, size).hash();
-    };
-    CHECK(hash(0.0, 0.5, 1.0, "a") == hash(-0.0, 0.5, 1.0, "b"));
-    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(1e-9, 0.5, 1.0, "a"));
-    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.6, 1.0, "a"));
-    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.5, 0.5, "a"));
 }

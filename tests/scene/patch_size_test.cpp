@@ -1,0 +1,46 @@
+#include "scene/patch_size.h"
+
+#include "test_scenes.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace multipath;
+
+TEST_CASE("the default patch size is a round number that gives some thousand patches")
+{
+    for (const double edge : {1e-3, 0.5, 1.0, 3.0, 6.4, 700.0}) {
+        SceneBuilder builder;
+        const SceneFile file = builder.room({0, 0, 0}, {edge, edge, edge}, builder.grey(0.5, 1.0)).file();
+        const std::uint32_t patches = Scene(file, default_patch_size(file.surfaces)).patch_count();
+        CHECK(patches >= 2000);
+        CHECK(patches <= 5500);
+    }
+}
+
+TEST_CASE("a wanted number of patches is met closely and not exceeded")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    builder.room({0, 0, 0}, {3, 2, 1}, grey).box({1, 0, 0.2}, {1.3, 0.9, 0.7}, grey);
+    const SceneFile file = builder.file();
+    for (const std::uint64_t wanted : {100ull, 1000ull, 30000ull, 1000000ull}) {
+        const double size = patch_size_for_count(file.surfaces, wanted);
+        const double count = cell_count(file.surfaces, size);
+        CHECK(count <= static_cast<double>(wanted));
+        CHECK(count > 0.8 * static_cast<double>(wanted));
+    }
+    CHECK(Scene(file, patch_size_for_count(file.surfaces, 1)).patch_count() == 12); // the surfaces alone
+}
+
+// A strip 1e5 times as long as wide: squares of its mean area would be wider than it.
+TEST_CASE("the default patch size grows where long strips give more patches than their area says")
+{
+    const std::vector<Surface> strips(100, {Shape::parallelogram, {0, 0, 0}, {1e5, 0, 0}, {0, 1, 0}});
+    const double size = default_patch_size(strips);
+    const double by_area = std::sqrt(100 * 1e5 / 2500.0);
+    CHECK(size > 1.25 * by_area);
+    CHECK(size <= 3.0 * by_area);
+}

@@ -1,0 +1,68 @@
+#include "scene/scene.h"
+
+#include "input_problem.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+TEST_CASE("a scene's patches cover its surfaces on the sides that exist")
+{
+    SceneBuilder builder;
+    const std::uint32_t lamp = builder.material({0.5, 0.4, 0.3}, {3, 2, 1});
+    const std::uint32_t wall = builder.grey(0.8, 0.0);
+    builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 0, 1}, lamp).triangle({0, 1, 0}, {2, 1, 0}, {0, 1, 3}, wall);
+    for (const bool two_sided : {false, true}) {
+        const Scene scene = builder.scene(0.4, two_sided);
+        double area = 0.0;
+        Rgb power;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            area += scene.area(i);
+            power += scene.area(i) * scene.emittance(i);
+            CHECK(scene.patch(i).shape.area() == doctest::Approx(scene.area(i)));
+        }
+        CHECK(area == doctest::Approx(two_sided ? 10.0 : 5.0).epsilon(1e-12));
+        CHECK(area == doctest::Approx(scene.total_area()).epsilon(1e-12));
+        CHECK(power.r == doctest::Approx(6.0).epsilon(1e-12)); // fronts alone emit
+        CHECK(scene.source_power().g == doctest::Approx(4.0));
+        CHECK(scene.average_reflectance().r == doctest::Approx((2 * 0.5 + 3 * 0.8) / 5));
+        CHECK((scene.patch_at(0, 0.5, 0.5, false) == Scene::no_patch) == !two_sided);
+    }
+    const Scene scene = builder.scene(0.4, true);
+    const std::uint32_t front = scene.patch_at(1, 0.3, 0.2, true);
+    const std::uint32_t back = scene.patch_at(1, 0.3, 0.2, false);
+    CHECK(dot(scene.patch(front).shape.normal(), scene.patch(back).shape.normal()) == doctest::Approx(-1.0));
+    CHECK(length(scene.patch(front).shape.centre() - scene.patch(back).shape.centre()) < 1e-15);
+}
+
+TEST_CASE("a scene without light or surfaces is refused")
+{
+    SceneBuilder dark;
+    const std::uint32_t wall = dark.grey(0.5, 0.0);
+    CHECK_THROWS_AS(dark.scene(1.0), InputError);
+    dark.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, wall);
+    CHECK_THROWS_AS(dark.scene(1.0), InputError);
+}
+
+TEST_CASE("more patches than fit are refused, and all of them counted")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, builder.grey(0.5, 1.0));
+    CHECK(
+        contains(problem_of([&] { builder.scene(1e-4, true); }), "gives 3200000000 patches; expected fewer than 2^31"));
+}
+
+TEST_CASE("the scene's hash tells what changes the result from what does not")
+{
+    const auto hash = [](double y, double reflectance, double size, const char* name) {
+        SceneBuilder builder;
+        SceneFile file = builder.rectangle({0, y, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(reflectance, 1.0)).file();
+        file.materials[0].name = name;
+        return Scene(file, size).hash();
+    };
+    CHECK(hash(0.0, 0.5, 1.0, "a") == hash(-0.0, 0.5, 1.0, "b"));
+    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(1e-9, 0.5, 1.0, "a"));
+    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.6, 1.0, "a"));
+    CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.5, 0.5, "a"));
+}
