@@ -79,6 +79,7 @@ int wrong_usage(const std::exception& error, const std::vector<Command>& command
 int main(int argc, char** argv)
 {
     prepare_standard_streams();
+    end_at_interrupts();
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {

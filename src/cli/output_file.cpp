@@ -106,6 +106,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
         const PartFile file = create_part_file(target_, exists ? 0600 : 0666);
         descriptor_ = file.descriptor;
         temporary_ = descriptor_ < 0 ? "" : file.path;
+        unfinished_ = temporary_.empty() ? Unfinished() : Unfinished(temporary_);
     }
     if (descriptor_ < 0 || (exists && !temporary_.empty() && fchmod(descriptor_, status.st_mode & 07777) != 0)) {
         const int error = errno;
@@ -123,6 +124,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
     : name_(std::move(other.name_)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, std::string())),
+      unfinished_(std::move(other.unfinished_)),
       descriptor_(std::exchange(other.descriptor_, -1))
 {
 }
@@ -163,6 +165,7 @@ void OutputFile::commit()
         fail(name_, error);
     }
     temporary_.clear();
+    unfinished_ = {};
     close(std::exchange(descriptor_, -1)); // after the new name: with the descriptor goes the lock
 }
 
@@ -173,6 +176,7 @@ void OutputFile::discard() noexcept
     if (!temporary_.empty())
         unlink(temporary_.c_str());
     temporary_.clear();
+    unfinished_ = {};
 }
 
 } // namespace multipath

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cli/unfinished.h"
+
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -57,6 +59,7 @@ private:
     std::string name_;
     std::string target_;    ///< where the symbolic links lead
     std::string temporary_; ///< empty: written directly, or done
+    Unfinished unfinished_; ///< the temporary, for signals
     int descriptor_ = -1;   ///< -1: done or moved from
 };
 

@@ -16,6 +16,7 @@ TemporaryFolder::TemporaryFolder()
     path_ = folder + "/multipath-XXXXXX";
     if (mkdtemp(path_.data()) == nullptr)
         throw OutputError("cannot make a folder in " + folder + ": " + std::generic_category().message(errno));
+    unfinished_ = Unfinished(path_);
 }
 
 TemporaryFolder::~TemporaryFolder()

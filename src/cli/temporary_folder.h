@@ -1,10 +1,13 @@
 #pragma once
 
+#include "cli/unfinished.h"
+
 #include <string>
 
 namespace multipath {
 
-/// A new folder of the user's own under $TMPDIR, or /tmp; the destructor removes it with all it holds.
+/// A new folder of the user's own under $TMPDIR, or /tmp; the destructor removes it with all it holds, a signal
+/// that ends the program at once with the part files that it holds.
 class TemporaryFolder
 {
 public:
@@ -18,6 +21,7 @@ public:
 
 private:
     std::string path_;
+    Unfinished unfinished_;
 };
 
 } // namespace multipath

@@ -125,8 +125,7 @@ int run_solve(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line, thread_count(line));
-    if (interrupted())
-        return exit_interrupted;
+    end_if_interrupted();
     require_no_input(outputs, scene.file().material_files);
     require_view(scene, job.pictures);
     if (has_format(outputs, OutputFormat::html))
