@@ -130,6 +130,7 @@ int run_merge(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file.path), inputs);
     const Scene scene = restored(runs[0].description.scene);
+    require_results_possible(job, scene, outputs);
     SavedRun sum =
         read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
     end_if_interrupted();

@@ -30,6 +30,7 @@ int run_render(const CommandLine& line)
         open_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),
                      {line.operands()[0], saved.description.scene.file.path});
     const Scene scene = restored(saved.description.scene);
+    require_results_possible(job, scene, outputs);
     const Solution solution = finished_solution(saved, scene);
     write_results(job, scene, solution, outputs, "");
     if (!job.quiet)

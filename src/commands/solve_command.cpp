@@ -2,7 +2,6 @@
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
-#include "commands/memory_limit.h"
 #include "commands/method_options.h"
 #include "commands/scene_options.h"
 #include "commands/solution_outputs.h"
@@ -127,9 +126,7 @@ int run_solve(const CommandLine& line)
     const Scene scene = read_scene(line, thread_count(line));
     end_if_interrupted();
     require_no_input(outputs, scene.file().material_files);
-    require_view(scene, job.pictures);
-    if (has_format(outputs, OutputFormat::html))
-        require_memory_for_page(line, scene);
+    require_results_possible(job, scene, outputs);
     if (!job.quiet) {
         print_what_was_read(scene.file());
         warn_of_line_count(job.options);

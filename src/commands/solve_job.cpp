@@ -5,6 +5,7 @@
 #include "cli/provenance.h"
 #include "cli/standard_streams.h"
 #include "cli/usage_error.h"
+#include "commands/memory_limit.h"
 #include "commands/method_options.h"
 #include "commands/solution_outputs.h"
 #include "commands/solution_page.h"
@@ -73,6 +74,13 @@ SolveJob read_solve_job(const CommandLine& line)
     const std::string name = checked_sequence_name(job.options);
     job.sequence = job.accuracy.replicates > 1 ? randomised_name(name) : name;
     return job;
+}
+
+void require_results_possible(const SolveJob& job, const Scene& scene, const std::vector<PlannedOutput>& outputs)
+{
+    require_view(scene, job.pictures);
+    if (has_format(outputs, OutputFormat::html))
+        require_memory_for_page(job.line, scene);
 }
 
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,

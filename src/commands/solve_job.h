@@ -30,6 +30,10 @@ struct SolveJob
 /// Throws UsageError.
 SolveJob read_solve_job(const CommandLine& line);
 
+/// What of the results can be refused before the work: a view in which nothing can be seen, a page that does not fit
+/// into the memory. Throws SettingsError and InputError.
+void require_results_possible(const SolveJob& job, const Scene& scene, const std::vector<PlannedOutput>& outputs);
+
 /// Solves, or goes on with what the keeper resumes, fills the outputs and tells the user. Returns the exit code.
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
               Share share);

@@ -32,6 +32,17 @@ page() {
 }
 check "a page that does not fit is refused, where a table of as many patches would" page
 
+# Of runs that were solved within 150 MB.
+later_page() {
+    large="--patches 300k --memory 150MB --method global --lines 1000 --quiet"
+    for share in 1 2; do ends 0 solve "$scene" $large --shard $share/2 --state share$share.state || return; done
+    ends 0 merge share1.state share2.state -o sum.state || return
+    for command in "render sum.state" "merge share1.state share2.state"; do
+        ends 1 $command -o room.html && lines_are err 1 && says err "--memory allows 150 MB" && [ ! -e room.html ] || return
+    done
+}
+check "and so it is when states are rendered or merged" later_page
+
 file() { ends 1 check "$scene" --memory 1kB && lines_are err 1 && says err "reading it needs about"; }
 check "a file that does not fit is refused" file
 
