@@ -20,7 +20,7 @@ PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading,
     const bool has_error = !solution.standard_error.empty();
     if (shading == Shading::flat)
         return patch_mesh(scene, flat_corners(solution.radiosity),
-                          has_error ? flat_corners(solution.standard_error) : CornerValues());
+                          has_error ? flat_corners(solution.standard_error) : CornerFunction());
     const auto corners_of = [](const SmoothShading& smooth) {
         return [&smooth](std::uint32_t patch) { return smooth.at_corners(patch); };
     };

@@ -4,7 +4,7 @@
 
 namespace multipath {
 
-/// Bytes as text (RFC 4648), for pictures inside of a page.
+/// Bytes as text (RFC 4648), for what a page holds inside.
 std::string base64(const std::string& bytes);
 
 } // namespace multipath

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 namespace multipath {
 
@@ -25,12 +26,6 @@ constexpr double height = head_height + view_size + foot_height;
 constexpr std::size_t most_numbered_lines = 8;
 constexpr std::size_t most_in_legend = 8;
 
-struct Pixel
-{
-    double x;
-    double y;
-};
-
 /// [px] with one decimal.
 std::string decimal(double value)
 {
@@ -40,7 +35,7 @@ std::string decimal(double value)
 }
 
 /// "M12.5 7.0"
-std::string place(char command, Pixel p)
+std::string place(char command, SvgPoint p)
 {
     return command + decimal(p.x) + " " + decimal(p.y);
 }
@@ -50,7 +45,7 @@ std::string path(const std::string& shape, const std::string& style)
     return shape.empty() ? "" : "<path d=\"" + shape + "\" " + style + "/>\n";
 }
 
-std::string circle(Pixel p, double radius, const std::string& style)
+std::string circle(SvgPoint p, double radius, const std::string& style)
 {
     return "<circle cx=\"" + decimal(p.x) + "\" cy=\"" + decimal(p.y) + "\" r=\"" + decimal(radius) + "\" " + style +
            "/>\n";
@@ -69,9 +64,9 @@ struct View
     Vec3 down;
     Vec3 centre;
     double scale; ///< [px / scene unit]
-    Pixel middle;
+    SvgPoint middle;
 
-    Pixel at(Vec3 p) const
+    SvgPoint at(Vec3 p) const
     {
         return {middle.x + scale * dot(p - centre, right), middle.y + scale * dot(p - centre, down)};
     }
@@ -133,16 +128,21 @@ std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& line
              {"from the side", right, -up, centre, scale, {2.0 * margin + 1.5 * view_size, y}}}};
 }
 
+/// All around a surface: "M12.5 7.0L...Z".
+std::string closed_path(const Surface& surface, const View& view)
+{
+    std::string shape;
+    for (const Vec3 corner : corners(surface))
+        shape += place(shape.empty() ? 'M' : 'L', view.at(corner));
+    return shape + "Z";
+}
+
 /// The sides of a box, which together cover what it covers of the page.
 std::string box_shape(const Bounds& box, const View& view)
 {
     std::string shape;
-    for (const Surface& side : sides(box)) {
-        const std::vector<Vec3> points = corners_of(side);
-        for (std::size_t k = 0; k < points.size(); ++k)
-            shape += place(k == 0 ? 'M' : 'L', view.at(points[k]));
-        shape += "Z";
-    }
+    for (const Surface& side : sides(box))
+        shape += closed_path(side, view);
     return path(shape, "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
 }
 
@@ -153,8 +153,8 @@ std::string outlines(const Scene& scene, const View& view)
     for (const Surface& surface : scene.surfaces()) {
         const std::vector<Vec3> points = corners_of(surface);
         for (std::size_t k = 0; k < points.size(); ++k) {
-            const Pixel a = view.at(points[k]);
-            const Pixel b = view.at(points[(k + 1) % points.size()]);
+            const SvgPoint a = view.at(points[k]);
+            const SvgPoint b = view.at(points[(k + 1) % points.size()]);
             const bool in_order = std::make_pair(a.x, a.y) < std::make_pair(b.x, b.y);
             const std::string from = place('M', in_order ? a : b);
             const std::string to = place('L', in_order ? b : a);
@@ -171,28 +171,23 @@ std::string outlines(const Scene& scene, const View& view)
 std::string sources(const Scene& scene, const View& view)
 {
     std::string shape;
-    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
-        if (!(mean(scene.surface_material(s).emittance) > 0.0))
-            continue;
-        const std::vector<Vec3> points = corners_of(scene.surfaces()[s]);
-        for (std::size_t k = 0; k < points.size(); ++k)
-            shape += place(k == 0 ? 'M' : 'L', view.at(points[k]));
-        shape += "Z";
-    }
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+        if (mean(scene.surface_material(s).emittance) > 0.0)
+            shape += closed_path(scene.surfaces()[s], view);
     return path(
         shape,
         "fill=\"#ffdf70\" fill-opacity=\"0.7\" stroke=\"#e3a700\" stroke-width=\"2.5\" stroke-linejoin=\"round\"");
 }
 
 /// A head at the end of the stretch, also where the stretch is short.
-std::string arrow_head(Pixel from, Pixel to, const std::string& colour)
+std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
 {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
     if (!(length > 0.5))
         return "";
-    const Pixel back = {-9.0 * (to.x - from.x) / length, -9.0 * (to.y - from.y) / length};
-    const Pixel one = {to.x + back.x - 0.4 * back.y, to.y + back.y + 0.4 * back.x};
-    const Pixel other = {to.x + back.x + 0.4 * back.y, to.y + back.y - 0.4 * back.x};
+    const SvgPoint back = {-9.0 * (to.x - from.x) / length, -9.0 * (to.y - from.y) / length};
+    const SvgPoint one = {to.x + back.x - 0.4 * back.y, to.y + back.y + 0.4 * back.x};
+    const SvgPoint other = {to.x + back.x + 0.4 * back.y, to.y + back.y - 0.4 * back.x};
     return path(place('M', one) + place('L', to) + place('L', other) + "Z", "fill=\"" + colour + "\"");
 }
 
@@ -217,7 +212,7 @@ std::string meetings(const DrawnLine& line, const View& view, const std::string&
 {
     std::string text;
     for (std::size_t k = 0; k < line.meetings.size(); ++k) {
-        const Pixel p = view.at(line.meetings[k]);
+        const SvgPoint p = view.at(line.meetings[k]);
         text += circle(p, numbered ? 7.5 : 2.5,
                        "fill=\"" + std::string(numbered ? "#ffffff" : colour) + "\" stroke=\"" + colour +
                            "\" stroke-width=\"1.4\"");

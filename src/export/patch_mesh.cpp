@@ -30,7 +30,7 @@ bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
 class MeshBuilder
 {
 public:
-    MeshBuilder(const Scene& scene, const CornerValues& radiosity, const CornerValues& error)
+    MeshBuilder(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error)
         : scene_(scene), radiosity_(radiosity), error_(error)
     {
         mesh_.faces.reserve(scene.patch_count());
@@ -97,15 +97,15 @@ private:
     }
 
     const Scene& scene_;
-    const CornerValues& radiosity_;
-    const CornerValues& error_;
+    const CornerFunction& radiosity_;
+    const CornerFunction& error_;
     std::vector<std::uint32_t> latest_; ///< per point of the side's grid
     PatchMesh mesh_;
 };
 
 } // namespace
 
-CornerValues flat_corners(const std::vector<Rgb>& values_per_patch)
+CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch)
 {
     return [&values_per_patch](std::uint32_t patch) {
         const Rgb value = values_per_patch[patch];
@@ -113,7 +113,7 @@ CornerValues flat_corners(const std::vector<Rgb>& values_per_patch)
     };
 }
 
-PatchMesh patch_mesh(const Scene& scene, const CornerValues& radiosity, const CornerValues& error)
+PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error)
 {
     MeshBuilder builder(scene, radiosity, error);
     for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {

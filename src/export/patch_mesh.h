@@ -74,18 +74,18 @@ struct PatchMesh
 };
 
 /// Values at the corners of a patch, in the order of Scene::corners().
-using CornerValues = std::function<std::array<Rgb, 4>(std::uint32_t patch)>;
+using CornerFunction = std::function<std::array<Rgb, 4>(std::uint32_t patch)>;
 
 /// What a screen shows of a radiosity [W/m^2]: sRGB, encoded, in [0, 1].
 using ScreenColour = std::function<Rgb(Rgb radiosity)>;
 
 /// One value per patch at all its corners: every patch in one colour. The values must outlive the result.
-CornerValues flat_corners(const std::vector<Rgb>& values_per_patch);
+CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch);
 
 /// All sides that exist, surface by surface, each front before its back. Patches that meet within a side have one
 /// vertex for a common corner if their values [W/m^2] agree there. Between sides there is no crack: a patch on whose
 /// edge others have a corner is several triangles. `error` may be empty. Throws InputError where 2^31 vertices do not
 /// suffice.
-PatchMesh patch_mesh(const Scene& scene, const CornerValues& radiosity, const CornerValues& error);
+PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error);
 
 } // namespace multipath

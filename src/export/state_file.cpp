@@ -56,6 +56,15 @@ void swap_on_big_endian(Scalar scalar, char* data, std::size_t length)
             std::reverse(data + k * size, data + (k + 1) * size);
 }
 
+FileBytes bytes_of_state(const std::string& path)
+{
+    try {
+        return FileBytes(path);
+    } catch (const std::system_error& error) {
+        throw ArchiveError("cannot read " + path + ": " + error.code().message());
+    }
+}
+
 } // namespace
 
 StateWriter::StateWriter(Sink sink) : Archive(false), sink_(std::move(sink))
@@ -109,19 +118,6 @@ std::size_t StateWriter::length(const std::string&, Scalar)
 {
     throw ArchiveError("a state that is being written cannot be read");
 }
-
-namespace {
-
-FileBytes bytes_of_state(const std::string& path)
-{
-    try {
-        return FileBytes(path);
-    } catch (const std::system_error& error) {
-        throw ArchiveError("cannot read " + path + ": " + error.code().message());
-    }
-}
-
-} // namespace
 
 bool is_state_file(const std::string& path)
 {

@@ -1,31 +1,13 @@
 #include "viewer/packed_values.h"
 
 #include "export/base64.h"
+#include "scene/little_endian.h"
 #include "viewer/shared_exponent.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace multipath {
-
-namespace {
-
-void append_word(std::string& bytes, std::uint32_t word)
-{
-    for (int shift = 0; shift < 32; shift += 8)
-        bytes += static_cast<char>(static_cast<unsigned char>(word >> shift & 255u));
-}
-
-void append_number(std::string& bytes, double value)
-{
-    const auto single = static_cast<float>(value);
-    std::uint32_t word = 0;
-    std::memcpy(&word, &single, sizeof word);
-    append_word(bytes, word);
-}
-
-} // namespace
 
 std::string packed_bytes(const std::vector<std::uint8_t>& values)
 {
@@ -39,7 +21,7 @@ std::string packed_counts(const std::vector<std::uint32_t>& values)
 {
     std::string bytes;
     for (const std::uint32_t value : values)
-        append_word(bytes, value);
+        append_little_endian(bytes, value);
     return base64(bytes);
 }
 
@@ -47,7 +29,7 @@ std::string packed_numbers(const std::vector<double>& values)
 {
     std::string bytes;
     for (const double value : values)
-        append_number(bytes, value);
+        append_little_endian(bytes, static_cast<float>(value));
     return base64(bytes);
 }
 
@@ -56,7 +38,7 @@ std::string packed_colours(const std::vector<Rgb>& values)
     std::string bytes;
     for (const Rgb& value : values)
         for (const double channel : {value.r, value.g, value.b})
-            append_number(bytes, channel);
+            append_little_endian(bytes, static_cast<float>(channel));
     return base64(bytes);
 }
 

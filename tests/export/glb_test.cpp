@@ -152,7 +152,7 @@ TEST_CASE("a quadrilateral is cut where the light changes less")
     const Scene scene = builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 1.0)).scene(1.0);
     for (const bool along_first : {true, false}) {
         // A shadow covers one corner: the diagonal that does not touch it is the one to take.
-        const CornerValues corners = [&](std::uint32_t) {
+        const CornerFunction corners = [&](std::uint32_t) {
             std::array<Rgb, 4> values;
             values.fill({1, 1, 1});
             values[along_first ? 1 : 2] = {};

@@ -141,7 +141,7 @@ TEST_CASE("new corners have the values of where they are")
 {
     const Scene scene = walls_that_do_not_match().scene(1.0);
     const auto ramp = [](Vec3 p) { return 1.0 + 0.5 * p.x + 0.25 * p.y + 0.125 * p.z; };
-    const CornerValues at_corners = [&](std::uint32_t patch) {
+    const CornerFunction at_corners = [&](std::uint32_t patch) {
         std::array<Rgb, 4> values;
         const CellCorners corners = scene.corners(patch);
         const std::uint32_t surface = scene.surface_of(patch);
