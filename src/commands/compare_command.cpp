@@ -3,7 +3,7 @@
 #include "commands/commands.h"
 #include "commands/comparison_report.h"
 #include "commands/result_table.h"
-#include "export/csv_text.h"
+#include "export/comments.h"
 
 #include <cstdio>
 #include <optional>

@@ -4,6 +4,7 @@
 #include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
+#include "export/comments.h"
 #include "export/discrepancy_table.h"
 #include "export/point_plots.h"
 #include "scene/text_format.h"
@@ -104,14 +105,6 @@ std::string range_words(const PointRange& range)
 {
     return range.sequence->name() + ", points " + std::to_string(range.first) + " to " +
            std::to_string(range.first + (range.count - 1));
-}
-
-std::string comment_lines(const std::vector<std::string>& comments)
-{
-    std::string text;
-    for (const std::string& comment : comments)
-        text += "# " + comment + "\n";
-    return text;
 }
 
 /// One row per point, in pieces: the table may be larger than the memory.

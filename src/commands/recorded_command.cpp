@@ -1,14 +1,14 @@
 #include "commands/recorded_command.h"
 
 #include "cli/shell_words.h"
+#include "export/comments.h"
+#include "export/html_text.h"
 #include "image/png_chunks.h"
 #include "scene/input_error.h"
 #include "scene/text_lines.h"
 #include "viewer/viewer_page.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace multipath {
 
@@ -30,22 +30,6 @@ std::string_view take_line(std::string_view& text)
     if (!line.empty() && line.back() == '\r')
         line.remove_suffix(1);
     return line;
-}
-
-/// The inverse of the escapes that XML and HTML texts are written with.
-std::string unescaped(std::string_view text)
-{
-    constexpr std::array<std::pair<std::string_view, char>, 4> entities = {
-        {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}}};
-    std::string result;
-    while (!text.empty()) {
-        const auto entity =
-            std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return starts_with(text, e.first); });
-        const bool found = entity != entities.end();
-        result += found ? entity->second : text[0];
-        text.remove_prefix(found ? entity->first.size() : 1);
-    }
-    return result;
 }
 
 Facts facts_of_table(std::string_view text)
@@ -80,7 +64,7 @@ Facts facts_of_drawing(std::string_view bytes)
 {
     Facts facts;
     for (std::string_view record = drawing_record(bytes); !record.empty();)
-        facts.push_back(unescaped(take_line(record)));
+        facts.push_back(html_unescaped(take_line(record)));
     return facts;
 }
 
@@ -89,11 +73,11 @@ Facts facts_of_report(std::string_view bytes)
     Facts facts;
     std::string_view head = bytes.substr(0, bytes.find("</head>"));
     for (;;) {
-        const std::size_t begin = head.find(report_record_begin);
+        const std::size_t begin = head.find(html_record_begin);
         if (begin == std::string_view::npos)
             return facts;
-        head.remove_prefix(begin + report_record_begin.size());
-        facts.push_back(unescaped(head.substr(0, head.find(report_record_end))));
+        head.remove_prefix(begin + html_record_begin.size());
+        facts.push_back(html_unescaped(head.substr(0, head.find(html_record_end))));
     }
 }
 
@@ -136,15 +120,6 @@ bool is_obj(std::string_view bytes)
     while (starts_with(bytes, "#"))
         take_line(bytes);
     return starts_with(bytes, "v ");
-}
-
-/// What the fact "name: value" says; the first one if there are several.
-std::optional<std::string> value_of(const Facts& facts, const std::string& name)
-{
-    for (const std::string& fact : facts)
-        if (starts_with(fact, name + ": "))
-            return fact.substr(name.size() + 2);
-    return std::nullopt;
 }
 
 RecordedFile kind_of(std::string_view bytes, const std::string& path)
@@ -224,7 +199,7 @@ RecordedCommand read_recorded_command(const std::string& bytes, const std::strin
 {
     const RecordedFile kind = kind_of(bytes, path);
     const Facts facts = facts_of(kind, bytes);
-    const std::optional<std::string> command = value_of(facts, "command");
+    const std::optional<std::string> command = comment_value(facts, "command");
     if (!command)
         throw InputError(path +
                          ": no record of a multipath command in it; expected a CSV, SVG, PNG, PPM, PLY, GLB, OBJ "
@@ -240,8 +215,8 @@ RecordedCommand read_recorded_command(const std::string& bytes, const std::strin
     return {kind,
             version == facts.end() ? "" : *version,
             {words->begin() + 1, words->end()},
-            value_of(facts, "seed"),
-            value_of(facts, "scene")};
+            comment_value(facts, "seed"),
+            comment_value(facts, "scene")};
 }
 
 } // namespace multipath

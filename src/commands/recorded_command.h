@@ -33,8 +33,4 @@ std::string_view drawing_record(std::string_view bytes);
 /// none.
 std::string_view glb_record(std::string_view bytes);
 
-/// How the line of a report, or of the page of a room, begins and ends that holds a part of its record.
-constexpr std::string_view report_record_begin = "<meta name=\"multipath\" content=\"";
-constexpr std::string_view report_record_end = "\">";
-
 } // namespace multipath

@@ -8,6 +8,7 @@
 #include "commands/rerun.h"
 #include "commands/result_difference.h"
 #include "commands/scene_options.h"
+#include "export/file_bytes.h"
 #include "scene/text_format.h"
 
 #include <algorithm>
@@ -145,7 +146,7 @@ int run_reproduce(const CommandLine& line)
     const std::string path = line.operands()[0];
     const std::optional<std::string> threads =
         line.has("threads") ? std::optional(std::to_string(thread_count(line))) : std::nullopt;
-    const std::string then = file_bytes(path);
+    const std::string then = bytes_of_file(path);
     const RecordedCommand record = read_recorded_command(then, path);
     std::optional<OutputFile> keep = file_to_keep(line, record.words);
     if (!line.has("quiet"))

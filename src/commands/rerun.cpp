@@ -6,15 +6,12 @@
 #include "cli/temporary_folder.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
+#include "export/file_bytes.h"
 #include "scene/input_error.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
-#include <memory>
-#include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -170,27 +167,10 @@ std::string run_again(const RecordedCommand& record, const std::string& path, co
         const std::string output =
             folder.path() + "/" + (report ? "report" : "new" + std::string(extension_of(record.kind)));
         run_silently(command, line_of(table, recorded, output, threads), path);
-        return file_bytes(report ? output + "/index.html" : output);
+        return bytes_of_file(report ? output + "/index.html" : output);
     } catch (const UsageError& error) {
         throw InputError(path + ": the command in its record is refused: " + one_line(error.what()));
     }
-}
-
-std::string file_bytes(const std::string& path)
-{
-    const auto refuse = [&](int error) {
-        throw InputError(path + ": cannot be read: " + std::generic_category().message(error));
-    };
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file)
-        refuse(errno);
-    std::string bytes;
-    std::vector<char> buffer(std::size_t{1} << 16);
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
-        bytes.append(buffer.data(), count);
-    if (std::ferror(file.get()) != 0)
-        refuse(errno);
-    return bytes;
 }
 
 } // namespace multipath

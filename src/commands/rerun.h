@@ -16,7 +16,4 @@ namespace multipath {
 std::string run_again(const RecordedCommand& record, const std::string& path,
                       const std::optional<std::string>& threads);
 
-/// All bytes of a file. Throws InputError.
-std::string file_bytes(const std::string& path);
-
 } // namespace multipath

@@ -1,5 +1,6 @@
 #include "commands/result_difference.h"
 
+#include "export/html_text.h"
 #include "scene/text_lines.h"
 #include "viewer/viewer_page.h"
 
@@ -28,18 +29,10 @@ std::string first_difference(const std::string& then, const std::string& now)
 }
 
 /// Removes what is between every `open` and the next `close`.
-std::string emptied(const std::string& text, const std::string& open, const std::string& close)
+std::string emptied(const std::string& text, std::string_view open, std::string_view close)
 {
-    std::string result;
-    std::size_t from = 0;
-    for (;;) {
-        const std::size_t begin = text.find(open, from);
-        const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
-        if (end == std::string::npos)
-            return result + text.substr(from);
-        result += text.substr(from, begin + open.size() - from);
-        from = end;
-    }
+    return replaced_between(text, open, close,
+                            [&](const std::string&) { return std::string(open) + std::string(close); });
 }
 
 /// Line ends stay, so that messages count right.
@@ -133,7 +126,7 @@ ResultDifference page_difference(const std::string& then, const std::string& now
 ResultDifference report_difference(const std::string& then, const std::string& now)
 {
     const auto result = [](const std::string& report) {
-        return emptied(without_folder(report), std::string(report_record_begin), std::string(report_record_end));
+        return emptied(without_folder(report), html_record_begin, html_record_end);
     };
     const std::string before = result(then);
     const std::string after = result(now);

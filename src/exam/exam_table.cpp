@@ -1,5 +1,6 @@
 #include "exam/exam_table.h"
 
+#include "export/comments.h"
 #include "export/csv_text.h"
 #include "scene/text_format.h"
 
@@ -62,9 +63,7 @@ std::string exam_text(const std::vector<ExamRow>& rows, bool only_failed)
 std::string exam_csv(const std::vector<ExamRow>& rows, const std::vector<std::string>& comments)
 {
     const Judge judge(rows);
-    std::string csv;
-    for (const std::string& comment : comments)
-        csv += "# " + comment + "\n";
+    std::string csv = comment_lines(comments);
     csv += "case,method,sequence,quantity,expected,measured,standard_error,sigmas,limit,verdict\n";
     for (const ExamRow& row : rows) {
         const bool random = row.degrees > 0;

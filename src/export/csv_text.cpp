@@ -163,7 +163,7 @@ bool CsvParser::take_line_end()
 
 std::string csv_field(const std::string& text)
 {
-    if (text.find_first_of(",\"") == std::string::npos)
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
     std::string field = "\"";
     for (const char c : text)
@@ -205,15 +205,6 @@ CsvTable read_csv(const std::string& path)
     while (lines.next(line))
         text.append(line.text).append(line.ended ? "\n" : "");
     return parse_csv(text, path);
-}
-
-std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name)
-{
-    const std::string start = std::string(name) + ": ";
-    for (const std::string& comment : comments)
-        if (comment.compare(0, start.size(), start) == 0)
-            return comment.substr(start.size());
-    return std::nullopt;
 }
 
 } // namespace multipath

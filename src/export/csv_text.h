@@ -11,7 +11,7 @@
 
 namespace multipath {
 
-/// The text as a field of a row: quoted where it holds commas or quotes.
+/// The text as a field of a row: quoted where it holds commas, quotes or line ends.
 std::string csv_field(const std::string& text);
 
 struct CsvRow
@@ -46,8 +46,5 @@ CsvTable parse_csv(std::string_view text, const std::string& path);
 
 /// The same from a file; throws InputError also for a file that TextLines refuses.
 CsvTable read_csv(const std::string& path);
-
-/// What the comment "name: value" says; the first one if there are several.
-std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name);
 
 } // namespace multipath

@@ -1,21 +1,15 @@
 #include "export/discrepancy_table.h"
 
+#include "export/comments.h"
 #include "sampling/discrepancy.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace multipath {
 
 namespace {
-
-std::string number(const char* pattern, double value)
-{
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), pattern, value);
-    return text.data();
-}
 
 std::string right_aligned(const std::string& text, std::size_t width)
 {
@@ -50,20 +44,17 @@ std::string discrepancy_text(const std::vector<DiscrepancyRow>& rows)
 {
     std::string text = text_row({"points", "L2 star", "if random", "star"});
     for (const DiscrepancyRow& row : rows)
-        text += text_row({std::to_string(row.count), number("%.4e", row.l2_star), number("%.4e", row.random_l2_star),
-                          row.star ? number("%.4e", *row.star) : "-"});
+        text += text_row({std::to_string(row.count), format("%.4e", row.l2_star), format("%.4e", row.random_l2_star),
+                          row.star ? format("%.4e", *row.star) : "-"});
     return text;
 }
 
 std::string discrepancy_table(const std::vector<DiscrepancyRow>& rows, const std::vector<std::string>& comments)
 {
-    std::string table;
-    for (const std::string& comment : comments)
-        table += "# " + comment + "\n";
-    table += "count,l2_star,random_l2_star,star\n";
+    std::string table = comment_lines(comments) + "count,l2_star,random_l2_star,star\n";
     for (const DiscrepancyRow& row : rows)
-        table += std::to_string(row.count) + number(",%.17g", row.l2_star) + number(",%.17g", row.random_l2_star) +
-                 (row.star ? number(",%.17g", *row.star) : ",") + "\n";
+        table += std::to_string(row.count) + format(",%.17g", row.l2_star) + format(",%.17g", row.random_l2_star) +
+                 (row.star ? format(",%.17g", *row.star) : ",") + "\n";
     return table;
 }
 

@@ -1,5 +1,7 @@
 #include "export/file_bytes.h"
 
+#include "scene/input_error.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -77,6 +79,15 @@ FileBytes::FileBytes(std::vector<char> bytes)
     data_ = kept->data();
     size_ = kept->size();
     owner_ = kept;
+}
+
+std::string bytes_of_file(const std::string& path)
+{
+    try {
+        return std::string(FileBytes(path).view());
+    } catch (const std::system_error& error) {
+        throw InputError(path + ": cannot be read: " + error.code().message());
+    }
 }
 
 } // namespace multipath

@@ -28,4 +28,7 @@ private:
     std::size_t size_ = 0;
 };
 
+/// A copy of all bytes of a file. Throws InputError "room.csv: cannot be read: Permission denied".
+std::string bytes_of_file(const std::string& path);
+
 } // namespace multipath

@@ -1,5 +1,7 @@
 #include "export/obj_colours.h"
 
+#include "export/comments.h"
+
 #include <array>
 #include <cstdio>
 
@@ -40,8 +42,7 @@ std::string obj_text(const PatchMesh& mesh, const Scene& scene, const ScreenColo
 {
     std::string text;
     text.reserve(60 * mesh.positions.size() + 35 * mesh.faces.size());
-    for (const std::string& comment : comments)
-        text += "# " + comment + "\n";
+    text += comment_lines(comments);
     const SceneFile& file = scene.file();
     std::string group;
     std::string material;

@@ -1,5 +1,8 @@
 #include "export/patch_table.h"
 
+#include "export/comments.h"
+#include "export/csv_text.h"
+
 #include <array>
 #include <cstdio>
 
@@ -9,20 +12,6 @@ namespace {
 
 constexpr const char* header = "patch,surface,material,x,y,z,nx,ny,nz,area,reflectance_r,reflectance_g,reflectance_b,"
                                "emittance_r,emittance_g,emittance_b,radiosity_r,radiosity_g,radiosity_b";
-
-/// A text field; quoted when it holds what separates fields (RFC 4180).
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"')
-            quoted += '"';
-        quoted += c;
-    }
-    return quoted + "\"";
-}
 
 void append(std::string& row, double value)
 {
@@ -50,13 +39,11 @@ void append(std::string& row, Rgb c)
 std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
                         const std::vector<std::string>& comments)
 {
-    std::string table;
-    for (const std::string& comment : comments)
-        table += "# " + comment + "\n";
+    std::string table = comment_lines(comments);
     table += std::string(header) + (standard_error.empty() ? "\n" : ",error_r,error_g,error_b\n");
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const Patch patch = scene.patch(i);
-        table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + field(scene.material_of(i).name);
+        table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + csv_field(scene.material_of(i).name);
         append(table, patch.shape.centre());
         append(table, patch.shape.normal());
         append(table, scene.area(i));

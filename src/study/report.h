@@ -45,7 +45,7 @@ using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportTable, Re
 using Report = std::vector<ReportBlock>;
 
 /// A page without any reference to another file. `folder` is where the figures lie; the comments stand at its head.
-/// Throws std::runtime_error for a figure that cannot be read.
+/// Throws InputError for a figure that cannot be read.
 std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments);
 
 /// `figures` goes before the names of the figures' files, such as "results/".

@@ -1,10 +1,7 @@
 #include "export/base64.h"
+#include "export/file_bytes.h"
 #include "export/html_text.h"
 #include "study/report.h"
-
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace multipath {
 
@@ -36,33 +33,13 @@ details { margin-top: .2rem; font-size: .85rem; } summary { cursor: pointer; }
 std::string tagged(const std::string& text, const std::string& open, const std::string& close, const std::string& tag,
                    const std::string& end_tag)
 {
-    std::string result;
-    std::size_t from = 0;
-    for (;;) {
-        const std::size_t begin = text.find(open, from);
-        const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
-        if (end == std::string::npos)
-            return result + text.substr(from);
-        result += text.substr(from, begin - from) + tag + text.substr(begin + open.size(), end - begin - open.size()) +
-                  end_tag;
-        from = end + close.size();
-    }
+    return replaced_between(text, open, close, [&](const std::string& marked) { return tag + marked + end_tag; });
 }
 
 std::string marked_up(const std::string& text)
 {
     const std::string code = tagged(html_escaped(text), "`", "`", "<code>", "</code>");
     return tagged(tagged(code, "*", "*", "<em>", "</em>"), "{{", "}}", "<span class=\"run\">", "</span>");
-}
-
-std::string file_bytes(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << file.rdbuf();
-    if (!file)
-        throw std::runtime_error("cannot read " + path);
-    return bytes.str();
 }
 
 bool ends_with(const std::string& text, const std::string& end)
@@ -112,7 +89,7 @@ private:
     }
     std::string drawing(const ReportFigure& figure) const
     {
-        std::string bytes = file_bytes(folder_ + "/" + figure.file);
+        std::string bytes = bytes_of_file(folder_ + "/" + figure.file);
         if (ends_with(figure.file, ".svg"))
             return bytes;
         return "<img alt=\"" + html_escaped(figure.caption) + "\" src=\"data:image/png;base64," + base64(bytes) +
@@ -122,12 +99,11 @@ private:
     std::string folder_;
 };
 
-/// As metadata of the page: in a comment two hyphens must not follow each other.
-std::string metadata(const std::vector<std::string>& comments)
+std::string record(const std::vector<std::string>& comments)
 {
     std::string text;
     for (const std::string& comment : comments)
-        text += "  <meta name=\"multipath\" content=\"" + html_escaped(comment) + "\">\n";
+        text += "  " + html_record_line(comment);
     return text;
 }
 
@@ -141,7 +117,7 @@ std::string report_html(const Report& report, const std::string& folder, const s
             title = heading->text;
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n  <meta charset=\"utf-8\">\n"
                        "  <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-                       metadata(comments) + "  <title>" + html_escaped(title) + "</title>\n  <style>" + style +
+                       record(comments) + "  <title>" + html_escaped(title) + "</title>\n  <style>" + style +
                        "</style>\n</head>\n<body>\n";
     for (const ReportBlock& block : report)
         html += std::visit(HtmlWriter(folder), block);

@@ -1,5 +1,6 @@
 #include "study/study_reader.h"
 
+#include "export/comments.h"
 #include "export/csv_text.h"
 
 #include <cstdlib>

@@ -1,5 +1,6 @@
 #include "study/study_table.h"
 
+#include "export/comments.h"
 #include "export/csv_text.h"
 #include "scene/text_format.h"
 
@@ -78,9 +79,7 @@ std::string study_text(const Study& study)
 
 std::string study_csv(const Study& study, const std::vector<std::string>& comments)
 {
-    std::string csv;
-    for (const std::string& comment : comments)
-        csv += "# " + comment + "\n";
+    std::string csv = comment_lines(comments);
     if (study.reference_relative_square)
         csv += format("# reference_relative_mse: %.17g\n", *study.reference_relative_square);
     csv += "method,sequence,lines,local_lines,global_lines,mse,relative_mse,standard_error,seconds,slope,slope_error,"

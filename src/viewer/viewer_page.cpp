@@ -30,7 +30,7 @@ std::string head_of(const Scene& scene, const ViewerContent& content)
 {
     std::string text = "<title>" + html_escaped(scene.path()) + " - multipath</title>\n";
     for (const std::string& fact : content.record)
-        text += "<meta name=\"multipath\" content=\"" + html_escaped(fact) + "\">\n";
+        text += html_record_line(fact);
     return text;
 }
 

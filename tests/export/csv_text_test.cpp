@@ -152,18 +152,10 @@ TEST_CASE("a file is read as its text, with or without a UTF-8 mark")
     CHECK(contains(problem_of([&] { read_csv(folder.write("empty.csv", "")); }), "empty.csv:1: the file ends here"));
 }
 
-TEST_CASE("a comment's value is what follows its name and a colon")
-{
-    const Words comments = {"multipath 0.1.0", "scenery: a", "scene: 0123: 4", "scene: 5", "seed:6"};
-    CHECK(comment_value(comments, "scene") == "0123: 4");
-    CHECK_FALSE(comment_value(comments, "seed"));
-    CHECK_FALSE(comment_value(comments, "multipath"));
-}
-
 TEST_CASE("a field is quoted where it must be, and is read back")
 {
     CHECK(csv_field("sobol") == "sobol");
     CHECK(csv_field("halton:2,7") == "\"halton:2,7\"");
-    const std::string hard = "a \"b\", c";
-    CHECK(parsed("name\n" + csv_field(hard) + "\n").rows[0].fields == Words{hard});
+    for (const std::string text : {"a \"b\", c", "two\nlines", "two\r\nlines"})
+        CHECK(parsed("name\n" + csv_field(text) + "\n").rows[0].fields == Words{text});
 }

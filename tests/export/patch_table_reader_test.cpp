@@ -1,6 +1,6 @@
 #include "export/patch_table_reader.h"
 
-#include "export/csv_text.h"
+#include "export/comments.h"
 #include "export/patch_table.h"
 #include "scene/input_problem.h"
 #include "scene/scratch_folder.h"

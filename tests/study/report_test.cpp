@@ -1,10 +1,10 @@
 #include "study/report.h"
 
+#include "scene/input_error.h"
 #include "scene/scratch_folder.h"
 #include "study/number_words.h"
 
 #include <doctest/doctest.h>
-#include <stdexcept>
 
 using namespace multipath;
 
@@ -52,7 +52,7 @@ TEST_CASE("a page without one of its figures is an error")
 {
     const ScratchFolder folder;
     const Report report = {ReportFigures{{{"missing.svg", "", ""}}}};
-    CHECK_THROWS_AS((void)report_html(report, folder.path(""), {}), std::runtime_error);
+    CHECK_THROWS_AS((void)report_html(report, folder.path(""), {}), InputError);
 }
 
 TEST_CASE("the same report as Markdown")
