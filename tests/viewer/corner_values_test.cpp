@@ -83,7 +83,7 @@ TEST_CASE("shared and own values together are those of smooth shading")
         const SmoothShading shading(scene, values, 1);
         for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
             for (std::uint32_t k = 0; k < scene.corners(patch).count; ++k)
-                if (scene.emittance(patch) == Rgb{} && scene.is_front(patch))
+                if (scene.material_of(patch).emittance == Rgb{}) // of the surface, whichever side
                     CHECK(assembled.at(patch, k) == shading.at_corners(patch)[k]);
         // The floor has other values on the two sides of the wall: five or six points of its grid lie below it.
         CHECK(corners.places.size() >= 5);

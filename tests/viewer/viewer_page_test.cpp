@@ -140,3 +140,23 @@ TEST_CASE("the page holds the surfaces and how they are cut, and the values of t
     CHECK(numbers[4] == 4.0f);
     CHECK(uint32_array(text_of(json, "light")).size() == scene.patch_count()); // of the stage
 }
+
+TEST_CASE("a legend reaches to the 99th percentile, and says where there is more")
+{
+    const Scene scene = small_scene();
+    REQUIRE(scene.patch_count() > 100); // one is less than a hundredth
+    ViewerContent content = small_content(scene);
+    std::vector<Rgb>& values = content.quantities[1].values;
+    const auto last_number = [&] {
+        const std::string page = viewer_page(scene, content);
+        const std::size_t end = page.find("]", page.find("\"numbers\": [")) - 1; // at the last quotation mark
+        const std::size_t begin = page.rfind('"', end - 1) + 1;
+        return page.substr(begin, end - begin);
+    };
+    values.assign(values.size(), {2, 2, 2});
+    CHECK(last_number() == "2.0");
+    values[5] = {1000, 1000, 1000};
+    CHECK(last_number() == "2.0+");
+    values.assign(values.size(), {std::nan(""), 0, 0});
+    CHECK(last_number().find('+') == std::string::npos);
+}
