@@ -87,7 +87,8 @@ check "the slider of lines shows the noise die" stages
 
 story() {
     look 5cubes story_told && holds 'lines == 100 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
-        holds 'power_first > 0 && power_later > power_first && power_again == power_first && chapter_first > 0'
+        holds 'power_first > 0 && power_later > power_first && power_again == power_first && chapter_first > 0' &&
+        holds 'told_legend == 0 && later_legend == 1' # the story is told in light
 }
 check "the lines of the method can be stepped through, and power arrives" story
 

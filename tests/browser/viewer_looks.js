@@ -148,6 +148,11 @@ async function story_told() {
   find('rows', rows);
   page.querySelector('#chapters input').click();
   find('chapter_first', power());
+  choose('quantity', 2, 'change');
+  find('told_legend', by_id('legend').hidden ? 0 : 1);
+  by_id('story').open = false;
+  await pause();
+  find('later_legend', by_id('legend').hidden ? 0 : 1);
 }
 
 function quantities_shown() {

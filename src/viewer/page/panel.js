@@ -72,9 +72,15 @@ class Panel {
     const lines = `${grouped(quantities.stages[state.stage].lines)} lines`;
     element('lines-text').textContent = lines;
     element('lines').setAttribute('aria-valuetext', lines);
-    document.body.classList.toggle('false-colours', !quantities.list[state.quantity].light);
-    this.show_legend(quantities.list[state.quantity]);
+    this.show_kind();
     this.show_patch(state.selected);
+  }
+
+  // Light or false colours, which have a legend and no exposure.
+  show_kind() {
+    const drawn = this.viewer.quantities.list[this.viewer.drawn_quantity];
+    document.body.classList.toggle('false-colours', !drawn.light);
+    this.show_legend(drawn);
   }
 
   show_legend({ title, unit, legend }) {

@@ -49,10 +49,12 @@ class Viewer {
     });
   }
 
-  // How the room is to be drawn now. The story is told in light, with the solved room dim behind it.
+  // The number of the quantity that is drawn now: the story is told in light, with the solved room dim behind it.
+  get drawn_quantity() { return this.story.active ? 0 : this.state.quantity; }
+
+  // How the room is to be drawn now.
   look() {
-    const { state, story } = this, quantity = story.active ? 0 : state.quantity;
-    const values = this.quantities.drawn(quantity, state.stage);
+    const { state, story } = this, values = this.quantities.drawn(this.drawn_quantity, state.stage);
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
       values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth',
@@ -64,6 +66,7 @@ class Viewer {
     document.body.classList.toggle('telling', this.story.active);
     if (this.story.active)
       this.drawing.set_arrived(this.story.arrived());
+    this.panel.show_kind();
     this.show_marks();
   }
 
