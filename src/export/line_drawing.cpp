@@ -132,7 +132,7 @@ std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& line
 std::string closed_path(const Surface& surface, const View& view)
 {
     std::string shape;
-    for (const Vec3 corner : corners(surface))
+    for (const Vec3 corner : corners_of(surface))
         shape += place(shape.empty() ? 'M' : 'L', view.at(corner));
     return shape + "Z";
 }
