@@ -3,7 +3,7 @@
 # make test       builds and runs all tests
 # make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
 # make bench      measures speed; close other programs first
-# make paper      computes the paper's tables and figures again: build/paper/index.html, in ten minutes on two processors
+# make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
 # make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures
 # make install    puts program, manual, completions, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX

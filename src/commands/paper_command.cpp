@@ -33,7 +33,7 @@ CommandTable paper_table()
             "Finished runs are kept in its folder 'cache', so that the command goes on where it was interrupted."},
            {"quiet", 'q', "", "", "Print nothing on stderr but errors."}}},
          {"Work",
-          {{"quick", 0, "", "", "Fewer lines and executions: less than two minutes instead of ten on two processors."},
+          {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
            {"scenes", 0, "FOLDER", "scenes", "Where the bundled scenes are."},
            threads_option()}}},
         "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
