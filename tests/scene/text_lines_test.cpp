@@ -72,6 +72,11 @@ TEST_CASE("what is not UTF-8 text is refused")
     CHECK(contains(problem("\xfe\xff\0v\0 "s), "a.txt:1: is UTF-16 text"));
     CHECK(contains(problem("v\0 \0001\0"s), "a.txt:1: is UTF-16 text"));
     CHECK(contains(problem("a\nb\0c\n"s), "a.txt:2: control character"));
+    for (std::size_t place = 0; place < 20; ++place) { // eight characters are looked at together
+        std::string text = "v 1 2 3 # caf\xc3\xa9 \xff\x7f~\n";
+        text[place] = '\x1f';
+        CHECK(contains(problem(text), "a.txt:1: control character"));
+    }
     CHECK(
         contains(problem("a\n" + std::string(TextLines::longest_line + 2, 'x')), "a.txt:2: line is longer than 16 MB"));
     std::string endless;
