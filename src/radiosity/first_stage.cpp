@@ -34,8 +34,9 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     } else {
         figures = extended_figures(figures);
     }
-    if (!(figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0))
-        return 1.0;                // nothing reflects direct light: any split does
+    const bool reflects_direct_light = figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0;
+    if (!reflects_direct_light) // any split does
+        return 1.0;
     return optimal_ratio(figures); // (3)
 }
 
