@@ -1,32 +1,16 @@
 #include "parallel/ordered_blocks.h"
 
+#include "parallel/crew.h"
+
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
 #include <vector>
 
 namespace multipath {
 
 namespace {
-
-/// Runs `worker` on `threads` threads, the caller among them, and waits for all.
-void run_workers(int threads, const std::function<void()>& worker)
-{
-    std::vector<std::thread> others;
-    others.reserve(static_cast<std::size_t>(threads)); // what runs must be joined, so nothing else may fail
-    try {
-        for (int i = 1; i < threads; ++i)
-            others.emplace_back(worker);
-    } catch (const std::system_error&) {
-        // The system grants no more threads: those that run do all the work.
-    }
-    worker();
-    for (std::thread& thread : others)
-        thread.join();
-}
 
 using PauseWish = std::function<bool()>;
 
@@ -147,7 +131,7 @@ std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads,
         return block;
     }
     OrderedRun run(first, end, slot_count(threads), produce, consume, wants_pause);
-    run_workers(threads, [&] { run.work(); });
+    run_with_crew(threads, [&] { run.work(); });
     return run.next();
 }
 

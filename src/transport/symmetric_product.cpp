@@ -6,6 +6,7 @@
 
 #include "parallel/ordered_blocks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -62,12 +63,15 @@ std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matr
         }
     });
     std::vector<std::vector<double>> products(count, std::vector<double>(n));
-    for (std::uint32_t band = 0; band < bands; ++band)
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::vector<double>& part = parts[band * count + k];
-            for (std::size_t j = 0; j < part.size(); ++j)
-                products[k][j] += part[j];
-        }
+    constexpr std::uint32_t columns_at_a_time = 1024;
+    parallel_ranges(n, columns_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t band = 0; band < bands; ++band)
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::vector<double>& part = parts[band * count + k];
+                for (std::size_t j = first; j < std::min<std::size_t>(end, part.size()); ++j)
+                    products[k][j] += part[j];
+            }
+    });
     return products;
 }
 

@@ -224,7 +224,8 @@ PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads)
     PairMatrix<float> matrix(scene.patch_count());
     const std::vector<Side> sides = sides_of(scene);
     SidePairs pairs(scene, matrix);
-    parallel_blocks(sides.size(), threads, [&](std::uint64_t s) {
+    parallel_blocks(sides.size(), threads, [&](std::uint64_t number) {
+        const std::uint64_t s = sides.size() - 1 - number; // long rows first
         for (std::uint64_t t = 0; t < s; ++t)
             if (may_exchange(sides[s], sides[t], pairs.touching()))
                 pairs.fill(sides[s], sides[t]);
