@@ -125,10 +125,10 @@ int run_merge(const CommandLine& line)
     require_all_shares(runs);
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
-    inputs.push_back(runs[0].description.scene.file.path);
+    inputs.push_back(runs[0].description.scene.file->path);
     watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(
-        line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file.path), inputs);
+        line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path), inputs);
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =

@@ -94,7 +94,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
             refuse("made with " + before + ", not with " + now);
     }
     if (saved.scene.hash != wanted.scene.hash)
-        refuse("of the scene " + saved.scene.file.path + " as it was then, which is not the one given now");
+        refuse("of the scene " + saved.scene.file->path + " as it was then, which is not the one given now");
 }
 
 } // namespace multipath

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace multipath {
@@ -93,42 +94,45 @@ void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 
 void ArchivedScene::visit(Archive& archive)
 {
-    std::vector<std::string> path = {file.path};
+    SceneFile kept = file ? *file : SceneFile{};
+    std::vector<std::string> path = {kept.path};
     archive.texts("path", path);
-    file.path = path.empty() ? "" : path[0];
-    archive.texts("groups", file.groups);
-    archive.texts("warnings", file.warnings);
-    visit_materials(archive, file.materials);
-    visit_surfaces(archive, file.surfaces);
-    for (std::vector<std::uint32_t>* numbers : {&file.material, &file.group, &file.line})
-        numbers->resize(file.surfaces.size());
-    archive.list<std::uint32_t>("material", file.material);
-    archive.list<std::uint32_t>("group", file.group);
-    archive.list<std::uint32_t>("line", file.line);
+    kept.path = path.empty() ? "" : path[0];
+    archive.texts("groups", kept.groups);
+    archive.texts("warnings", kept.warnings);
+    visit_materials(archive, kept.materials);
+    visit_surfaces(archive, kept.surfaces);
+    for (std::vector<std::uint32_t>* numbers : {&kept.material, &kept.group, &kept.line})
+        numbers->resize(kept.surfaces.size());
+    archive.list<std::uint32_t>("material", kept.material);
+    archive.list<std::uint32_t>("group", kept.group);
+    archive.list<std::uint32_t>("line", kept.line);
     archive.value<double>("patch size", patch_size);
     archive.value<std::uint64_t>("two-sided", two_sided);
     archive.value<std::uint64_t>("patches", patches);
     archive.value<std::uint64_t>("hash", hash);
-    require_sound(file.surfaces);
-    require_sound(file.materials);
-    require_below(file.material, file.materials.size());
-    require_below(file.group, file.groups.size());
+    require_sound(kept.surfaces);
+    require_sound(kept.materials);
+    require_below(kept.material, kept.materials.size());
+    require_below(kept.group, kept.groups.size());
+    if (archive.reads())
+        file = std::make_shared<const SceneFile>(std::move(kept));
 }
 
 ArchivedScene archived(const Scene& scene)
 {
-    return {scene.file(), scene.patch_size(), scene.two_sided() ? 1u : 0u, scene.patch_count(), scene.hash()};
+    return {scene.shared_file(), scene.patch_size(), scene.two_sided() ? 1u : 0u, scene.patch_count(), scene.hash()};
 }
 
 Scene restored(const ArchivedScene& archived)
 {
     const double sides = archived.two_sided != 0 ? 2.0 : 1.0;
     const bool fits =
-        archived.patch_size > 0.0 && sides * cell_count(archived.file.surfaces, archived.patch_size) ==
+        archived.patch_size > 0.0 && sides * cell_count(archived.file->surfaces, archived.patch_size) ==
                                          static_cast<double>(archived.patches); // before memory is taken for them
     if (!fits)
         throw ArchiveError("the state is damaged: its scene has other patches");
-    Scene scene(archived.file, archived.patch_size, archived.two_sided != 0);
+    Scene scene(archived.file, archived.patch_size, archived.two_sided != 0, 1);
     if (scene.hash() != archived.hash)
         throw ArchiveError("the state is damaged: its scene is not the one that was solved");
     return scene;

@@ -267,6 +267,13 @@ bool ConvexHull::meets(const Line& line) const
     return !sides_.empty() && entry <= exit;
 }
 
+bool ConvexHull::holds(Vec3 point) const
+{
+    return !sides_.empty() && std::all_of(sides_.begin(), sides_.end(), [&](const HalfSpace& side) {
+        return dot(side.normal, point) - side.offset <= 0.0;
+    });
+}
+
 bool ConvexHull::is_beside(const std::vector<Vec3>& points, double overlap) const
 {
     return std::any_of(sides_.begin(), sides_.end(), [&](const HalfSpace& side) {

@@ -17,6 +17,8 @@ public:
     double area() const { return area_; } ///< [square of the points' unit]
     /// Does the line, taken without ends, meet the hull? Never true of a flat hull.
     bool meets(const Line& line) const;
+    /// Does the point lie in the hull, its sides included? Never true of a flat hull.
+    bool holds(Vec3 point) const;
     /// Do all points lie beyond the plane of one side, or at most `overlap` [scene units] before it? Then nothing that
     /// they span reaches farther into the hull. Not every set of points beside a hull is found to be so; never true of
     /// a flat hull.

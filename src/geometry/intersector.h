@@ -11,6 +11,7 @@
 #include "geometry/surface_block.h"
 #include "geometry/surface_table.h"
 #include "geometry/wide_tree.h"
+#include "parallel/unset_memory.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -99,7 +100,7 @@ private:
     std::vector<float> flat_plane_;          ///< without a tree: plane numbers of the same
     unsigned flat_triangles_ = 0;            ///< without a tree: the first lanes
     FramedRectangles framed_;                ///< without a tree: the last lanes
-    std::vector<SurfaceBlock> blocks_;
+    UnsetVector<SurfaceBlock> blocks_;
     std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
     bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
     std::vector<std::uint32_t> plane_;      ///< plane number of each surface

@@ -28,36 +28,44 @@ bool is_few(const FramedRectangles& framed)
 
 } // namespace
 
-/// What is made of the surfaces first: sharing planes and building the hierarchy take longest, and can go side by side.
+/// What is made of the surfaces first: planes and the hierarchy take about as long, and go side by side.
 struct Intersector::Groundwork
 {
     FilterFrame frame;
-    SharedPlanes planes;
     std::vector<Bounds> boxes;
+    SharedPlanes planes;
     std::vector<std::uint32_t> size_rank;
+    PlaneNeighbours neighbours;
     WideTree tree; ///< of all surfaces, if they are many
 
     static Groundwork of(const std::vector<Surface>& surfaces, int threads)
     {
         Groundwork ground;
         ground.frame = FilterFrame(box_around(surfaces));
-        const auto arrange = [&] {
-            ground.boxes = boxes_around_each(surfaces);
-            if (surfaces.size() > FlatSurfaces::most) {
-                std::vector<std::uint32_t> all(surfaces.size());
-                std::iota(all.begin(), all.end(), 0u);
-                ground.tree = WideTree(ground.boxes, all, ground.frame);
-            }
-        };
+        ground.boxes = boxes_around_each(surfaces);
         parallel_blocks(2, threads, [&](std::uint64_t part) {
-            if (part == 0) {
-                ground.planes = share_planes(surfaces);
-                ground.size_rank = size_ranks(surfaces);
-            } else {
-                arrange();
-            }
+            if (part == 0)
+                ground.find_planes(surfaces);
+            else if (surfaces.size() > FlatSurfaces::most)
+                ground.arrange();
         });
         return ground;
+    }
+
+private:
+    void find_planes(const std::vector<Surface>& surfaces)
+    {
+        const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
+        planes = share_planes(surfaces, order);
+        size_rank = size_ranks(order);
+        neighbours = PlaneNeighbours(boxes, planes.plane_number);
+    }
+
+    void arrange()
+    {
+        std::vector<std::uint32_t> all(boxes.size());
+        std::iota(all.begin(), all.end(), 0u);
+        tree = WideTree(boxes, all, frame);
     }
 };
 
@@ -69,13 +77,13 @@ Intersector::Intersector(const std::vector<Surface>& surfaces, const FilterKerne
 Intersector::Intersector(const std::vector<Surface>& surfaces, Groundwork groundwork, const FilterKernel& kernel,
                          int threads)
     : kernel_(&kernel),
-      table_(surfaces, groundwork.planes),
+      table_(surfaces, groundwork.planes, threads),
       frame_(groundwork.frame),
       tree_(std::move(groundwork.tree)),
       outside_is_solid_(form_a_room(surfaces)),
       plane_(std::move(groundwork.planes.plane_number)),
       size_rank_(std::move(groundwork.size_rank)),
-      neighbours_(groundwork.boxes, plane_)
+      neighbours_(std::move(groundwork.neighbours))
 {
     const std::vector<std::uint32_t> filtered = sort_out_unfiltered(surfaces, threads);
     if (filtered.size() <= FlatSurfaces::most)

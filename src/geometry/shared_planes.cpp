@@ -4,7 +4,6 @@
 #include "geometry/shared_planes.h"
 
 #include "geometry/surface_boxes.h"
-#include "geometry/surface_order.h"
 #include "parallel/prefetch.h"
 
 #include <algorithm>
@@ -168,7 +167,7 @@ struct PlaneUse
 
 } // namespace
 
-SharedPlanes share_planes(const std::vector<Surface>& surfaces)
+SharedPlanes share_planes(const std::vector<Surface>& surfaces, const std::vector<std::uint32_t>& order)
 {
     SharedPlanes result;
     if (surfaces.empty())
@@ -182,8 +181,7 @@ SharedPlanes share_planes(const std::vector<Surface>& surfaces)
         result.plane_of_surface.push_back({normal, dot(normal, surface.centre())});
     }
     result.plane_number.resize(surfaces.size());
-    // A small face in the plane of a large one does not say exactly where that plane is.
-    const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
+    // From large to small: a small face in the plane of a large one does not say exactly where that plane is.
     constexpr std::size_t ahead = 16; // surfaces whose cells are on their way from memory
     std::array<PlaneIndex::Keys, ahead> keys;
     for (std::size_t k = 0; k < order.size() + ahead; ++k) {

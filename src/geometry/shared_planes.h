@@ -27,7 +27,7 @@ struct SharedPlanes
 
 /// Surfaces whose corners all lie within coplanar_distance of a larger surface's plane get its number. They get its
 /// equation too if some of them face the other way: only those can touch each other. A mesh that bends a little keeps
-/// its own planes, so that its triangles meet at their edges.
-SharedPlanes share_planes(const std::vector<Surface>& surfaces);
+/// its own planes, so that its triangles meet at their edges. `order`: see from_large_to_small.
+SharedPlanes share_planes(const std::vector<Surface>& surfaces, const std::vector<std::uint32_t>& order);
 
 } // namespace multipath

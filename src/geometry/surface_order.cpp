@@ -27,10 +27,9 @@ std::vector<std::uint32_t> from_large_to_small(const std::vector<Surface>& surfa
     return order;
 }
 
-std::vector<std::uint32_t> size_ranks(const std::vector<Surface>& surfaces)
+std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order)
 {
-    const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
-    std::vector<std::uint32_t> rank(surfaces.size());
+    std::vector<std::uint32_t> rank(order.size());
     for (std::size_t place = 0; place < order.size(); ++place)
         rank[order[place]] = static_cast<std::uint32_t>(order.size() - 1 - place);
     return rank;

@@ -5,6 +5,7 @@
 #include "geometry/line.h"
 #include "geometry/shared_planes.h"
 #include "geometry/surface.h"
+#include "parallel/unset_memory.h"
 
 #include <array>
 #include <cstdint>
@@ -29,7 +30,7 @@ struct alignas(64) SurfaceRow
 class SurfaceTable
 {
 public:
-    SurfaceTable(const std::vector<Surface>& surfaces, const SharedPlanes& planes);
+    SurfaceTable(const std::vector<Surface>& surfaces, const SharedPlanes& planes, int threads = 1);
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
     const SurfaceRow& row(std::uint32_t surface) const { return rows_[surface]; }
@@ -43,7 +44,7 @@ public:
     bool holds(Vec3 point, std::uint32_t surface) const;
 
 private:
-    std::vector<SurfaceRow> rows_;
+    UnsetVector<SurfaceRow> rows_;
 };
 
 inline bool SurfaceTable::holds(Vec3 p, std::uint32_t surface) const

@@ -161,7 +161,7 @@ double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
 {
     const std::vector<Try> tries =
         make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
-    constexpr std::uint32_t most_patches = 1u << 16;
+    const auto most_patches = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, 1u << 13, 1u << 16));
     const std::uint32_t step = 1 + (scene.patch_count() - 1) / most_patches;
     const std::uint32_t looked_for = 1 + (scene.patch_count() - 1) / step;
     constexpr std::uint32_t patches_at_a_time = 256;

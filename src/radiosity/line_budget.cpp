@@ -1,5 +1,7 @@
 #include "radiosity/line_budget.h"
 
+#include "geometry/surface_hull.h"
+
 #include <cmath>
 
 namespace multipath {
@@ -23,15 +25,7 @@ BudgetFigures extended_figures(BudgetFigures figures)
 
 ConvexHull scene_hull(const Scene& scene)
 {
-    std::vector<Vec3> corners;
-    for (const Surface& surface : scene.surfaces()) {
-        corners.push_back(surface.origin);
-        corners.push_back(surface.at(1.0, 0.0));
-        corners.push_back(surface.at(0.0, 1.0));
-        if (surface.shape == Shape::parallelogram)
-            corners.push_back(surface.at(1.0, 1.0));
-    }
-    return ConvexHull(corners);
+    return hull_of(scene.surfaces());
 }
 
 double intersections_of_hull_line(const Scene& scene)

@@ -67,6 +67,7 @@ private:
     void number_names(TextPlace place);
     void library(std::string_view names, const TextPlace& place);
     void unknown(std::string_view keyword, const TextPlace& place);
+    void make_room_for_vertices();
     void check_corners() const;
     void summarise_warnings();
     TextPlace at_line(std::uint32_t line) const { return {mesh_.path, line}; }
@@ -168,6 +169,7 @@ void ObjParser::vertex(std::string_view rest, const TextPlace& place)
     }
     if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
         refuse(place, "more than 2^31 vertices do not fit");
+    make_room_for_vertices();
     mesh_.vertices.push_back({x[0], x[1], x[2]});
 
     double fourth = 1.0;
@@ -241,6 +243,17 @@ void ObjParser::number_names(TextPlace place)
         mesh_.groups.push_back(group_);
     material_number_ = material;
     group_number_ = group;
+}
+
+/// A full list of some length gets room for what the rest of the file holds, if that is like what was read: moving
+/// millions of vertices again and again takes time, room that stays empty does not.
+void ObjParser::make_room_for_vertices()
+{
+    constexpr std::size_t some = 4096;
+    const auto count = static_cast<double>(mesh_.vertices.size());
+    const double read = lines_.share_read();
+    if (mesh_.vertices.size() == mesh_.vertices.capacity() && count >= some && read > 0.0 && read < 1.0)
+        mesh_.vertices.reserve(static_cast<std::size_t>(std::max(2.0 * count, 1.05 * count / read)));
 }
 
 void ObjParser::check_corners() const

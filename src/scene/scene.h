@@ -7,6 +7,7 @@
 #include "scene/tessellation.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,13 @@ public:
     /// Cuts every surface into patches no longer than patch_size [scene units].
     /// Throws InputError for a scene without surfaces or light, SettingsError for more patches than fit (2^31).
     Scene(SceneFile file, double patch_size, bool two_sided = false, int threads = 1);
+    Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_sided, int threads);
 
-    const std::string& path() const { return file_.path; }
-    const std::vector<Material>& materials() const { return file_.materials; }
-    const std::vector<Surface>& surfaces() const { return file_.surfaces; }
-    const SceneFile& file() const { return file_; }
+    const std::string& path() const { return file_->path; }
+    const std::vector<Material>& materials() const { return file_->materials; }
+    const std::vector<Surface>& surfaces() const { return file_->surfaces; }
+    const SceneFile& file() const { return *file_; }
+    std::shared_ptr<const SceneFile> shared_file() const { return file_; } ///< for who keeps it without the scene
     const Intersector& intersector() const { return intersector_; }
     const Bounds& bounds() const { return bounds_; }
     bool two_sided() const { return two_sided_; }
@@ -49,7 +52,7 @@ public:
         const std::uint32_t surface = surface_of(patch);
         return tessellations_[surface].corners(cell_of(patch) - first_cell_[surface]);
     }
-    const Material& surface_material(std::uint32_t surface) const { return file_.materials[file_.material[surface]]; }
+    const Material& surface_material(std::uint32_t surface) const { return file_->materials[file_->material[surface]]; }
     const Material& material_of(std::uint32_t patch) const { return surface_material(surface_of(patch)); }
     Patch patch(std::uint32_t patch) const;
     double area(std::uint32_t patch) const { return cell_area_[surface_of(patch)]; }      ///< [m^2]
@@ -82,7 +85,7 @@ public:
 private:
     std::uint32_t cell_of(std::uint32_t patch) const { return patch < cell_count_ ? patch : patch - cell_count_; }
 
-    SceneFile file_;
+    std::shared_ptr<const SceneFile> file_;
     bool two_sided_ = false;
     double patch_size_ = 0.0;
     Intersector intersector_;

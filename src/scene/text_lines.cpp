@@ -90,6 +90,8 @@ TextLines::TextLines(const std::string& path) : path_(path), buffer_(first_buffe
     file_.reset(std::fopen(path.c_str(), "rb"));
     if (!file_)
         refuse(place(), "cannot be opened: " + std::generic_category().message(errno));
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    size_ = ignored ? 0.0 : static_cast<double>(size);
     refill();
     const std::string_view start(buffer_.data(), end_);
     if (looks_like_utf16(start))
@@ -110,6 +112,11 @@ bool TextLines::next(TextLine& line)
             line = join_continued(text);
     }
     return true;
+}
+
+double TextLines::share_read() const
+{
+    return size_ > 0.0 ? static_cast<double>(buffered_ - (end_ - begin_)) / size_ : 0.0;
 }
 
 TextLine TextLines::join_continued(std::string_view first)
@@ -176,6 +183,7 @@ bool TextLines::refill()
     if (count == 0 && std::ferror(file_.get()) != 0)
         refuse(place(), "cannot be read: " + std::generic_category().message(errno));
     end_ += count;
+    buffered_ += count;
     return count != 0;
 }
 

@@ -48,6 +48,9 @@ public:
     /// backslash.
     bool next(TextLine& line);
 
+    /// How much of the file was handed out [1]; 0 where its size is not known beforehand.
+    double share_read() const;
+
 private:
     struct Closer
     {
@@ -63,7 +66,9 @@ private:
     std::string path_;
     std::unique_ptr<std::FILE, Closer> file_;
     std::vector<char> buffer_;
-    std::size_t begin_ = 0; ///< what is not yet handed out is [begin_, end_)
+    double size_ = 0.0;          ///< [byte] of the file, 0 if not known
+    std::uint64_t buffered_ = 0; ///< [byte] of it that came into the buffer so far
+    std::size_t begin_ = 0;      ///< what is not yet handed out is [begin_, end_)
     std::size_t end_ = 0;
     std::uint32_t number_ = 0;
     bool after_carriage_return_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parallel/archive.h"
+#include "parallel/huge_pages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,7 @@ struct ZeroedMemory
         void* const memory = std::calloc(count, sizeof(Value));
         if (memory == nullptr)
             throw std::bad_alloc();
+        ask_for_huge_pages(memory, count * sizeof(Value));
         return static_cast<Value*>(memory);
     }
     void deallocate(Value* memory, std::size_t) { std::free(memory); }

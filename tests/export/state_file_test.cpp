@@ -4,6 +4,7 @@
 #include "scene/scene_builder.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -176,8 +177,11 @@ TEST_CASE("a scene comes back from a state as it was")
     finer.patch_size = 1e-6;
     CHECK_THROWS_AS(restored(finer), ArchiveError);
     ArchivedScene other = kept;
-    other.file.materials[1].emittance.r += 1.0;
+    SceneFile changed = *kept.file;
+    changed.materials[1].emittance.r += 1.0;
+    other.file = std::make_shared<const SceneFile>(changed);
     CHECK_THROWS_AS(restored(other), ArchiveError);
-    other.file.material[0] = 2;
+    changed.material[0] = 2;
+    other.file = std::make_shared<const SceneFile>(changed);
     CHECK_THROWS_AS(written(other), ArchiveError);
 }

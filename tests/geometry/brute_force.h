@@ -15,9 +15,9 @@ class BruteForce
 {
 public:
     explicit BruteForce(const std::vector<Surface>& surfaces)
-        : planes_(share_planes(surfaces)),
+        : planes_(share_planes(surfaces, from_large_to_small(surfaces))),
           table_(surfaces, planes_),
-          rank_(size_ranks(surfaces)),
+          rank_(size_ranks(from_large_to_small(surfaces))),
           outside_is_solid_(form_a_room(surfaces))
     {
     }

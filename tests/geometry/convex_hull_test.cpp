@@ -82,6 +82,17 @@ TEST_CASE("points beyond one side of a hull lie beside it, points around an edge
     CHECK(!ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).is_beside({{0, 0, 1}}, 0.0)); // flat
 }
 
+TEST_CASE("a hull holds its inside and its sides")
+{
+    const ConvexHull cube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+    CHECK(cube.holds({0.5, 0.5, 0.5}));
+    CHECK(cube.holds({0.25, 0.5, 1}));
+    CHECK(cube.holds({1, 1, 1}));
+    CHECK(!cube.holds({0.5, 0.5, 1.000001}));
+    CHECK(!cube.holds({-0.1, 1.1, 0.5}));
+    CHECK(!ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).holds({0.2, 0.2, 0})); // flat
+}
+
 // A line meets the cube's hull exactly when it meets one of the cube's six faces.
 TEST_CASE("lines meet the hull of a box when they meet its faces")
 {

@@ -1,6 +1,7 @@
 #include "geometry/framed_rectangles.h"
 
 #include "geometry/surface_boxes.h"
+#include "geometry/surface_order.h"
 #include "surface_pieces.h"
 
 #include <cmath>
@@ -23,7 +24,8 @@ FramedRectangles grouped(const std::vector<Surface>& surfaces)
     std::vector<std::uint32_t> all(surfaces.size());
     std::iota(all.begin(), all.end(), 0u);
     const Bounds bounds = bounds_of(surfaces);
-    return group_by_frames(SurfaceTable(surfaces, share_planes(surfaces)), all, FilterFrame(bounds));
+    return group_by_frames(SurfaceTable(surfaces, share_planes(surfaces, from_large_to_small(surfaces))), all,
+                           FilterFrame(bounds));
 }
 
 } // namespace

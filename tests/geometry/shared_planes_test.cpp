@@ -1,11 +1,21 @@
 #include "geometry/shared_planes.h"
 
+#include "geometry/surface_order.h"
 #include "surface_pieces.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace multipath;
+
+namespace {
+
+SharedPlanes planes_of(const std::vector<Surface>& surfaces)
+{
+    return share_planes(surfaces, from_large_to_small(surfaces));
+}
+
+} // namespace
 
 TEST_CASE("planes further apart than rounding stay apart")
 {
@@ -14,7 +24,7 @@ TEST_CASE("planes further apart than rounding stay apart")
     carpet.origin.y = 1e-3;
     Surface dust = floor;
     dust.origin.y = 1e-9;
-    CHECK(share_planes({floor, carpet, dust}).plane_number == std::vector<std::uint32_t>{0, 1, 0});
+    CHECK(planes_of({floor, carpet, dust}).plane_number == std::vector<std::uint32_t>{0, 1, 0});
 }
 
 // Only faces that look at each other can touch; a mesh that bends a little must not be torn open at its edges.
@@ -23,11 +33,11 @@ TEST_CASE("surfaces in one plane get one equation if some of them face the other
     const Surface floor = rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0});
     const Surface neighbour = rectangle({2, 0, 0}, {0, 0, 1}, {1, 2e-6, 0});
     const Surface bottom = rectangle({0.5, 1e-6, 0.5}, {1, 0, 0}, {0, 0, 1}); // looks down
-    const SharedPlanes bent = share_planes({floor, neighbour});
+    const SharedPlanes bent = planes_of({floor, neighbour});
     CHECK(bent.plane_number == std::vector<std::uint32_t>{0, 0});
     CHECK(bent.plane_of_surface[1].normal == neighbour.normal());
 
-    const SharedPlanes touching = share_planes({floor, neighbour, bottom});
+    const SharedPlanes touching = planes_of({floor, neighbour, bottom});
     CHECK(touching.plane_number == std::vector<std::uint32_t>{0, 0, 0});
     for (const Plane& plane : touching.plane_of_surface) {
         CHECK(std::abs(plane.normal.y) == 1.0);

@@ -17,7 +17,7 @@ TEST_CASE("surfaces are ordered by area, equal ones by number, and ranked the ot
     };
     const std::vector<Surface> surfaces = {square(2), square(1), square(3), square(1)};
     CHECK(from_large_to_small(surfaces) == std::vector<std::uint32_t>{2, 0, 1, 3});
-    CHECK(size_ranks(surfaces) == std::vector<std::uint32_t>{2, 1, 3, 0});
+    CHECK(size_ranks(from_large_to_small(surfaces)) == std::vector<std::uint32_t>{2, 1, 3, 0});
 }
 
 TEST_CASE("walls seen from inside form a room, also without one of them; a box in the open does not")
