@@ -63,6 +63,10 @@ void Crew::serve()
 
 void run_with_crew(int threads, const std::function<void()>& work)
 {
+    if (threads <= 1) {
+        work();
+        return;
+    }
     thread_local Crew crew;
     thread_local bool is_busy = false;
     if (is_busy) { // work within work

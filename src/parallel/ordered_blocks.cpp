@@ -3,9 +3,11 @@
 #include "parallel/crew.h"
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace multipath {
@@ -28,10 +30,12 @@ public:
           consume_(consume),
           wants_pause_(wants_pause),
           end_(end),
-          produced_(slots_, false),
+          places_(slots_),
           started_(first),
           consumed_(first)
     {
+        for (int slot = slots; slot-- > 0;)
+            free_slots_.push_back(slot);
     }
 
     void work()
@@ -39,11 +43,13 @@ public:
         std::unique_lock<std::mutex> lock(mutex_);
         try {
             while (!failure_ && consumed_ < end_) {
-                if (!consuming_ && produced_[slot(consumed_)])
+                const bool ready = !consuming_ && place(consumed_).produced;
+                const bool has_work = started_ < end_ && started_ < consumed_ + slots_;
+                if (ready && (consumer_ == std::this_thread::get_id() || consumed_ == first_ || !has_work))
                     consume_next(lock);
                 else if (started_ > first_ && started_ < end_ && wants_pause_())
                     end_ = started_;
-                else if (started_ < end_ && started_ < consumed_ + slots_)
+                else if (has_work)
                     produce_next(lock);
                 else
                     changed_.wait(lock);
@@ -66,16 +72,26 @@ public:
     }
 
 private:
-    std::size_t slot(std::uint64_t block) const { return static_cast<std::size_t>(block % slots_); }
+    /// What is known of a block that was started and is not consumed.
+    struct Place
+    {
+        bool produced = false;
+        int slot = 0;
+    };
+
+    Place& place(std::uint64_t block) { return places_[static_cast<std::size_t>(block % slots_)]; }
 
     void consume_next(std::unique_lock<std::mutex>& lock)
     {
         consuming_ = true;
+        consumer_ = std::this_thread::get_id();
         const std::uint64_t block = consumed_;
+        const int slot = place(block).slot;
         lock.unlock();
-        consume_(block, static_cast<int>(slot(block)));
+        consume_(block, slot);
         lock.lock();
-        produced_[slot(block)] = false;
+        place(block).produced = false;
+        free_slots_.push_back(slot);
         ++consumed_;
         consuming_ = false;
         changed_.notify_all();
@@ -84,10 +100,13 @@ private:
     void produce_next(std::unique_lock<std::mutex>& lock)
     {
         const std::uint64_t block = started_++;
+        const int slot = free_slots_.back();
+        free_slots_.pop_back();
+        place(block).slot = slot;
         lock.unlock();
-        produce_(block, static_cast<int>(slot(block)));
+        produce_(block, slot);
         lock.lock();
-        produced_[slot(block)] = true;
+        place(block).produced = true;
         changed_.notify_all();
     }
 
@@ -99,8 +118,10 @@ private:
 
     std::mutex mutex_; ///< guards all below
     std::condition_variable changed_;
-    std::uint64_t end_;          ///< comes forward to what was started where a pause is wanted
-    std::vector<bool> produced_; ///< per slot: filled and not yet consumed
+    std::uint64_t end_; ///< comes forward to what was started where a pause is wanted
+    std::vector<Place> places_;
+    std::vector<int> free_slots_; ///< the last to become free on top: it is still in the caches
+    std::thread::id consumer_;    ///< of the last block: what consuming changes is in the caches of its processor
     std::uint64_t started_;
     std::uint64_t consumed_;
     bool consuming_ = false;
@@ -160,10 +181,23 @@ void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& 
 
 void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work)
 {
-    const int used =
-        static_cast<int>(std::min<std::uint64_t>(block_count, static_cast<std::uint64_t>(std::max(threads, 1))));
-    ordered_blocks(
-        block_count, used, [&](std::uint64_t block, int) { work(block); }, [](std::uint64_t, int) {});
+    const auto used = std::min<std::uint64_t>(block_count, static_cast<std::uint64_t>(std::max(threads, 1)));
+    std::atomic<std::uint64_t> next{0};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    run_with_crew(static_cast<int>(used), [&] {
+        try {
+            for (std::uint64_t block = next++; block < block_count; block = next++)
+                work(block);
+        } catch (...) {
+            next = block_count;
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (!failure)
+                failure = std::current_exception();
+        }
+    });
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <doctest/doctest.h>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace multipath;
@@ -41,6 +42,18 @@ TEST_CASE("the failure of a block ends the work and reaches the caller")
                 1000, threads, [](std::uint64_t, int) {}, [&](std::uint64_t block, int) { fail_at_50(block); }),
             "block 50");
     }
+}
+
+// The first block waits for the 99 others, which one thread is left to do.
+TEST_CASE("a long block does not hold up the others")
+{
+    std::atomic<int> done{0};
+    parallel_blocks(100, 2, [&](std::uint64_t block) {
+        while (block == 0 && done < 99)
+            std::this_thread::yield();
+        ++done;
+    });
+    CHECK(done == 100);
 }
 
 TEST_CASE("no blocks are no work")
