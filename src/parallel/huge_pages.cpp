@@ -10,6 +10,15 @@
 #include <sys/mman.h>
 #endif
 
+// AddressSanitizer watches `new` itself.
+#if defined(__SANITIZE_ADDRESS__)
+#define MULTIPATH_WATCHED_MEMORY
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define MULTIPATH_WATCHED_MEMORY
+#endif
+#endif
+
 #ifdef MADV_HUGEPAGE
 
 namespace multipath {
@@ -25,6 +34,14 @@ void ask_for_huge_pages(void* memory, std::size_t bytes)
 }
 
 } // namespace multipath
+
+#else
+
+void multipath::ask_for_huge_pages(void*, std::size_t) {}
+
+#endif
+
+#if defined(MADV_HUGEPAGE) && !defined(MULTIPATH_WATCHED_MEMORY)
 
 namespace {
 
@@ -60,12 +77,26 @@ void* operator new(std::size_t bytes, std::align_val_t alignment)
     });
 }
 
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept
+{
+    try {
+        return operator new(bytes);
+    } catch (...) {
+        return nullptr;
+    }
+}
+
 void operator delete(void* memory) noexcept
 {
     std::free(memory);
 }
 
 void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept
 {
     std::free(memory);
 }
@@ -79,9 +110,5 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
 {
     std::free(memory);
 }
-
-#else
-
-void multipath::ask_for_huge_pages(void*, std::size_t) {}
 
 #endif
