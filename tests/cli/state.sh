@@ -10,7 +10,8 @@ interrupted() {
     rm -f run.state
     "$program" solve "$scene" --patch-size 0.4 --lines 2^40 --method first-shot --state run.state --save-every 0.01s \
         "$@" >out 2>err &
-    until [ -f run.state ]; do sleep 0.05; done
+    tries=0
+    until [ -f run.state ] || [ $((tries += 1)) -gt 2400 ]; do sleep 0.05; done
     kill -"$signal" $!
     wait $!
     status=$?
