@@ -61,6 +61,12 @@ std::string summary_text(const SolveSummary& s)
                    "surfaces; balance to %.0e\n",
                    mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
                    percent(balance.behind), balance.relative_error());
+    const double surplus = mean(balance.emitted) - mean(balance.source);
+    if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
+        text +=
+            format("warning    the lines sent %.4g W, but the sources emit %.4g W, and chance alone explains %.2g W of "
+                   "difference: these lines are not uniform, and the result is as wrong\n",
+                   mean(balance.emitted), mean(balance.source), balance.emitted_error);
     if (percent(balance.unshot) > 5.0)
         text += format("warning    %.2g %% of the power is not distributed yet, which makes the result too dark; more "
                        "lines help, or "
@@ -120,6 +126,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("mean_radiosity", mean(mean_radiosity(s)));
     json.numbers("mean_radiosity_rgb", channels(mean_radiosity(s)));
     json.number("emitted_power_w", mean(balance.emitted));
+    json.number("emitted_power_error_w", balance.emitted_error);
     json.number("absorbed_power_w", mean(balance.absorbed));
     json.number("unshot_power_w", mean(balance.unshot));
     json.number("escaped_power_w", mean(balance.escaped));

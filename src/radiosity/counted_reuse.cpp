@@ -2,6 +2,7 @@
 
 #include "radiosity/distribution.h"
 #include "radiosity/exchange_solver.h"
+#include "scene/input_error.h"
 #include "transport/line_counts.h"
 #include "transport/sparse_exchange.h"
 
@@ -13,6 +14,15 @@ std::size_t count_bytes(std::uint32_t patches, double memory)
 {
     // Rounds of fewer lines than patches would cost more to solve than to trace.
     return std::max(static_cast<std::size_t>(memory), std::size_t{256} * patches);
+}
+
+bool can_count(const Scene& scene, const GlobalLines& lines, std::uint64_t lines_cast, std::size_t byte_limit)
+{
+    constexpr double bytes_per_line_end = 8.0;
+    const double line_ends = lines.expected_crossings(scene.total_area(), lines_cast);
+    const double at_a_time = std::min(line_ends, static_cast<double>(byte_limit) / bytes_per_line_end);
+    const double absorption = 1.0 - mean(scene.average_reflectance());
+    return at_a_time * absorption >= 10.0 * scene.patch_count();
 }
 
 std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
@@ -35,10 +45,18 @@ std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, 
             break;
         const std::uint64_t planned = run.stopped() ? lines_cast - done : counted.lines_cast;
         const double crossing_area = 1.0 / lines.expected_crossings(1.0, counted.lines_cast); // (G1)
-        const SparseExchange exchange(counted.counts, crossing_area, run.threads);
-        const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, run.threads); // (R1)
         const double share = static_cast<double>(planned) / static_cast<double>(lines_cast);
-        distribute(scene, exchange, solution.radiosity, share, run.threads, state);
+        const auto solved = [&](double unseen_lines) {
+            const SparseExchange exchange(counted.counts, scene.areas(), crossing_area, unseen_lines, run.threads);
+            const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, run.threads); // (R1)
+            if (solution.converged)
+                distribute(scene, exchange, solution.radiosity, share, run.threads, state);
+            return solution.converged;
+        };
+        // White patches that the lines join only with each other keep their light for ever: no solution exists.
+        if (!solved(0.0) && !solved(1.0))
+            throw InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected "
+                                            "more --lines, or --method local");
         done += counted.lines_cast;
     }
     return done;

@@ -15,7 +15,7 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     const std::uint64_t rays = std::max<std::uint64_t>(1u << 18, std::uint64_t{64} * scene.patch_count());
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
     PowerState state(scene);
-    receive(gather_direct_light(scene, *sequence, 0, rays, {threads}), scene, true, state);
+    receive(gather_direct_light(scene, *sequence, 0, rays, {threads}), scene, state);
     return radiosity(scene, state);
 }
 

@@ -18,4 +18,10 @@ std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state);
 void distribute(const Scene& scene, const Exchange& exchange, const std::vector<Rgb>& radiosity, double share,
                 int threads, PowerState& state);
 
+/// Removes negative irradiance, which the noise of (R1) leaves in dark places: takes the irradiance that is nowhere
+/// negative, of which the patches absorb the same power, and that is nearest to the one found, by squares weighted with
+/// area. As the projection onto a convex set it does not increase the squared error of the irradiance, if the power
+/// absorbed is right.
+void remove_negative_light(const Scene& scene, PowerState& state);
+
 } // namespace multipath

@@ -20,15 +20,15 @@ double power_above(const Scene& scene, const PowerState& state, double threshold
 
 /// The rays of one pass over the patches: each with unshot radiosity above the threshold shoots the excess (S1) (S2). A
 /// patch that deserves n rays gets n rounded down or up, with expectation n over the offset. If n >= 1 these carry
-/// exactly the excess; otherwise the one ray that it gets now and then carries power_by_line, so that the expectation
-/// is the excess too.
+/// its excess; otherwise the one ray that it gets now and then carries power_by_line. In all, the rays carry the whole
+/// excess: where rounding would make it more or less, all are corrected by one factor for each channel, at most 2.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
 
 /// The same for a number of rays in all (fewer only when nothing exceeds the threshold).
 std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays);
 
-/// Takes the excess from all patches that have one, also from those that rounding gave no ray: it is spent in
-/// expectation. By how much the shots carry more or less than that, the emitted power changes.
+/// Takes what the shots carry from the patches, in proportion to their excess, also from those that rounding gave no
+/// ray: each has spent it in expectation, and no power is made or lost.
 void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state);
 
 /// Rays of all shots together.

@@ -23,6 +23,9 @@ struct GatherPairs
     std::vector<std::uint32_t> lights;   ///< surfaces
     std::vector<GatherPair> pairs;       ///< patch by patch, each in the order of the lights
     std::vector<std::size_t> first_pair; ///< of each patch; one entry more than patches
+    /// [W] Per patch: from lights in the same plane across a gap of no width, as under a box that stands on a lamp.
+    /// They are no pairs: nothing can stand between.
+    std::vector<Rgb> contact;
 
     /// The number of a pair.
     std::optional<std::size_t> find(std::uint32_t patch, std::uint32_t light) const;

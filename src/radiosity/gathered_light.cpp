@@ -75,13 +75,16 @@ struct Gathering
     }
 };
 
+/// Sets the light that the patches get.
 void gather_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
                  std::uint64_t first_item, std::uint64_t rays, const RunControl& run, GatheredLight& light)
 {
     const GatherPairs pairs = find_gather_pairs(scene, lights, run.threads);
     const auto pair_count = static_cast<double>(pairs.pairs.size());
-    if (rays == 0 || pairs.pairs.empty())
+    if (rays == 0 || pairs.pairs.empty()) {
+        light.incident = pairs.contact;
         return;
+    }
     const auto all_rays = static_cast<double>(rays);
     const double first_rays = all_rays >= 8.0 * pair_count ? 0.25 * all_rays : all_rays;
     const double offset = offset_from(sequence.item(first_item));
@@ -102,6 +105,7 @@ void gather_from(const std::vector<std::uint32_t>& lights, const Scene& scene, c
         ++gathering.looks_done;
     }
     light.lines = gathering.lines;
+    light.incident = pairs.contact;
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
         for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k) {
             const double rarity = std::min(first[k], 1.0); // the ray of one such pair counts for those without
@@ -110,7 +114,7 @@ void gather_from(const std::vector<std::uint32_t>& lights, const Scene& scene, c
         }
 }
 
-/// Adds the light of surfaces that are shot.
+/// Adds the light of surfaces that are shot, and what of it is lost.
 void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, const Sequence& sequence,
                 std::uint64_t first_item, std::uint64_t rays, const RunControl& run, GatheredLight& light)
 {
@@ -130,23 +134,64 @@ void shoot_from(const std::vector<std::uint32_t>& lights, const Scene& scene, co
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         light.incident[i] += state.incident[i];
     light.lines += ray_count(shots);
+    light.escaped += state.escaped;
     light.behind += state.behind;
+}
+
+/// Makes the patches and what is lost get just the power that was emitted [W], in one channel. `lost` is what rays from
+/// the lights found lost; where none was, the power received is scaled.
+void close_balance(double emitted, double& received_scale, double received, double& escaped, double& behind)
+{
+    const double lost = escaped + behind;
+    const double missing = emitted - received;
+    if (lost > 0.0 && missing > 0.0) {
+        escaped *= missing / lost;
+        behind *= missing / lost;
+        received_scale = 1.0;
+    } else {
+        escaped = behind = 0.0;
+        received_scale = received > 0.0 ? emitted / received : 0.0;
+    }
+}
+
+/// What the rays from the lights found lost goes into `light`, with the received power made to fit.
+void close_balance(Rgb emitted, const GatheredLight& from_lights, GatheredLight& light)
+{
+    Rgb received;
+    for (const Rgb& incident : light.incident)
+        received += incident;
+    Rgb scale;
+    light.escaped = from_lights.escaped;
+    light.behind = from_lights.behind;
+    close_balance(emitted.r, scale.r, received.r, light.escaped.r, light.behind.r);
+    close_balance(emitted.g, scale.g, received.g, light.escaped.g, light.behind.g);
+    close_balance(emitted.b, scale.b, received.b, light.escaped.b, light.behind.b);
+    for (Rgb& incident : light.incident)
+        incident = scale * incident;
+    light.lines += from_lights.lines;
 }
 
 } // namespace
 
-void receive(const GatheredLight& light, const Scene& scene, bool found, PowerState& state)
+void receive(const GatheredLight& light, const Scene& scene, PowerState& state)
 {
     const Rgb source = scene.source_power();
-    const Rgb kept = found ? Rgb{} : light.escaped;
-    const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
-    const Rgb kept_share = {share(kept.r, source.r), share(kept.g, source.g), share(kept.b, source.b)};
+    Rgb found = light.escaped + light.behind;
+    for (const Rgb& incident : light.incident)
+        found += incident;
+    const auto share_kept = [](double part, double whole) {
+        constexpr double rounding = 1e-9;
+        const double share = whole > 0.0 ? 1.0 - part / whole : 0.0;
+        return share > rounding ? share : 0.0;
+    };
+    const Rgb kept = {share_kept(found.r, source.r), share_kept(found.g, source.g), share_kept(found.b, source.b)};
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         state.incident[i] += light.incident[i];
-        state.unshot[i] = scene.reflectance(i) * light.incident[i] + kept_share * state.unshot[i];
+        state.unshot[i] = scene.reflectance(i) * light.incident[i] + kept * state.unshot[i];
     }
-    state.escaped += light.escaped - kept;
+    state.escaped += light.escaped;
     state.behind += light.behind;
+    state.emitted += found + kept * source - source; // rounding errors
 }
 
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
@@ -158,24 +203,35 @@ GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, 
     const auto split = lights.begin() + static_cast<std::ptrdiff_t>(lights_to_gather(scene, lights.size(), rays));
     const std::vector<std::uint32_t> gathered(lights.begin(), split);
     const std::vector<std::uint32_t> shot(split, lights.end());
-    const double gathered_share = mean(emitted_power(scene, gathered)) / mean(emitted_power(scene, lights));
-    const auto gathering_rays = static_cast<std::uint64_t>(gathered_share * static_cast<double>(rays) + 0.5);
+    const Rgb gathered_power = emitted_power(scene, gathered);
+    const double gathered_share = mean(gathered_power) / mean(emitted_power(scene, lights));
+    const auto gathered_rays = static_cast<std::uint64_t>(gathered_share * static_cast<double>(rays) + 0.5);
+    const std::uint64_t rays_from_lights = gathered.empty() ? 0 : (gathered_rays + 15) / 16;
 
-    std::uint64_t gathering_done = 0;
+    enum Step : std::uint64_t { gathering, closing, shooting };
+    std::uint64_t next_step = gathering;
     const Checkpoint::Part part(run.checkpoint, "direct light", [&](Archive& archive) {
-        archive.value<std::uint64_t>("gathering done", gathering_done);
+        archive.value<std::uint64_t>("next step", next_step);
         archive.value<std::uint64_t>("rays", light.lines);
+        archive.value<double>("escaped", light.escaped);
+        archive.value<double>("behind", light.behind);
         archive.list<double>("incident", light.incident);
     });
-    if (gathering_done == 0)
-        gather_from(gathered, scene, sequence, first_item, gathering_rays, run, light);
-    if (!run.stopped()) {
-        gathering_done = 1;
-        shoot_from(shot, scene, sequence, first_item + light.lines, rays - std::min(rays, light.lines), run, light);
+    if (next_step == gathering) {
+        gather_from(gathered, scene, sequence, first_item, gathered_rays - rays_from_lights, run, light);
+        next_step += run.stopped() ? 0 : 1;
     }
-    light.escaped = scene.source_power() - light.behind;
-    for (const Rgb& incident : light.incident)
-        light.escaped = light.escaped - incident;
+    if (next_step == closing) {
+        GatheredLight from_lights;
+        from_lights.incident.resize(scene.patch_count());
+        shoot_from(gathered, scene, sequence, first_item + light.lines, rays_from_lights, run, from_lights);
+        if (!run.stopped()) {
+            close_balance(gathered_power, from_lights, light);
+            next_step = shooting;
+        }
+    }
+    if (next_step == shooting)
+        shoot_from(shot, scene, sequence, first_item + light.lines, rays - std::min(rays, light.lines), run, light);
     return light;
 }
 

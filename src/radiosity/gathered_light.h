@@ -10,26 +10,25 @@
 
 namespace multipath {
 
-/// Where the light of the sources arrives first. Source power = sum of incident + escaped + behind.
+/// Where the light of the sources arrives first. If all of it was found, source power = sum of incident + escaped +
+/// behind.
 struct GatheredLight
 {
     std::vector<Rgb> incident; ///< [W] per patch
     std::uint64_t lines = 0;   ///< rays cast
-
-    /// [W] What no patch received. Gathering finds only that part of it which is not shot, and not where it went: it
-    /// counts as escaped. In a closed scene that is the error of the received power, of either sign.
-    Rgb escaped;
-    Rgb behind; ///< [W] met a surface on a side that has no patch
+    Rgb escaped;               ///< [W] left the scene
+    Rgb behind;                ///< [W] met a surface on a side that has no patch
 };
 
-/// The sources have sent their light, and the patches have it. If not all of it was `found`, what no patch has is not
-/// lost: the sources keep it.
-void receive(const GatheredLight& light, const Scene& scene, bool found, PowerState& state);
+/// The sources have sent their light, and the patches have it. What was not found, as the work was stopped, the sources
+/// keep.
+void receive(const GatheredLight& light, const Scene& scene, PowerState& state);
 
 /// Direct light found from the receiver's end: exact but for the share of each light that each patch sees, which shadow
 /// rays tell. Takes the items from first_item on, one for each of up to `rays` rays. Lights for which there is less
-/// than a ray for every other patch are shot (S1). The sequence is the only source of chance: the result is right on
-/// the average over its randomisations, but for the bias of a ratio of two sums of a pair's few rays.
+/// than a ray for every other patch are shot (S1). A sixteenth of the rays leave the other lights to tell what is lost:
+/// if none is, the patches together get just what is emitted. The sequence is the only source of chance: the result is
+/// right on the average over its randomisations, but for the bias of a ratio of two sums of a pair's few rays.
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   std::uint64_t rays, const RunControl& run);
 

@@ -7,6 +7,7 @@
 
 #include "radiosity/distribution.h"
 #include "radiosity/exchange_solver.h"
+#include "scene/input_error.h"
 #include "transport/dense_exchange.h"
 #include "transport/exchange_estimate.h"
 #include "transport/pair_rays.h"
@@ -176,6 +177,9 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
         clamp_to_positive(closed_exchange.pairs);
         exchange = exchange_of_pairs();
         solution = solve_exchange(*exchange, rho, source, source, run.threads);
+        if (!solution.converged)
+            throw InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected "
+                                            "more --lines, or --method local");
     }
     distribute(scene, *exchange, solution.radiosity, 1.0, run.threads, state);
     return lines_cast;

@@ -21,7 +21,7 @@ void deposit(const Scene& scene, const ParticleStep& step, Estimator estimator, 
     const Rgb counted = counted_power(scene, step, estimator);
     const Rgb absorbed = (Rgb{1.0, 1.0, 1.0} - scene.reflectance(step.where)) * counted;
     state.incident[step.where] += counted;
-    state.unshot[step.where] += step.power - absorbed - step.goes_on;
+    state.surplus += absorbed - (step.power - step.goes_on);
 }
 
 /// Sums in two levels: adding equal powers to a large sum 10^8 times would drift.
@@ -45,12 +45,11 @@ public:
     }
     void flush(PowerState& total)
     {
-        for (std::size_t i = 0; i < recent_.incident.size(); ++i) {
+        for (std::size_t i = 0; i < recent_.incident.size(); ++i)
             total.incident[i] += recent_.incident[i];
-            total.unshot[i] += recent_.unshot[i];
-        }
         total.escaped += recent_.escaped;
         total.behind += recent_.behind;
+        total.surplus += recent_.surplus;
         recent_ = empty_;
         count_ = 0;
     }

@@ -12,6 +12,23 @@ namespace {
 
 constexpr std::size_t segments_ahead = 24; // whose patches are fetched, in case they are too many for the cache
 
+/// [W^2] Of what independent lines send by the forecast (G3), mean of the channels. A patch that holds U and expects n
+/// lines sends U / n by each of them: U^2 / n, were it alone. A line that leaves several such patches sends for them
+/// together, which is more than their variances by at most their number.
+double forecast_variance(const Scene& scene, const GlobalLines& lines, const GlobalPass& pass, const PowerState& state)
+{
+    const double departures_per_area =
+        lines.expected_crossings(1.0, pass.lines_cast) * (pass.bidirectional ? 1.0 : 0.5); // (G1)
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double unshot = mean(state.unshot[i]);
+        sum += unshot * unshot / (departures_per_area * scene.area(i));
+    }
+    const double crossings_per_line =
+        departures_per_area * scene.total_area() / static_cast<double>(pass.lines_cast); // of all lines
+    return sum * std::max(2.0, crossings_per_line);
+}
+
 } // namespace
 
 std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
@@ -19,6 +36,7 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
 {
     if (pass.lines_cast == 0)
         return 0;
+    const double variance = forecast_variance(scene, lines, pass, state);
     PowerWalk walk(scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state); // (G1)
     WalkTally total;
     std::uint64_t next_block = 0;
@@ -44,7 +62,9 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
     };
     resumable_blocks(next_block, LineBlock::blocks_for(pass.lines_cast), run, trace, exchange_in_order);
     const std::uint64_t cast = std::min(pass.lines_cast, next_block * LineBlock::most_lines);
-    walk.finish(total, static_cast<double>(pass.lines_cast) / static_cast<double>(cast), state);
+    const double planned = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
+    walk.finish(total, planned, state);
+    state.emitted_variance += planned * variance;
     return cast;
 }
 

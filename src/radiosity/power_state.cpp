@@ -40,6 +40,8 @@ void PowerState::visit(Archive& archive)
     archive.value<double>("emitted", emitted);
     archive.value<double>("escaped", escaped);
     archive.value<double>("behind", behind);
+    archive.value<double>("surplus", surplus);
+    archive.value<double>("emitted variance", emitted_variance);
 }
 
 void add(const PowerBalance& part, double share, PowerBalance& sum)
@@ -50,15 +52,18 @@ void add(const PowerBalance& part, double share, PowerBalance& sum)
     sum.escaped += share * part.escaped;
     sum.behind += share * part.behind;
     sum.source += share * part.source;
+    sum.emitted_error = std::hypot(sum.emitted_error, share * part.emitted_error);
 }
 
 PowerBalance power_balance(const Scene& scene, const PowerState& state)
 {
     PowerBalance balance;
     balance.emitted = state.emitted;
+    balance.emitted_error = std::sqrt(state.emitted_variance);
     balance.source = scene.source_power();
     balance.escaped = state.escaped;
     balance.behind = state.behind;
+    balance.absorbed = -1.0 * state.surplus;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         balance.absorbed += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
         balance.unshot += state.unshot[i];

@@ -17,6 +17,9 @@ struct PowerBalance
     Rgb behind;   ///< met a surface on a side that has no patch
 
     Rgb source; ///< Phi_T, what an exact forecast would emit
+    /// [W] Standard error of `emitted`, mean of the channels: at most about as much is to be expected of independent
+    /// global lines. 0 where nothing is forecast.
+    double emitted_error = 0.0;
 
     /// Largest |emitted - the rest| of the channels, relative to the emitted power or Phi_T, whichever is larger.
     double relative_error() const;
@@ -37,6 +40,10 @@ struct PowerState
     Rgb emitted;               ///< [W] see PowerBalance
     Rgb escaped;               ///< [W]
     Rgb behind;                ///< [W]
+    /// [W] By how much (1 - rho) incident, summed over the patches, exceeds the power that particles left there: noise
+    /// of their estimator, of either sign.
+    Rgb surplus;
+    double emitted_variance = 0.0; ///< [W^2] see PowerBalance::emitted_error
 };
 
 /// Adds a share of one balance to another.

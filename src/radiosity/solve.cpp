@@ -10,10 +10,12 @@
 #include "radiosity/memory_estimate.h"
 #include "radiosity/multipath.h"
 #include "scene/input_error.h"
+#include "scene/text_format.h"
 #include "transport/line_sampling.h"
 #include "transport/unoccluded_exchange.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -28,10 +30,36 @@ void require_countable(const SolveOptions& options)
         throw SettingsError("the method reuse counts at most 4294967295 lines; expected fewer");
 }
 
+std::string text_of(double power)
+{
+    return format("%.6g", power);
+}
+
 void require_balance(const PowerBalance& balance)
 {
     if (!(balance.relative_error() <= 1e-9))
         throw std::logic_error("the power balance does not close: the program has an error");
+}
+
+/// The last check before a result leaves the solver: all numbers are finite, no patch is darker than it emits, and
+/// where no line needs a forecast the light sent is that of the sources.
+void require_sound(const Scene& scene, const Solution& solution)
+{
+    const auto at_least = [](Rgb b, Rgb e) {
+        const auto channel = [](double x, double least) { return std::isfinite(x) && x >= least; };
+        return channel(b.r, e.r) && channel(b.g, e.g) && channel(b.b, e.b);
+    };
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (!at_least(solution.radiosity[i], scene.emittance(i)))
+            throw InputError(scene.path() + ": the equations of the light have no sound solution with these lines; "
+                                            "expected more --lines, or --method local");
+    const PowerBalance& balance = solution.balance;
+    const Rgb difference = balance.emitted - balance.source;
+    const double largest = std::max({std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
+    const double source = std::max({balance.source.r, balance.source.g, balance.source.b});
+    if (balance.emitted_error == 0.0 && !(largest <= 1e-6 * source))
+        throw InputError(scene.path() + ": these lines distribute " + text_of(mean(balance.emitted)) + " W of the " +
+                         text_of(mean(balance.source)) + " W that the sources emit; expected more --lines");
 }
 
 /// One run: what it works with and what it has found so far.
@@ -94,10 +122,11 @@ private:
             solution_.local_lines = local_lines_before_;
     }
 
+    /// All power that is not sent yet, by all lines that are left.
     void particles()
     {
-        const LocalOptions local{options_.lines, options_.estimator, first_item_, options_.seed};
-        solution_.local_lines = cast_particles(scene_, *sequence_, local, control(1, 1), state_); // (L1)
+        const LocalOptions local{lines_left(), options_.estimator, first_item_ + solution_.local_lines, options_.seed};
+        solution_.local_lines += cast_particles(scene_, *sequence_, local, control(1, 1), state_); // (L1)
     }
 
     void shots()
@@ -141,17 +170,24 @@ private:
     {
         const GatheredLight light =
             gather_direct_light(scene_, *sequence_, first_item_, local_share(0.25), control(1, 1));
-        receive(light, scene_, !stopped(), state_);
+        receive(light, scene_, state_);
         solution_.local_lines += light.lines;
     }
 
-    /// Without one.
+    /// Without one. Too few lines for equations become particles.
     void reuse_counts()
     {
         plan_global_lines();
+        const std::size_t bytes = count_bytes(scene_.patch_count(), bytes_for_pairs(options_.memory, scene_));
+        if (!can_count(scene_, lines_, solution_.global_lines_cast, bytes)) {
+            if (share_.of > 1)
+                throw SettingsError(scene_.path() + ": so few lines per patch are not reused, and cannot be shared; "
+                                                    "expected more --lines, more --memory, or no --shard");
+            particles();
+            return;
+        }
         const std::uint64_t cast =
-            reuse_counted_lines(scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast,
-                                count_bytes(scene_.patch_count(), bytes_for_pairs(options_.memory, scene_)),
+            reuse_counted_lines(scene_, lines_, *sequence_, first_global_item(), solution_.global_lines_cast, bytes,
                                 control(solution_.global_lines_cast, solution_.global_lines, share_), state_); // (R1)
         note_cast(cast);
     }
@@ -172,11 +208,15 @@ private:
                 static_cast<std::uint64_t>(done_) - std::min(static_cast<std::uint64_t>(done_), solution_.global_lines);
         if (stopped() && share_.of == 1 && solution_.global_lines_cast == 0)
             send_the_rest();
+        if (options_.method == Method::reuse)
+            remove_negative_light(scene_, state_);
         solution_.balance = power_balance(scene_, state_);
         require_balance(solution_.balance);
         solution_.radiosity = radiosity(scene_, state_);
         solution_.unshot = unshot_radiosity(scene_, state_);
         solution_.all_lines = solution_.local_lines + solution_.global_lines;
+        if (!stopped())
+            require_sound(scene_, solution_);
         return std::move(solution_);
     }
 

@@ -80,8 +80,10 @@ TEST_CASE("steps bound the passes, and a threshold above everything shoots nothi
     CHECK(shoot_extended(scene, *make_sequence("random", 1), 0, options, {1}, untouched).empty());
 }
 
-// A patch that deserves 0.3 rays must shoot 0.3 rays' worth on the average over the rounding, no more and no less.
-TEST_CASE("rounding to whole rays is without bias")
+// Rays for the power W in all, each of p, carry W exactly. A patch then shoots what it deserves on the average over the
+// rounding, but for the bias of dividing by a sum: both that sum and the patch's share of it are off by about a ray at
+// most, which makes p^2 / W.
+TEST_CASE("rounding to whole rays keeps all power, and its bias is a small part of one ray")
 {
     SceneBuilder builder;
     const std::uint32_t faint = builder.grey(0.5, 0.3);
@@ -89,12 +91,39 @@ TEST_CASE("rounding to whole rays is without bias")
     const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {faint, bright, faint, bright, faint, faint}).scene(1.0);
     const PowerState state(scene);
     constexpr int offsets = 1000;
-    std::vector<double> shot(6, 0.0);
-    for (int k = 0; k < offsets; ++k)
-        for (const Shot& s : plan_shots(scene, state, {0.0, 1.0, (k + 0.5) / offsets}))
-            shot[s.patch] += static_cast<double>(s.rays) * s.power_per_ray.g / offsets;
-    for (std::uint32_t i = 0; i < 6; ++i)
-        CHECK(shot[i] == doctest::Approx(scene.emittance(i).g).epsilon(0.005)); // 1000 offsets resolve 0.1 % of a ray
+    for (const double power_by_line : {1.0, 0.5, 0.07}) {
+        std::vector<double> shot(6, 0.0);
+        for (int k = 0; k < offsets; ++k) {
+            double all = 0.0;
+            for (const Shot& s : plan_shots(scene, state, {0.0, power_by_line, (k + 0.5) / offsets})) {
+                shot[s.patch] += static_cast<double>(s.rays) * s.power_per_ray.g / offsets;
+                all += static_cast<double>(s.rays) * s.power_per_ray.g;
+            }
+            CHECK(all == doctest::Approx(6.6).epsilon(1e-12));
+        }
+        for (std::uint32_t i = 0; i < 6; ++i)
+            CHECK(std::abs(shot[i] - scene.emittance(i).g) <= power_by_line * power_by_line / 6.6);
+    }
+}
+
+// A red and a green lamp, and one ray: of the green light it carries what it can, the rest stays where it is.
+TEST_CASE("what rays of another colour cannot carry stays unshot")
+{
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    const std::uint32_t red = builder.material({}, {4.0, 0.1, 0.0});
+    const std::uint32_t green = builder.material({}, {0.1, 3.0, 0.0});
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {red, green, black, black, black, black}).scene(1.0);
+    PowerState state(scene);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 1);
+    REQUIRE(ray_count(shots) == 1);
+    const Rgb sent = shots[0].power_per_ray;
+    spend(scene, 0.0, shots, state);
+    CHECK(power_balance(scene, state).unshot.r + sent.r == doctest::Approx(4.1));
+    CHECK(power_balance(scene, state).unshot.g + sent.g == doctest::Approx(3.1));
+    CHECK(state.emitted.g == doctest::Approx(3.1));
+    CHECK(state.unshot[0].r >= 0.0);
+    CHECK(state.unshot[1].g >= 0.0);
 }
 
 // With so few rays most patches deserve a small part of one: the passes must still come to an end, and the light to its

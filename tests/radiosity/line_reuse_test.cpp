@@ -2,6 +2,7 @@
 // the quadrature of the form factors (1e-5), and what the lines leave open must shrink with their number.
 
 #include "radiosity/error_measure.h"
+#include "radiosity/memory_estimate.h"
 #include "radiosity/solve.h"
 #include "scene/input_error.h"
 #include "scene/obj_reader.h"
@@ -93,7 +94,8 @@ TEST_CASE("without a table of pairs the result is the same within its noise, als
     CHECK(relative_error(scene, one, with_table) < noise);
     CHECK(noise < 1e-3);
     CHECK(one.radiosity != with_table.radiosity);
-    options.memory = 1e5;
+    options.memory = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) +
+                     512.0 * scene.patch_count(); // 64 lines for each patch at a time
     const Solution rounds = solve(scene, options, silent);
     CHECK(relative_error(scene, rounds, with_table) < 2.0 * noise);
     CHECK(rounds.balance.relative_error() < 1e-9);

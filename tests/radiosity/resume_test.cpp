@@ -1,5 +1,6 @@
 #include "doctest/doctest.h"
 #include "paused_work.h"
+#include "radiosity/memory_estimate.h"
 #include "radiosity/replicates.h"
 #include "radiosity/stretches.h"
 #include "test_scenes.h"
@@ -91,14 +92,19 @@ TEST_CASE("the variants of line reuse are taken up again, too")
     {
         options.direct = Direct::shoot;
     }
+    const double all_else = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count());
     SUBCASE("counts of the pairs that are joined only")
     {
-        options.memory = 1e5;
+        options.memory = all_else + 1200.0 * scene.patch_count();
     }
     SUBCASE("counts that do not fit and are solved in rounds")
     {
-        options.memory = 1e3;
+        options.memory = all_else + 300.0 * scene.patch_count();
         options.lines = 600000;
+    }
+    SUBCASE("particles, as the lines are too few to be counted")
+    {
+        options.memory = 1e3;
     }
     SUBCASE("few rays, so that the lights are shot")
     {
