@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace multipath {
 
@@ -89,6 +90,11 @@ std::string emitters_text(const Scene& scene)
     return text;
 }
 
+std::string ratio_text(const std::optional<double>& ratio)
+{
+    return ratio ? format("%.4f", *ratio) : "-";
+}
+
 std::string figures_text(const Scene& scene, const SceneReport& r)
 {
     std::string text;
@@ -101,8 +107,9 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
     text += format("  f      share of the area lit     %.4f visible, %.4f effective\n", r.direct.lit_fraction,
                    r.direct.effective_fraction);
     text += format("  R_s'   reflectance of the lit    %.4f\n", r.direct.secondary_reflectance);
-    text += format("  (3)    N_l / N_g                 %.4f first shot, %.4f extended\n", r.ratio_first_shot,
-                   r.ratio_extended);
+    text += "  (3)    N_l / N_g                 " + ratio_text(r.ratio_first_shot) + " first shot, " +
+            ratio_text(r.ratio_extended) + " extended" +
+            (r.ratio_first_shot ? "\n" : " (no light falls on what reflects: any ratio does)\n");
     text += format("  (4)    threshold                 %.6g W/m^2\n", r.threshold_radiosity);
     text += format("  power  in a trial run            %.4g %% escapes, %.4g %% is lost behind surfaces\n",
                    100.0 * mean(r.balance.escaped) / mean(r.balance.emitted),
@@ -153,8 +160,9 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     json.number("lit_fraction", r.direct.lit_fraction);
     json.number("lit_fraction_effective", r.direct.effective_fraction);
     json.number("secondary_reflectance", r.direct.secondary_reflectance);
-    json.number("ratio_first_shot", r.ratio_first_shot);
-    json.number("ratio_extended", r.ratio_extended);
+    constexpr double null = std::numeric_limits<double>::quiet_NaN(); // as JSON writes it
+    json.number("ratio_first_shot", r.ratio_first_shot.value_or(null));
+    json.number("ratio_extended", r.ratio_extended.value_or(null));
     json.number("threshold_radiosity", r.threshold_radiosity);
     json.number("escaped_share", mean(r.balance.escaped) / mean(r.balance.emitted));
     json.number("back_face_share", mean(r.balance.behind) / mean(r.balance.emitted));

@@ -72,7 +72,7 @@ SceneFindings scene_findings(const std::string& name, const std::string& path, i
     SceneFile file = read_obj(path);
     const double patch_size = default_patch_size(file.surfaces);
     const Scene scene(std::move(file), patch_size);
-    return {name, scene.patch_count(), report_on(scene, std::uint64_t{1} << 18, threads)};
+    return {name, scene.patch_count(), report_on(scene, report_lines, threads)};
 }
 
 PaperFindings read_findings(const CommandLine& line, const std::string& folder, const std::vector<PaperStep>& steps)

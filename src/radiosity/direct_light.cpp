@@ -4,6 +4,7 @@
 #include "parallel/ordered_blocks.h"
 #include "radiosity/first_shot.h"
 #include "sampling/radical_inverse.h"
+#include "sampling/random.h"
 #include "transport/intersection_list.h"
 #include "transport/local_ray.h"
 
@@ -78,25 +79,58 @@ std::vector<Try> make_tries(const Scene& scene, std::uint64_t count)
     return tries;
 }
 
-/// Finds which of the patches first * step, (first + 1) * step, ... up to end * step light reaches straight from one of
-/// the points of the sources. All that are still dark make their next tries together.
+/// A patch, and the area for which it stands.
+struct Representative
+{
+    std::uint32_t patch;
+    double area; ///< [scene units^2]
+};
+
+/// All patches if there are no more than `most`, each standing for itself. Otherwise a stratified random choice by
+/// area: one point in each of `most` equal pieces of the cumulative area. Points at equal distances would alias with
+/// the grids into which surfaces are cut.
+std::vector<Representative> representatives(const Scene& scene, std::uint32_t most)
+{
+    std::vector<Representative> chosen;
+    if (scene.patch_count() <= most) {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            chosen.push_back({i, scene.area(i)});
+        return chosen;
+    }
+    constexpr std::uint64_t key = 0x6c69676874; // always the same choice
+    const double piece = scene.total_area() / most;
+    std::uint32_t patch = 0;
+    double end = scene.area(patch); // of the patch, in the cumulative area
+    for (std::uint32_t k = 0; k < most; ++k) {
+        const double point = (k + bits_to_unit(random_bits(key, k))) * piece;
+        while (end <= point && patch + 1 < scene.patch_count())
+            end += scene.area(++patch);
+        if (!chosen.empty() && chosen.back().patch == patch)
+            chosen.back().area += piece;
+        else
+            chosen.push_back({patch, piece});
+    }
+    return chosen;
+}
+
+/// Finds which of the patches light reaches straight from one of the points of the sources. All that are still dark
+/// make their next tries together.
 class LightSearch
 {
 public:
-    LightSearch(const Scene& scene, const std::vector<Try>& tries, std::uint32_t first, std::uint32_t end,
-                std::uint32_t step)
+    LightSearch(const Scene& scene, const std::vector<Try>& tries, const Representative* first,
+                const Representative* end)
         : scene_(scene), tries_(tries)
     {
-        for (std::uint32_t k = first; k < end; ++k) {
-            const std::uint32_t patch = k * step;
-            const Surface shape = scene.patch(patch).shape;
-            patches_.push_back({patch, shape, shape.normal()});
+        for (const Representative* chosen = first; chosen != end; ++chosen) {
+            const Surface shape = scene.patch(chosen->patch).shape;
+            patches_.push_back({chosen->patch, chosen->area, shape, shape.normal()});
         }
         dark_.resize(patches_.size());
         std::iota(dark_.begin(), dark_.end(), std::size_t{0});
     }
 
-    /// [scene units^2]
+    /// [scene units^2] for which those that are lit stand.
     double lit_area()
     {
         constexpr std::size_t rays_together = 1024;
@@ -108,7 +142,7 @@ public:
         }
         double area = 0.0;
         for (const Target& patch : patches_)
-            area += patch.lit ? scene_.area(patch.number) : 0.0;
+            area += patch.lit ? patch.area : 0.0;
         return area;
     }
 
@@ -116,6 +150,7 @@ private:
     struct Target
     {
         std::uint32_t number;
+        double area; ///< for which it stands [scene units^2]
         Surface shape;
         Vec3 normal;
         bool lit = false;
@@ -162,22 +197,15 @@ double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
     const std::vector<Try> tries =
         make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
     const auto most_patches = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, 1u << 13, 1u << 16));
-    const std::uint32_t step = 1 + (scene.patch_count() - 1) / most_patches;
-    const std::uint32_t looked_for = 1 + (scene.patch_count() - 1) / step;
+    const std::vector<Representative> chosen = representatives(scene, most_patches);
     constexpr std::uint32_t patches_at_a_time = 256;
-    std::vector<double> area(looked_for / patches_at_a_time + 1, 0.0);
-    parallel_ranges(looked_for, patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-        area[first / patches_at_a_time] = LightSearch(scene, tries, first, end, step).lit_area();
-    });
-    double sum = 0.0;
-    for (const double a : area)
-        sum += a;
-    if (step == 1)
-        return sum;
-    double looked_at = 0.0;
-    for (std::uint32_t k = 0; k < looked_for; ++k)
-        looked_at += scene.area(k * step);
-    return sum / looked_at * scene.total_area();
+    std::vector<double> area(chosen.size() / patches_at_a_time + 1, 0.0);
+    parallel_ranges(static_cast<std::uint32_t>(chosen.size()), patches_at_a_time, threads,
+                    [&](std::uint32_t first, std::uint32_t end) {
+                        area[first / patches_at_a_time] =
+                            LightSearch(scene, tries, chosen.data() + first, chosen.data() + end).lit_area();
+                    });
+    return std::accumulate(area.begin(), area.end(), 0.0);
 }
 
 } // namespace

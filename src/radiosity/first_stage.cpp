@@ -34,10 +34,7 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     } else {
         figures = extended_figures(figures);
     }
-    const bool reflects_direct_light = figures.lit_fraction > 0.0 && figures.secondary_reflectance > 0.0;
-    if (!reflects_direct_light) // any split does
-        return 1.0;
-    return optimal_ratio(figures); // (3)
+    return optimal_ratio(figures).value_or(1.0); // (3)
 }
 
 ExtendedShotOptions extended_shot(const Scene& scene, const SolveOptions& options)

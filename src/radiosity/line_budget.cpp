@@ -6,12 +6,14 @@
 
 namespace multipath {
 
-double optimal_ratio(const BudgetFigures& figures)
+std::optional<double> optimal_ratio(const BudgetFigures& figures)
 {
     const double n_int = figures.intersections;
     const double r_ave = figures.average_reflectance;
     const double r_s = figures.secondary_reflectance;
     const double f = figures.lit_fraction;
+    if (!(f > 0.0) || !(r_s > 0.0))
+        return std::nullopt;
     return std::sqrt(n_int * (1.0 - r_ave * r_ave) * (1.0 - r_ave) /
                      (r_s * r_s * (1.0 - r_ave) / f + 2.0 * r_s * r_s * r_s)); // (3)
 }

@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace multipath {
 
@@ -16,8 +17,9 @@ struct BudgetFigures
     double lit_fraction = 0.0;          ///< f, area of the patches that the sources light / A_T
 };
 
-/// N_l / N_g, local lines per global line (3) [Sbe97a].
-double optimal_ratio(const BudgetFigures& figures);
+/// N_l / N_g, local lines per global line (3) [Sbe97a]. Empty where the sources light nothing that reflects: then any
+/// ratio does.
+std::optional<double> optimal_ratio(const BudgetFigures& figures);
 
 /// The figures for the extended first shot: after it all patches are taken to have received power, so f = 1 and R_s' =
 /// R_ave.

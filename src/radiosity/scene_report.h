@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace multipath {
 
@@ -22,14 +23,18 @@ struct SceneReport
     double intersections_per_sphere_line_measured = 0.0; ///< [1]
 
     DirectLight direct;
-    BudgetFigures figures;            ///< what (3) takes for the first shot
-    double ratio_first_shot = 0.0;    ///< [1] N_l / N_g (3)
-    double ratio_extended = 0.0;      ///< [1] N_l / N_g (3) for the extended first shot
-    double threshold_radiosity = 0.0; ///< [W/m^2] (4)
+    BudgetFigures figures;                  ///< what (3) takes for the first shot
+    std::optional<double> ratio_first_shot; ///< [1] N_l / N_g (3)
+    std::optional<double> ratio_extended;   ///< [1] N_l / N_g (3) for the extended first shot
+    double threshold_radiosity = 0.0;       ///< [W/m^2] (4)
 
     LineSurvey survey;
     PowerBalance balance; ///< of a short run: what escapes and what is lost behind surfaces
 };
+
+/// The lines that `check` takes unless told otherwise. The paper's report takes as many, so that both print the same
+/// figures.
+constexpr std::uint64_t report_lines = 1u << 20;
 
 /// Measures with about `lines` lines for each figure; always the same lines.
 SceneReport report_on(const Scene& scene, std::uint64_t lines, int threads);

@@ -182,6 +182,8 @@ private:
         report.emplace_back(row);
     }
 
+    static std::string ratio_words(const std::optional<double>& ratio) { return ratio ? fixed(*ratio, 3) : "–"; }
+
     std::vector<std::string> scene_row(const SceneFindings& scene) const
     {
         const BudgetFigures& b = scene.report.figures;
@@ -191,8 +193,8 @@ private:
                 fixed(b.intersections, 2),
                 fixed(b.lit_fraction, 3),
                 fixed(b.secondary_reflectance, 3),
-                fixed(scene.report.ratio_first_shot, 3),
-                fixed(scene.report.ratio_extended, 3)};
+                ratio_words(scene.report.ratio_first_shot),
+                ratio_words(scene.report.ratio_extended)};
     }
 
     static std::vector<std::string> published_row(const std::string& name, const PublishedBudget& b)

@@ -66,6 +66,18 @@ OBJ
 }
 check "a box without a bottom on a floor is found, named and helped" covered_floor
 
+# A lamp whose front looks away from the only wall.
+dark() {
+    printf 'mtllib dark.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n' >dark.obj
+    printf 'usemtl wall\nf 1 4 3 2\nusemtl lamp\nf 5 8 7 6\n' >>dark.obj
+    printf 'newmtl wall\nKd 0.5\nnewmtl lamp\nKe 1\n' >dark.mtl
+    "$program" check dark.obj --lines 20000 >out
+    says out "- first shot, " && says out "no light falls on what reflects" && ! grep -w nan out || return
+    "$program" check dark.obj --lines 20000 --json >out
+    says out '"ratio_first_shot": null'
+}
+check "where the lamp lights nothing, (3) has no value, and the report says why" dark
+
 unreadable() { ends 1 check nowhere.obj && lines_are err 1 && silent out; }
 check "a scene that cannot be read is one line and exit code 1" unreadable
 finish
