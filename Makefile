@@ -77,6 +77,15 @@ $(BUILD)/generated/viewer/page_files.inc: $(page_files)
 	done > $@.new
 	@mv $@.new $@
 
+# The checksum of all sources, by which a program knows that kept results are those of another one.
+$(BUILD)/src/cli/version.o: COMPILE += -I$(BUILD)/generated
+$(BUILD)/src/cli/version.o: $(BUILD)/generated/cli/sources_checksum.inc
+
+$(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
+	@mkdir -p $(@D)
+	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
+	@mv $@.new $@
+
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	@echo "  compile $<"

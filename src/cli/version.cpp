@@ -6,6 +6,10 @@ namespace multipath {
 
 namespace {
 
+constexpr char sources[] =
+#include "cli/sources_checksum.inc"
+    ;
+
 std::string compiler()
 {
 #if defined(__clang__)
@@ -24,6 +28,11 @@ std::string compiler()
 std::string version()
 {
     return "multipath 0.1.0";
+}
+
+std::string sources_checksum()
+{
+    return sources;
 }
 
 std::string version_text()

@@ -81,14 +81,39 @@ void require_same_scene(const PatchTable& table, const Scene& scene)
             refuse("patch " + std::to_string(i) + " has another area than in the scene");
 }
 
-Reference read_reference(const std::string& path, const Scene& scene)
+/// The last of the facts that kept results have in common.
+std::string program_fact()
 {
-    const PatchTable table = read_patch_table(path);
+    return "sources: " + sources_checksum();
+}
+
+std::string joined(const std::vector<std::string>& facts)
+{
+    std::string text;
+    for (const std::string& fact : facts)
+        text += fact + "; ";
+    return text;
+}
+
+Reference reference_of(const PatchTable& table, const Scene& scene)
+{
     require_same_scene(table, scene);
     Reference reference{table.radiosity, {}};
     if (!table.standard_error.empty())
         reference.relative_square = expected_relative_square(table.areas, table.radiosity, table.standard_error);
     return reference;
+}
+
+/// The reference that the cache holds in the file, if it is what the facts say.
+std::optional<Reference> kept_reference(const std::string& path, const std::vector<std::string>& facts,
+                                        const Scene& scene)
+{
+    if (access(path.c_str(), R_OK) != 0)
+        return std::nullopt;
+    const PatchTable table = read_patch_table(path);
+    if (table.comments != facts)
+        return std::nullopt;
+    return reference_of(table, scene);
 }
 
 Solution solve_as_typed(const CommandLine& command, const Scene& scene, const CommandLine& line)
@@ -124,12 +149,10 @@ std::unique_ptr<Journal> StudyCache::journal(const CommandTable& table, const Co
     // What every run of this study shares; the curves and the numbers of lines are each run's own.
     const std::vector<std::string> not_shared = {"methods", "sequences", "pairings",   "line-orders", "chords",
                                                  "from",    "to",        "replicates", "reference",   "against"};
-    std::string identity;
-    for (const std::string& fact : provenance(without_options(table, not_shared), line, scene))
-        identity += fact + "; ";
-    identity += "reference " + checksum_of(bytes_of(reference.radiosity));
+    const std::string shared = joined(provenance(without_options(table, not_shared), line, scene)) + "reference " +
+                               checksum_of(bytes_of(reference.radiosity));
     try {
-        return std::make_unique<Journal>(*path("runs-" + checksum_of(identity) + ".txt"), identity);
+        return std::make_unique<Journal>(*path("runs-" + checksum_of(shared) + ".txt"), shared + "; " + program_fact());
     } catch (const std::runtime_error& error) {
         throw OutputError(error.what());
     }
@@ -138,21 +161,20 @@ std::unique_ptr<Journal> StudyCache::journal(const CommandTable& table, const Co
 Reference study_reference(const CommandLine& line, const Scene& scene, const StudyPlan& plan, const StudyCache& cache)
 {
     if (line.has("reference"))
-        return read_reference(line.text("reference"), scene);
+        return reference_of(read_patch_table(line.text("reference")), scene);
     const CommandLine command = reference_command(line, plan.line_counts.back());
-    const std::vector<std::string> comments = provenance(solve_command().table, command, scene);
-    std::string identity;
-    for (const std::string& comment : comments)
-        identity += comment + "\n";
-    const std::optional<std::string> path = cache.path("reference-" + checksum_of(identity) + ".csv");
-    if (path && access(path->c_str(), R_OK) == 0)
-        return read_reference(*path, scene);
+    std::vector<std::string> facts = provenance(solve_command().table, command, scene);
+    const std::optional<std::string> path = cache.path("reference-" + checksum_of(joined(facts)) + ".csv");
+    facts.push_back(program_fact());
+    if (path)
+        if (const auto kept = kept_reference(*path, facts, scene))
+            return *kept;
     std::optional<OutputFile> file;
     if (path)
         file.emplace(*path);
     const Solution solution = solve_as_typed(command, scene, line);
     if (file) {
-        file->write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
+        file->write(patch_table(scene, solution.radiosity, solution.standard_error, facts));
         file->commit();
     }
     return {solution.radiosity, expected_relative_square(scene.areas(), solution.radiosity, solution.standard_error)};

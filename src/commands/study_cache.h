@@ -21,7 +21,7 @@ public:
     StudyCache(const CommandLine& line, const std::vector<std::string>& outputs);
 
     /// For the runs of this study; remembers nothing without a folder. Runs with other settings, another scene or
-    /// reference, or of another version of the program are kept apart. Throws OutputError.
+    /// reference are kept apart; those of a program from other sources are forgotten. Throws OutputError.
     std::unique_ptr<Journal> journal(const CommandTable& table, const CommandLine& line, const Scene& scene,
                                      const Reference& reference) const;
 
@@ -32,8 +32,8 @@ private:
     std::string folder_; ///< empty: none
 };
 
-/// The table that --reference names, else the one kept, else a solution with 16 times the lines of the plan's last
-/// point, which is then kept. Throws InputError for a table of another scene.
+/// The table that --reference names, else the one kept by a program from the same sources, else a solution with 16
+/// times the lines of the plan's last point, which is then kept. Throws InputError for a table of another scene.
 Reference study_reference(const CommandLine& line, const Scene& scene, const StudyPlan& plan, const StudyCache& cache);
 
 } // namespace multipath

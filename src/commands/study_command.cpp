@@ -36,7 +36,8 @@ CommandTable study_table()
                {"against", 0, "WHAT", "lines", "What the plot has across.", false, {"lines", "seconds"}},
                {"cache", 0, "FOLDER", "",
                 "Where to keep finished runs and the reference, so that the same study goes on where it was "
-                "interrupted. Without it, the first output's name with .cache for its extension; without an output, "
+                "interrupted; a program from other sources begins anew. Without it, the first output's name with "
+                ".cache for its extension; without an output, "
                 "nothing is kept."},
                {"quiet", 'q', "", "", "Print nothing but errors on stderr, and no table when there is an output."},
                {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},

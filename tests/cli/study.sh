@@ -25,6 +25,32 @@ resumes() {
 }
 check "a study goes on where it was: kept runs are not repeated, lost ones are" resumes
 
+# The kept files are made those of another program: its sources in the description, and results that nobody would get.
+other_program() {
+    ends 0 study "$scene" $few --methods global --sequences random -o other.csv || return
+    sources=$(cd "$root" && find src -type f | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat | cksum)
+    grep -q "; sources: $sources\$" other.cache/runs-*.txt && grep -qx "# sources: $sources" other.cache/reference-*.csv ||
+        { head -n 5 other.cache/*; echo "the sources have $sources"; return 1; }
+    without_times other.csv >right
+    sed -i "s/sources: .*/sources: 1 2/" other.cache/*
+    awk -F, -v OFS=, '/^[0-9]/ { $NF = 9; $(NF - 1) = 9; $(NF - 4) = 9 } { print }' "$(ls other.cache/reference-*.csv)" >bad.csv && mv bad.csv "$(ls other.cache/reference-*.csv)"
+    ends 0 study "$scene" $few --methods global --sequences random -o other.csv || return
+    without_times other.csv | cmp - right && [ "$(ls other.cache | wc -l)" -eq 2 ] && grep -q "; sources: $sources\$" other.cache/runs-*.txt
+}
+check "what a program from other sources has kept is not used" other_program
+
+# A reference in the place of another, as if the checksums in their names were the same.
+other_reference() {
+    for seed in 1 2; do
+        ends 0 study "$root/scenes/5cubes.obj" $few --methods global --sequences random --seed $seed -o seed$seed.csv || return
+    done
+    without_times seed2.csv >right
+    cp seed1.cache/reference-*.csv "$(ls seed2.cache/reference-*.csv)" && rm seed2.cache/runs-*.txt
+    ends 0 study "$root/scenes/5cubes.obj" $few --methods global --sequences random --seed 2 -o seed2.csv &&
+        without_times seed2.csv | cmp - right
+}
+check "a kept reference is used only if it says of itself what it should be" other_reference
+
 interrupted() {
     long="--methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^18 --replicates 32 -o long.csv --quiet"
     "$program" study "$scene" $long --threads 1 2>err &
