@@ -5,7 +5,7 @@
 # make bench      measures speed; close other programs first
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
-# make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures
+# make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures and numbers
 # make install    puts program, manual, completions, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
