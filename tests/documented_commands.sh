@@ -12,7 +12,9 @@
 # text has, or is off by no more than the tolerance at the end, for what is random. A block that is for numbers alone is hidden:
 #     <!-- sh
 #     ./multipath solve scenes/5cubes.obj --bidirectional no -q -o one-way.csv
+#     ./multipath compare one-way.csv truth.csv | sed -n "s/^MSE/one way:/p"
 #     -->
+# What filters print stands in its output once; what `echo` prints stands in the "+ echo" line as well.
 # RENEW=yes puts what was printed into the text and tells what it changed: read those sentences again.
 #
 # usage: documented_commands.sh PROGRAM [DOCUMENT...]
@@ -149,9 +151,11 @@ compare_numbers() {
             count = written
             pieces = split(output, piece, "[.][.][.]")
             end = 1
-            for (k = 1; k <= pieces && end; ++k)
-                if (piece[k] !~ /^ *$/)
+            for (k = 1; k <= pieces && end; ++k) {
+                gsub(/^ +| +$/, "", piece[k])
+                if (piece[k] != "")
                     end = find(piece[k], log_text, end)
+            }
             if (!end || !written || count != 2 * written) {
                 differs(end ? written " numbers, and " (count - written) " in \"" output "\"" : "not printed: \"" output "\"")
                 continue
