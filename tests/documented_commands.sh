@@ -206,10 +206,10 @@ for document in "$@"; do
     name=$(basename "$document")
     mkdir "$scratch/$name" && cd "$scratch/$name" || exit 1
     mkdir -p docs/gallery docs/readme && cp -r "$root/scenes" . && ln -s "$root/tests" tests && ln -s "$program" multipath || exit 1
-    blocks_of "$document" >mistakes
+    blocks_of "$document" >block-mistakes
     while read -r mistake; do
         fail "$name:$mistake"
-    done <mistakes
+    done <block-mistakes
     for block in block-*.sh; do
         [ -e "$block" ] || continue
         line=${block#block-} block=${block%.sh}
