@@ -1,6 +1,7 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/provenance.h"
+#include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "commands/commands.h"
 #include "commands/machine.h"
@@ -31,7 +32,7 @@ CommandTable paper_table()
           {{"output", 'o', "FOLDER", "paper",
             "Where to write: index.html with everything in it, results.md, and the figures and tables by themselves. "
             "Finished runs are kept in its folder 'cache', so that the command goes on where it was interrupted."},
-           {"quiet", 'q', "", "", "Print nothing on stderr but errors."}}},
+           {"quiet", 'q', "", "", "Print nothing but errors."}}},
          {"Work",
           {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
            {"scenes", 0, "FOLDER", "scenes", "Where the bundled scenes are."},
@@ -128,8 +129,10 @@ int run_paper(const CommandLine& line)
     const std::vector<std::string> comments = provenance(paper_table(), line);
     write_file(folder + "/results.md", report_markdown(report, "", comments));
     write_file(folder + "/index.html", report_html(report, folder, comments));
-    if (!quiet)
+    if (!quiet) {
+        print(claims_text(paper_claims(findings)));
         std::fprintf(stderr, "wrote      %s/index.html\n", folder.c_str());
+    }
     return 0;
 }
 

@@ -36,8 +36,10 @@ struct PaperFindings
 const Curve& curve_of(const Study& study, const std::string& method, const std::string& sequence,
                       const std::string& line_order = "", const std::string& pairing = "");
 
-/// What the numbers say of a statement; undecided when they could as well be on the other side by chance.
+/// What the numbers say of a statement: undecided while their 95 % interval has room for it and for its contrary.
 enum class Verdict { holds, undecided, differs };
+
+std::string verdict_word(Verdict verdict);
 
 /// A statement of the paper with what was found.
 struct Claim
@@ -51,5 +53,8 @@ struct Claim
 
 /// The statements in the order of the paper.
 std::vector<Claim> paper_claims(const PaperFindings& findings);
+
+/// The same as lines for a terminal.
+std::string claims_text(const std::vector<Claim>& claims);
 
 } // namespace multipath

@@ -10,11 +10,6 @@ namespace multipath {
 
 namespace {
 
-std::string verdict_word(Verdict verdict)
-{
-    return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "undecided" : "*differs*";
-}
-
 /// The report as it grows.
 class PaperReport
 {
@@ -46,11 +41,13 @@ public:
         for (const Claim& claim : paper_claims(f_))
             table.rows.push_back({claim.statement, claim.expected,
                                   claim.found + (claim.remark.empty() ? "" : ". " + claim.remark),
-                                  verdict_word(claim.verdict)});
+                                  claim.verdict == Verdict::differs ? "*differs*" : verdict_word(claim.verdict)});
         report.emplace_back(table);
         text(
             "Slopes stand with the half width of their 95 % interval (Student's t over the scatter of the points about "
-            "the line). Errors are relative mean square errors, (1) over the square of the mean radiosity.");
+            "the line), ratios with their standard error over the executions. A statement is undecided while the 95 % "
+            "interval has room for it and for its contrary, which more executions make narrower. Errors are relative "
+            "mean square errors, (1) over the square of the mean radiosity.");
     }
 
     void scenes()

@@ -34,6 +34,7 @@ inline CurveKind kind(const char* method, const char* sequence, const char* orde
 inline Study sequences_study(double sobol)
 {
     Study study;
+    study.executions = 6;
     study.curves = {law_curve(kind("first-shot", "random"), 0.03, -1.0),
                     law_curve(kind("first-shot", "halton:2,7,3,5"), 0.03, -1.1),
                     law_curve(kind("first-shot", "halton:11,13,17,19"), 0.03, -1.1),
@@ -44,6 +45,7 @@ inline Study sequences_study(double sobol)
 inline Study shots_study(double first_shot, double extended, double local)
 {
     Study study;
+    study.executions = 6;
     study.curves = {law_curve(kind("first-shot", "random"), first_shot, -1.0),
                     law_curve(kind("extended", "random"), extended, -1.0),
                     law_curve(kind("local", "random"), local, -1.0)};
@@ -61,6 +63,7 @@ inline PaperFindings agreeing_findings()
             const bool flat = std::string(order) == "sequence" && std::string(name) == "halton:11,13,17,19";
             f.studies["order"].curves.push_back(law_curve(kind("first-shot", name, order), 0.01, flat ? -0.85 : -1.1));
         }
+    f.studies["pairs"].executions = 6;
     for (const char* pairing : {"4d", "2d"})
         f.studies["pairs"].curves.push_back(law_curve(kind("first-shot", "sobol", "shuffled", pairing), 0.1,
                                                       pairing == std::string("4d") ? -1.1 : 0.0));
