@@ -133,7 +133,7 @@ int run_explain(const CommandLine& line)
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);
     const std::vector<std::string> paths = line.all("output");
-    std::vector<PlannedOutput> outputs = open_outputs(paths, {line.operands()[0]}, {OutputFormat::svg});
+    std::vector<PlannedOutput> outputs = open_outputs(paths, {scene_path(line)}, {OutputFormat::svg});
 
     const Scene scene = read_scene(line);
     require_no_input(outputs, scene.file().material_files);

@@ -38,6 +38,10 @@ edge of one in scene units, --patches how many there may be; without either,
 some thousand.
 
 'multipath check SCENE.obj' tells what was read and what is suspicious about it.
+
+A bare name that is no file here, such as 5cubes, is a scene that came with the
+program: of share/multipath/scenes beside the folder of the installed program,
+or of the folder 'scenes' beside one that was built from sources.
 )";
 
 constexpr const char* numbers_text = R"(Counts are written 1000000, 1e6, 1M or 2^20 (k, M, G are powers of 1000), exact

@@ -3,6 +3,7 @@
 #include "cli/provenance.h"
 #include "cli/standard_streams.h"
 #include "cli/version.h"
+#include "commands/bundled_scenes.h"
 #include "commands/commands.h"
 #include "commands/machine.h"
 #include "commands/paper_steps.h"
@@ -35,7 +36,9 @@ CommandTable paper_table()
            {"quiet", 'q', "", "", "Print nothing but errors."}}},
          {"Work",
           {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
-           {"scenes", 0, "FOLDER", "scenes", "Where the bundled scenes are."},
+           {"scenes", 0, "FOLDER", "scenes",
+            "Where 5cubes.obj and the other bundled scenes are; without such a folder, those that came with the "
+            "program."},
            threads_option()}}},
         "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
 }
@@ -76,9 +79,18 @@ SceneFindings scene_findings(const std::string& name, const std::string& path, i
     return {name, scene.patch_count(), report_on(scene, report_lines, threads)};
 }
 
-PaperFindings read_findings(const CommandLine& line, const std::string& folder, const std::vector<PaperStep>& steps)
+/// The folder that --scenes names. If there is no `scenes` here and none was asked for, that of the program.
+std::string scenes_folder(const CommandLine& line)
 {
-    const std::string scenes = line.text("scenes");
+    const std::string given = line.text("scenes");
+    const std::string bundled = bundled_scenes_folder();
+    const bool here = access((given + "/5cubes.obj").c_str(), F_OK) == 0;
+    return here || given != line.default_text("scenes") || bundled.empty() ? given : bundled;
+}
+
+PaperFindings read_findings(const CommandLine& line, const std::string& scenes, const std::string& folder,
+                            const std::vector<PaperStep>& steps)
+{
     const int threads = thread_count(line);
     PaperFindings findings;
     findings.quick = line.has("quick");
@@ -113,7 +125,8 @@ int run_paper(const CommandLine& line)
     const std::string folder = line.text("output");
     const bool quiet = line.has("quiet");
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<PaperStep> steps = paper_steps(line.has("quick"), line.text("scenes"), folder);
+    const std::string scenes = scenes_folder(line);
+    const std::vector<PaperStep> steps = paper_steps(line.has("quick"), scenes, folder);
     watch_interrupts();
     make_folder(folder);
     const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
@@ -122,7 +135,7 @@ int run_paper(const CommandLine& line)
             std::fprintf(stderr, "[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str());
         run_step(steps[k], folder, line);
     }
-    PaperFindings findings = read_findings(line, folder, steps);
+    PaperFindings findings = read_findings(line, scenes, folder, steps);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     findings.facts = facts(line, elapsed.count(), resumed);
     const Report report = paper_report(findings);

@@ -5,6 +5,7 @@
 #include "cli/provenance.h"
 #include "cli/temporary_folder.h"
 #include "cli/usage_error.h"
+#include "commands/bundled_scenes.h"
 #include "commands/commands.h"
 #include "export/file_bytes.h"
 #include "scene/input_error.h"
@@ -122,7 +123,9 @@ CommandLine line_of(const CommandTable& table, const std::vector<std::string>& r
 /// Files and folders that the command reads.
 bool an_input_is_missing(const CommandLine& line)
 {
-    std::vector<std::string> inputs = line.operands();
+    std::vector<std::string> inputs;
+    for (const std::string& operand : line.operands())
+        inputs.push_back(find_scene(operand));
     for (const char* option : {"reference", "scenes"})
         if (line.knows(option) && !line.text(option).empty())
             inputs.push_back(line.text(option));

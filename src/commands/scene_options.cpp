@@ -2,6 +2,7 @@
 
 #include "cli/number_text.h"
 #include "cli/usage_error.h"
+#include "commands/bundled_scenes.h"
 #include "commands/memory_limit.h"
 #include "scene/obj_reader.h"
 #include "scene/patch_size.h"
@@ -24,6 +25,11 @@ OptionGroup scene_option_group()
          {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
 }
 
+std::string scene_path(const CommandLine& line)
+{
+    return find_scene(line.operands()[0]);
+}
+
 Scene read_scene(const CommandLine& line, int threads)
 {
     if (line.has("patch-size") && line.has("patches"))
@@ -34,8 +40,9 @@ Scene read_scene(const CommandLine& line, int threads)
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
     const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
-    require_memory_for_file(line, line.operands()[0]);
-    SceneFile file = read_obj(line.operands()[0], emission);
+    const std::string path = scene_path(line);
+    require_memory_for_file(line, path);
+    SceneFile file = read_obj(path, emission);
     double patch_size = given_size;
     if (wanted > 0)
         patch_size = patch_size_for_count(file.surfaces, wanted);

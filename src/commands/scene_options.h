@@ -4,12 +4,17 @@
 #include "cli/option_table.h"
 #include "scene/scene.h"
 
+#include <string>
+
 namespace multipath {
 
 /// The options of every command that reads an OBJ scene.
 OptionGroup scene_option_group();
 
-/// The scene that the first operand names, cut into patches as the options say. Throws UsageError, InputError.
+/// The file of the scene that the first operand names: as given, or the bundled one of that name.
+std::string scene_path(const CommandLine& line);
+
+/// That scene, cut into patches as the options say. Throws UsageError, InputError.
 Scene read_scene(const CommandLine& line, int threads = 1);
 
 /// `--threads`: a definition for the tables, and its value; without it, all processors.

@@ -77,11 +77,13 @@ int run_selftest(const CommandLine& line)
     int threads = thread_count(line);
     const std::vector<std::string> paths = line.all("output");
     watch_interrupts();
-    std::vector<PlannedOutput> outputs = open_outputs(paths, line.operands(), {OutputFormat::csv});
+    const bool own_scene = !line.operands().empty();
+    std::vector<PlannedOutput> outputs = open_outputs(
+        paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {OutputFormat::csv});
 
     std::optional<Scene> scene;
     std::vector<std::string> comments = provenance(selftest_table(), line);
-    if (!line.operands().empty()) {
+    if (own_scene) {
         scene.emplace(read_scene(line, threads));
         require_no_input(outputs, scene->file().material_files);
         comments = provenance(selftest_table(), line, *scene);

@@ -115,8 +115,7 @@ int run_solve(const CommandLine& line)
     const SolveJob job = read_solve_job(line);
     const StateOptions state = read_state_options(line);
     require_outputs_of_share(line, job, state);
-    const std::string scene_path = line.operands()[0];
-    std::vector<std::string> inputs = {scene_path};
+    std::vector<std::string> inputs = {scene_path(line)};
     for (const std::string& path : {state.state, state.from})
         if (!path.empty())
             inputs.push_back(path);

@@ -92,7 +92,7 @@ int run_study_command(const CommandLine& line)
     const StudyPlan plan = read_plan(line);
     const int threads = thread_count(line);
     const std::vector<std::string> paths = line.all("output");
-    std::vector<std::string> inputs = {line.operands()[0]};
+    std::vector<std::string> inputs = {scene_path(line)};
     if (line.has("reference"))
         inputs.push_back(line.text("reference"));
     watch_interrupts();

@@ -40,6 +40,33 @@ runs_there() {
 }
 check "the installed program reads the installed scenes" runs_there
 
+# usage: found_by PROGRAM     in a folder without scenes; a file of the folder goes before a bundled scene of its name
+found_by() {
+    found_program=$1
+    rm -rf elsewhere && mkdir elsewhere && (
+        cd elsewhere || exit
+        "$found_program" check cube --lines 1000 >check.out && grep -q '^/.*/scenes/cube.obj: ' check.out &&
+            "$found_program" solve cube.obj --lines 1000 --quiet -o cube.csv && "$found_program" reproduce cube.csv &&
+            "$found_program" explain cube -o cube.svg && ! "$found_program" check cube.mtl 2>/dev/null &&
+            ! "$found_program" check ./cube 2>/dev/null && echo "no scene" >cube.obj &&
+            ! "$found_program" check cube.obj 2>err && grep -q '^multipath: cube.obj: ' err
+    )
+}
+# `paper` is ended as soon as it has begun with the first scene, or has failed.
+paper_finds() {
+    mkdir report && (cd report && exec "$tree/opt/multipath/bin/multipath" paper --quick -t 1) 2>err &
+    until grep -qE '^\[3/|^multipath' err || ! kill -0 $! 2>/dev/null; do sleep 0.1; done
+    kill $! 2>/dev/null
+    wait $!
+    says err "] multipath study $tree/opt/multipath/share/multipath/scenes/5cubes.obj"
+}
+bundled_scenes() {
+    ln -sf "$tree/opt/multipath/bin/multipath" linked && found_by "$tree/opt/multipath/bin/multipath" && found_by "$here/linked" &&
+        cp "$program" copy/multipath && found_by "$here/copy/multipath" && rm copy/multipath
+}
+[ -e /proc/self/exe ] && check "bundled scenes are found from any folder by their names" bundled_scenes
+[ -e /proc/self/exe ] && check "paper finds them too" paper_finds
+
 manual_is_found() {
     MANPATH="$tree/opt/multipath/share/man" man -w multipath >out && says out "$tree/opt/multipath/share/man/man1/multipath.1"
 }
