@@ -41,16 +41,14 @@ bool reflects_everything(const MtlMaterial& m)
     return std::max({rho.r, rho.g, rho.b}) == 1.0;
 }
 
-/// Modellers write the same Ka everywhere or repeat Kd there. A lamp sticks out: above 1, or not Kd while others are 0.
+/// Modellers write ambient light into Ka, which ends at 1, and the same for most materials. A lamp sticks out: it is
+/// above 1 where others are not.
 std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
 {
-    const bool some_have_none =
-        std::any_of(used.begin(), used.end(), [](const MtlMaterial& m) { return m.ambient == Rgb{}; });
-    return names_where(used, [&](const MtlMaterial& m) {
-        const Rgb ka = m.ambient;
-        const bool differs = some_have_none && ka != Rgb{} && ka != m.material.reflectance;
-        return std::max({ka.r, ka.g, ka.b}) > 1.0 || differs;
+    std::vector<std::string> lamps = names_where(used, [](const MtlMaterial& m) {
+        return std::max({m.ambient.r, m.ambient.g, m.ambient.b}) > 1.0;
     });
+    return lamps.size() < used.size() || used.size() == 1 ? lamps : std::vector<std::string>{};
 }
 
 void require_emitter(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
@@ -64,7 +62,8 @@ void require_emitter(const UsedMaterials& materials, const ObjMesh& mesh, Emissi
     if (mesh.libraries.empty())
         problem += "; no material file is named (`mtllib`)";
     if (!materials.unknown_names.empty())
-        problem += "; used but defined nowhere: " + list_of(materials.unknown_names);
+        problem += "; used but defined nowhere: " + list_of(materials.unknown_names) +
+                   (materials.files.empty() ? "" : ", read " + list_of(materials.files));
     if (!idle.empty())
         problem += "; emitting but used by no face: " + list_of(idle);
     if (emission_from == EmissionFrom::ke && !lamps.empty())

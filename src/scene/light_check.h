@@ -15,6 +15,7 @@ struct UsedMaterials
     std::vector<MtlMaterial> unused;        ///< defined only
     std::vector<std::string> unknown_names; ///< used, but defined nowhere: the default material stands in
     bool default_used = false;              ///< for these, or for faces without a material
+    std::vector<std::string> files;         ///< MTL files that were read
 };
 
 /// Whether there is light, and something that absorbs it. Returns warnings; throws InputError for a scene without an

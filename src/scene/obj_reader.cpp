@@ -12,6 +12,7 @@
 #include "scene/text_lines.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <unordered_set>
 #include <utility>
@@ -80,9 +81,12 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
         list.by_origin.unknown_names.push_back(name.name);
 }
 
-MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, const std::vector<bool>& has_pieces)
+MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, const std::vector<bool>& has_pieces,
+                               const std::vector<std::string>& files)
 {
     MaterialList list;
+    for (const std::string& file : files)
+        list.by_origin.files.push_back(std::filesystem::path(file).filename().string());
     list.warnings = std::move(library.warnings);
     std::vector<bool> is_used(library.materials.size(), false);
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
@@ -168,7 +172,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
     MaterialLibrary library = read_libraries(material_files, emission_from);
     const SceneScale scale = scale_of(mesh);
     MeshPieces cut = cut_into_pieces(mesh, scale);
-    MaterialList list = look_up_materials(mesh, std::move(library), materials_of(cut.pieces, mesh));
+    MaterialList list = look_up_materials(mesh, std::move(library), materials_of(cut.pieces, mesh), material_files);
     if (cut.pieces.empty())
         refuse({path, mesh.faces.front().line}, "no face of the file has an area");
 

@@ -97,7 +97,8 @@ TEST_CASE("a scene without light says why")
     const std::string paint = "newmtl paint\nKd 0.5\n";
     const std::string faces = "mtllib room.mtl\n" + square + "usemtl paint\nf 1 2 3 4\n";
     CHECK(contains(SceneText{square + "f 1 2 3\n", ""}.problem(), "no material file is named"));
-    CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(), "used but defined nowhere: `light`"));
+    CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(),
+                   "used but defined nowhere: `light`, read `room.mtl`"));
     CHECK(contains(SceneText{faces, paint + "newmtl sun\nKe 9\n"}.problem(), "emitting but used by no face: `sun`"));
 }
 
@@ -112,6 +113,11 @@ TEST_CASE("a lamp in Ka is found on request, and pointed out without")
 
     const SceneText everywhere{text.obj, "newmtl lamp\nKa 1 1 1\nKd 0.5\nnewmtl wall\nKa 1 1 1\nKd 0.5\n"};
     CHECK_FALSE(contains(everywhere.problem(), "--emission-from"));
+    // Ambient light of one material, as modellers leave it behind.
+    const SceneText vault{text.obj, "newmtl lamp\nKa 0.7 0.7 0.6\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
+    CHECK_FALSE(contains(vault.problem(), "--emission-from"));
+    const SceneText all_bright{text.obj, "newmtl lamp\nKa 2 2 2\nKd 0.5\nnewmtl wall\nKa 2 2 2\nKd 0.5\n"};
+    CHECK_FALSE(contains(all_bright.problem(), "--emission-from"));
 }
 
 // A surface that is only dropped faces emits nothing.
