@@ -26,7 +26,8 @@ that emits nothing is refused.
 The front of a face is the side from which its corners run counter-clockwise.
 Only fronts reflect, emit and receive, unless --two-sided gives every surface a
 back, which does not emit. So solids look outward and the room looks inward;
-light that meets a surface from behind is lost, and counted.
+light that meets a surface from behind is lost, and counted. --flip turns all
+faces over, for a room that was modelled to be seen from outside.
 
 A quad that is a parallelogram is one surface, and so are two triangles that
 form one. Other polygons are cut into triangles. Faces without an area are

@@ -21,6 +21,7 @@ OptionGroup scene_option_group()
           "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
          {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
+         {"flip", 0, "", "", "Turn every face over, for a room that was modelled to be seen from outside."},
          memory_option(),
          {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
 }
@@ -43,6 +44,8 @@ Scene read_scene(const CommandLine& line, int threads)
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
     SceneFile file = read_obj(path, emission);
+    if (line.has("flip"))
+        file = flipped(std::move(file));
     double patch_size = given_size;
     if (wanted > 0)
         patch_size = patch_size_for_count(file.surfaces, wanted);

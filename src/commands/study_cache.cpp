@@ -63,8 +63,9 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
     for (const char* name : {"patch-size", "patches", "emission-from", "memory", "threads", "seed"})
         if (line.has(name))
             words.insert(words.end(), {"--" + std::string(name), line.text(name)});
-    if (line.has("two-sided"))
-        words.emplace_back("--two-sided");
+    for (const char* name : {"two-sided", "flip"})
+        if (line.has(name))
+            words.push_back("--" + std::string(name));
     return {solve_command().table, words};
 }
 

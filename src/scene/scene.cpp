@@ -26,6 +26,13 @@ Surface turned_over(const Surface& s)
 
 } // namespace
 
+SceneFile flipped(SceneFile file)
+{
+    for (Surface& surface : file.surfaces)
+        surface = turned_over(surface);
+    return file;
+}
+
 Scene::Scene(SceneFile file, double patch_size, bool two_sided, int threads)
     : Scene(std::make_shared<const SceneFile>(std::move(file)), patch_size, two_sided, threads)
 {

@@ -31,4 +31,7 @@ struct SceneFile
     std::string counts; ///< "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
 };
 
+/// The same with every face turned over: a room that was modelled to be seen from outside.
+SceneFile flipped(SceneFile file);
+
 } // namespace multipath

@@ -75,7 +75,8 @@ messages() {
     cp before.state a.state
     refused "exists" a.state --lines 20000 &&
         refused "made with --sequence sobol, not with --sequence halton" a.state --lines 20000 --sequence halton --resume &&
-        refused "no --two-sided, not with --two-sided" a.state --lines 20000 --two-sided --resume || return
+        refused "no --two-sided, not with --two-sided" a.state --lines 20000 --two-sided --resume &&
+        refused "no --flip, not with --flip" a.state --lines 20000 --flip --resume || return
     head -c 3000 before.state >short.state
     { head -c 4000 before.state && printf x && tail -c +4002 before.state; } >bent.state
     printf 'multipath state 2      \n12345678' >newer.state
