@@ -25,8 +25,10 @@ CommandTable check_table()
                {"lines", 'n', "N", "2^20", "Lines for each measured figure."},
                threads_option()}},
              scene_option_group()},
-            "Exit code 0: nothing that would make a wrong result; 1: something would, or the scene cannot\n"
-            "be read.\n"};
+            "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area. Less\n"
+            "is a note, like all that does not make the result wrong. The heaviest findings come first.\n"
+            "\n"
+            "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"};
 }
 
 /// All that a scene emits through one material.
@@ -185,6 +187,8 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
         object.boolean("makes_wrong_result", finding.makes_wrong_result);
         object.text("place", finding.place);
         object.text("message", finding.message);
+        object.number("power_share", finding.power_share);
+        object.number("area_share", finding.area_share);
         finding_list.push_back(object);
     }
     json.objects("findings", finding_list);

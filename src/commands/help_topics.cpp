@@ -38,7 +38,8 @@ Surfaces are cut into patches of constant radiosity: --patch-size is the longest
 edge of one in scene units, --patches how many there may be; without either,
 some thousand.
 
-'multipath check SCENE.obj' tells what was read and what is suspicious about it.
+'multipath check SCENE.obj' tells what was read and what is suspicious about it:
+WRONG is what concerns half a percent of the power, or of the area, and more.
 
 A bare name that is no file here, such as 5cubes, is a scene that came with the
 program: of share/multipath/scenes beside the folder of the installed program,

@@ -11,6 +11,8 @@
 #include "commands/solution_page.h"
 #include "commands/solve_summary.h"
 #include "commands/solve_table.h"
+#include "radiosity/line_survey.h"
+#include "radiosity/scene_lint.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"
@@ -23,16 +25,24 @@ namespace multipath {
 namespace {
 
 /// A black picture is no result.
-void require_light(const Scene& scene, const Solution& solution)
+void require_light(const Scene& scene, const Solution& solution, int threads)
 {
     const PowerBalance& balance = solution.balance;
     if (!(mean(balance.absorbed + balance.escaped + balance.behind) > 0.0))
-        throw SettingsError(scene.path() + ": none of " + grouped(solution.all_lines) +
-                            " lines left a source; expected more with --lines");
-    if (!(mean(balance.absorbed) > 0.0))
-        throw InputError(
-            scene.path() +
-            ": no light reaches any surface: the emitters face away from everything; 'multipath check' tells more");
+        throw SettingsError(
+            scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
+            (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "'multipath check' tells more"));
+    const double rounding = 1e-9 * mean(balance.emitted); // of what line reuse finds by its balance
+    if (mean(balance.absorbed) > rounding)
+        return;
+    constexpr std::uint64_t lines_to_look = 1 << 16;
+    const bool inside_out = is_inside_out(scene, survey_lines(scene, lines_to_look, threads));
+    const std::string dark = scene.path() + ": no light reaches any surface: ";
+    if (mean(balance.behind) > rounding)
+        throw InputError(dark + "it meets all of them from behind; " +
+                         (inside_out ? "--flip turns all faces over, " : "") + "--two-sided gives them backs");
+    throw InputError(dark + (inside_out ? "the scene is inside out; --flip turns all its faces over"
+                                        : "the emitters face away from everything; 'multipath check' tells more"));
 }
 
 void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
@@ -119,7 +129,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     if (share.of > 1 && job.options.method == Method::reuse)
         throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
     if (!keeper.stopped())
-        require_light(scene, solution);
+        require_light(scene, solution, job.options.threads);
     write_results(job, scene, solution, outputs, keeper.last_bytes());
 
     const SolveSummary summary{scene,

@@ -16,7 +16,7 @@ constexpr std::uint64_t lines_per_block = 4096;
 LineSurvey empty_survey(const Scene& scene)
 {
     const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
-    return {0, 0, 0, zeros, zeros, zeros, zeros};
+    return {0, 0, 0, zeros, zeros, zeros, zeros, zeros};
 }
 
 /// Counts what light finds that leaves hit `from` towards hit `to`; `to` is nullptr when nothing is there.
@@ -24,8 +24,11 @@ LineSurvey empty_survey(const Scene& scene)
 void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool forward, LineSurvey& survey)
 {
     const bool leaves_front = from.front != forward;
-    if (!leaves_front && !scene.two_sided())
+    if (!leaves_front && !scene.two_sided()) {
+        if (to != nullptr && to->front != forward && scene.surface_material(to->surface).emittance == Rgb{})
+            ++survey.back_to_back[from.surface];
         return;
+    }
     ++survey.departures[from.surface];
     if (to == nullptr)
         ++survey.escapes[from.surface];
@@ -83,6 +86,7 @@ LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
         add(total.arrivals, survey.arrivals);
         add(total.escapes, survey.escapes);
         add(total.met_behind, survey.met_behind);
+        add(total.back_to_back, survey.back_to_back);
     }
     return total;
 }

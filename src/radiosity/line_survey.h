@@ -19,6 +19,8 @@ struct LineSurvey
     std::vector<std::uint64_t> arrivals;   ///< of the departures, those that reach another patch
     std::vector<std::uint64_t> escapes;    ///< of the departures, those that meet nothing
     std::vector<std::uint64_t> met_behind; ///< departures from anywhere that meet this surface where it has no patch
+    std::vector<std::uint64_t>
+        back_to_back; ///< the line leaves its back, which has no patch, and meets another such back
 };
 
 /// Casts `lines` random chords, always the same.

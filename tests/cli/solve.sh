@@ -70,6 +70,23 @@ idle_lamp() {
 }
 check "light that reaches nothing is no picture" idle_lamp
 
+# A cube as a modeller makes it: all faces look outward, and its top is the lamp.
+inside_out() {
+    printf '%s\n' 'mtllib cube.mtl' 'v 0 0 0' 'v 2 0 0' 'v 2 0 2' 'v 0 0 2' 'v 0 2 0' 'v 2 2 0' 'v 2 2 2' 'v 0 2 2' \
+        'usemtl wall' 'f 1 2 3 4' 'f 1 5 6 2' 'f 3 7 8 4' 'f 4 8 5 1' 'f 2 6 7 3' 'usemtl lamp' 'f 5 8 7 6' >outward.obj
+    printf '%s\n' 'newmtl wall' 'Kd 0.5' 'newmtl lamp' 'Kd 0.5' 'Ke 1' >cube.mtl
+    for method in reuse extended local; do
+        ends 1 solve outward.obj --lines 4096 --method $method --quiet -o a.csv && says err "inside out; --flip" || return
+    done
+    ends 0 solve outward.obj --lines 4096 --flip -o a.csv && says err "0.00 % escaped" && says a.csv " --flip" &&
+        ends 0 reproduce a.csv && ends 1 check outward.obj --lines 5000 && says out "--flip" && [ "$(grep -c WRONG out)" = 1 ] &&
+        ends 0 check outward.obj --lines 5000 --flip && says out "nothing suspicious" &&
+        ends 0 study outward.obj --flip --methods extended --sequences random --from 1000 --to 2000 -o s.csv --quiet &&
+        ends 0 explain outward.obj --flip -o e.svg &&
+        ends 0 selftest outward.obj --flip --case surfaces --quiet
+}
+check "--flip lights a room that was modelled inside out, and is named where it helps" inside_out
+
 without_effect() { ends 2 solve "$scene" --method local --ratio 2 && says err "no effect" && ends 2 solve "$scene" --json -o - && says err "standard output"; }
 check "options that would do nothing or collide are refused" without_effect
 
