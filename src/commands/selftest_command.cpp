@@ -33,7 +33,7 @@ CommandTable selftest_table()
                threads_option(),
                {"break", 0, "LAW", "", "Break a law, to see that the exam fails.", false, broken_law_names, true}}},
              scene_option_group()},
-            "Exit code 0: every row passed; 1: a row failed.\n"};
+            "Exit code 0: every row passed; 1: a row failed, which is WRONG or VAGUE.\n"};
 }
 
 /// A scene is examined with as many lines as its patches need, and fewer runs; its runs use the threads themselves.
