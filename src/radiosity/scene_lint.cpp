@@ -251,11 +251,14 @@ private:
         double brightest = 0.0;
         std::vector<std::string> bright;
         std::string first_bright;
+        std::string first_unknown = file_.path;
         for (std::size_t m = 0; m < file_.materials.size(); ++m) {
             const Material& material = file_.materials[m];
             const auto& unknown = file_.unknown_materials;
-            if (std::find(unknown.begin(), unknown.end(), material.name) != unknown.end())
+            if (std::find(unknown.begin(), unknown.end(), material.name) != unknown.end()) {
+                first_unknown = unknown_area > 0.0 ? first_unknown : material.source;
                 unknown_area += area_of[m];
+            }
             const double largest_channel =
                 std::max({material.reflectance.r, material.reflectance.g, material.reflectance.b});
             if (largest_channel < 0.95)
@@ -266,7 +269,7 @@ private:
             brightest = std::max(brightest, largest_channel);
         }
         if (!file_.unknown_materials.empty())
-            add_weighed("unknown-material", file_.path,
+            add_weighed("unknown-material", first_unknown,
                         counted(file_.unknown_materials.size(), "material") + " of " +
                             format("%.3g %% of the area", 100.0 * unknown_area / area_of_surfaces()) +
                             (file_.unknown_materials.size() == 1 ? " is" : " are") +

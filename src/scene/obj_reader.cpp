@@ -64,6 +64,15 @@ std::vector<bool> materials_of(const std::vector<Piece>& pieces, const ObjMesh& 
     return has_pieces;
 }
 
+/// " in `a.mtl` or `b.mtl`"
+std::string in_files(const std::vector<std::string>& files)
+{
+    std::string text;
+    for (const std::string& file : files)
+        text += (text.empty() ? " in " : " or ") + in_quotes(file);
+    return text;
+}
+
 /// Adds the default material in place of one that the faces name but no file defines.
 void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList& list)
 {
@@ -73,7 +82,8 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
     material.reflectance = {default_reflectance, default_reflectance, default_reflectance};
     material.source = name_of({mesh.path, name.line});
     const std::string flaw =
-        has_name ? "material " + in_quotes(name.name) + " is not defined" : "faces without a material";
+        has_name ? "material " + in_quotes(name.name) + " is not defined" + in_files(list.by_origin.files)
+                 : "faces without a material";
     list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in");
     list.materials.push_back(std::move(material));
     list.by_origin.default_used = true;

@@ -89,7 +89,7 @@ TEST_CASE("an unknown material is grey, with one warning for its name")
     CHECK(scene.materials[scene.material[1]].name == "wood");
     CHECK(scene.materials[scene.material[1]].reflectance == Rgb{0.5, 0.5, 0.5});
     REQUIRE(scene.warnings.size() == 1);
-    CHECK(contains(scene.warnings[0], "room.obj:9: material `wood` is not defined"));
+    CHECK(contains(scene.warnings[0], "room.obj:9: material `wood` is not defined in `room.mtl`, grey"));
 }
 
 TEST_CASE("a scene without light says why")
