@@ -94,9 +94,6 @@ int main(int argc, char** argv)
         return wrong_usage(error, all, words[0]);
     } catch (const ReaderGone&) {
         return exit_failed;
-    } catch (const Interrupted& end) {
-        std::fprintf(stderr, "%s\n", end.what());
-        return exit_interrupted;
     } catch (const std::bad_alloc&) {
         return out_of_memory();
     } catch (const std::length_error&) { // of a list: more than any memory holds

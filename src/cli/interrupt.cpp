@@ -1,56 +1,158 @@
+// What ends the program runs within a handler of signals, so that no phase of any work, nor a pipe without a reader,
+// can hold it up. Handlers call only what POSIX allows them, and read only lock-free atomics and slots of unfinished.h.
+
 #include "cli/interrupt.h"
 
 #include "cli/unfinished.h"
 
+#include <array>
+#include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <unistd.h>
 
 namespace multipath {
 
 namespace {
 
-volatile std::sig_atomic_t received = 0;
+constexpr unsigned seconds_to_end = 2;
+constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
+
+std::atomic<bool> received{false};
+std::atomic<bool> always_ends{false};
+std::atomic<const char*> end_hint{""};
+std::atomic<int> delays{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
+                  std::atomic<const char*>::is_always_lock_free,
+              "handlers of signals read them");
+
+/// The last line that the program writes; without the heap.
+class LastLine
+{
+public:
+    /// Below what a terminal shows already: a bar of progress, ^C.
+    void begin()
+    {
+        if (isatty(STDERR_FILENO) != 0)
+            text_[size_++] = '\n';
+        add("interrupted");
+    }
+    void add(const char* text)
+    {
+        for (; *text != '\0' && size_ < text_.size() - 1; ++text)
+            text_[size_++] = static_cast<unsigned char>(*text) < 0x20 || *text == 0x7f ? '?' : *text;
+    }
+    void add_output(const char* name)
+    {
+        add(outputs_++ == 0 ? "; not written: " : ", ");
+        add(name);
+    }
+    [[noreturn]] void end_program()
+    {
+        text_[size_++] = '\n';
+        const auto told = write(STDERR_FILENO, text_.data(), size_);
+        (void)told;
+        _exit(exit_interrupted);
+    }
+
+private:
+    std::array<char, 4096> text_{};
+    std::size_t size_ = 0;
+    int outputs_ = 0;
+};
+
+LastLine last_line;
 
 extern "C" void end_at_once(int)
 {
     remove_unfinished();
-    constexpr char message[] = "interrupted\n";
-    const auto told = write(STDERR_FILENO, message, sizeof message - 1);
-    (void)told;
-    _exit(exit_interrupted);
+    const char* const hint = end_hint;
+    last_line.begin();
+    last_line.add(*hint != '\0' ? "; " : "");
+    last_line.add(hint);
+    last_line.end_program();
+}
+
+extern "C" void end_with_what_is_complete(int)
+{
+    last_line.begin();
+    settle_unfinished([](const char* target) { last_line.add_output(target); });
+    last_line.end_program();
+}
+
+extern "C" void end_in_time(int signal)
+{
+    if (delays > 0)
+        alarm(1);
+    else
+        end_with_what_is_complete(signal);
+}
+
+using Handler = void (*)(int);
+
+/// No handler interrupts another.
+void handle(int signal, Handler handler)
+{
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (const int end : end_signals)
+        sigaddset(&action.sa_mask, end);
+    sigaddset(&action.sa_mask, SIGALRM);
+    sigaction(signal, &action, nullptr);
+}
+
+void handle_ends(Handler handler)
+{
+    for (const int signal : end_signals) {
+        struct sigaction before = {};
+        if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+            handle(signal, handler);
+    }
 }
 
 extern "C" void note_interrupt(int)
 {
-    received = 1;
-    std::signal(SIGINT, end_at_once);
-    std::signal(SIGTERM, end_at_once);
+    received = true;
+    handle_ends(end_with_what_is_complete);
+    alarm(seconds_to_end);
 }
 
 } // namespace
 
 void end_at_interrupts()
 {
-    for (const int signal : {SIGINT, SIGTERM})
-        if (std::signal(signal, end_at_once) == SIG_IGN)
-            std::signal(signal, SIG_IGN); // as a shell has its background jobs do
+    handle_ends(end_at_once);
+}
+
+void always_end_at_interrupts(const char* hint)
+{
+    if (!always_ends.exchange(true)) // of the command that the user has typed
+        end_hint = hint;
 }
 
 void watch_interrupts()
 {
-    std::signal(SIGINT, note_interrupt);
-    std::signal(SIGTERM, note_interrupt);
+    if (always_ends || received)
+        return;
+    handle(SIGALRM, end_in_time);
+    handle_ends(note_interrupt);
 }
 
 bool interrupted()
 {
-    return received != 0;
+    return received;
 }
 
-void end_if_interrupted(const std::string& left)
+InterruptDelay::InterruptDelay()
 {
-    if (interrupted())
-        throw Interrupted(left.empty() ? "interrupted" : "interrupted; " + left);
+    ++delays;
+}
+
+InterruptDelay::~InterruptDelay()
+{
+    --delays;
 }
 
 } // namespace multipath

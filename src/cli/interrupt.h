@@ -1,31 +1,35 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
 namespace multipath {
 
 constexpr int exit_interrupted = 130; ///< exit code of the program
 
-/// Work that the user has ended, and of which there is no result: exit code 130. One plain line that says what is left.
-class Interrupted : public std::runtime_error
-{
-public:
-    explicit Interrupted(const std::string& message) : std::runtime_error(message) {}
-};
+// Ctrl-C (SIGINT), SIGTERM and SIGHUP (the terminal is closed) are meant below, unless the program was started to
+// ignore them, as a shell starts background jobs and nohup its command: those it goes on ignoring.
 
-/// From now on Ctrl-C (SIGINT) and SIGTERM end the program at once with this exit code and nothing left half written,
-/// but for a signal that the program was started to ignore.
+/// From now on a signal ends the program at once with this exit code and one line, and removes what is half written.
 void end_at_interrupts();
 
-/// From now on they ask the work to end in good order; a second one ends it at once.
+/// The same for good: commands that this one runs do not get to write results as of then. `hint`: what the line adds;
+/// a string literal.
+void always_end_at_interrupts(const char* hint = "");
+
+/// From now on a signal asks the work to end in good order and to write its results as of then. The program ends in any
+/// case two seconds later, or at once at a second signal: outputs that are complete by then get their names, one line
+/// names the others, whose old files stay. No effect after always_end_at_interrupts().
 void watch_interrupts();
 
-/// Has one been received?
+/// True if a watched signal has been received.
 bool interrupted();
 
-/// Throws Interrupted if one has, so that whatever is half written goes. `left`: what may be gone on from; may be
-/// empty.
-void end_if_interrupted(const std::string& left = "");
+/// While one lives, the two seconds do not end: the time for a state to reach the disk.
+class InterruptDelay
+{
+public:
+    InterruptDelay();
+    ~InterruptDelay();
+    InterruptDelay(const InterruptDelay&) = delete;
+    InterruptDelay& operator=(const InterruptDelay&) = delete;
+};
 
 } // namespace multipath

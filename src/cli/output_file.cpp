@@ -106,7 +106,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
         const PartFile file = create_part_file(target_, exists ? 0600 : 0666);
         descriptor_ = file.descriptor;
         temporary_ = descriptor_ < 0 ? "" : file.path;
-        unfinished_ = temporary_.empty() ? Unfinished() : Unfinished(temporary_);
+        unfinished_ = temporary_.empty() ? Unfinished() : Unfinished(temporary_, target_);
     }
     if (descriptor_ < 0 || (exists && !temporary_.empty() && fchmod(descriptor_, status.st_mode & 07777) != 0)) {
         const int error = errno;
@@ -152,6 +152,7 @@ void OutputFile::complete()
         discard();
         fail(name_, error);
     }
+    unfinished_.complete();
 }
 
 void OutputFile::commit()

@@ -44,7 +44,7 @@ public:
     /// Appends.
     void write(std::string_view bytes);
 
-    /// Brings all bytes to the disk, so that a commit only has a name to change.
+    /// Brings all bytes to the disk, so that a commit, or watch_interrupts() at a signal, only has a name to change.
     void complete();
 
     /// Puts the file in place, on the disk; nothing may be written afterwards.

@@ -3,8 +3,10 @@
 
 #include "cli/unfinished.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdio>
 #include <cstring>
 #include <unistd.h>
 #include <utility>
@@ -13,12 +15,13 @@ namespace multipath {
 
 namespace {
 
-enum class State { empty, changing, full };
+enum class State { empty, changing, full, complete };
 
 struct Slot
 {
     std::atomic<State> state{State::empty};
     std::array<char, 4096> path{}; ///< longer ones no system opens
+    std::array<char, 4096> target{};
 };
 
 std::array<Slot, 64> slots;
@@ -26,13 +29,15 @@ static_assert(std::atomic<State>::is_always_lock_free, "a handler of signals rea
 
 } // namespace
 
-Unfinished::Unfinished(const std::string& path)
+Unfinished::Unfinished(const std::string& path, const std::string& target)
 {
-    for (std::size_t n = 0; n < slots.size() && path.size() < slots[n].path.size(); ++n) {
+    const std::size_t longest = std::max(path.size(), target.size());
+    for (std::size_t n = 0; n < slots.size() && longest < slots[n].path.size(); ++n) {
         State expected = State::empty;
         if (!slots[n].state.compare_exchange_strong(expected, State::changing))
             continue;
         std::memcpy(slots[n].path.data(), path.c_str(), path.size() + 1);
+        std::memcpy(slots[n].target.data(), target.c_str(), target.size() + 1);
         slots[n].state = State::full;
         slot_ = static_cast<int>(n);
         return;
@@ -48,6 +53,12 @@ Unfinished& Unfinished::operator=(Unfinished&& other) noexcept
     return *this;
 }
 
+void Unfinished::complete() noexcept
+{
+    if (slot_ != none)
+        slots[static_cast<std::size_t>(slot_)].state = State::complete;
+}
+
 void Unfinished::forget() noexcept
 {
     if (slot_ != none)
@@ -58,8 +69,20 @@ void remove_unfinished() noexcept
 {
     for (const auto& remove : {unlink, rmdir}) // a folder is empty only without its files
         for (const Slot& slot : slots)
-            if (slot.state == State::full)
+            if (slot.state == State::full || slot.state == State::complete)
                 remove(slot.path.data());
+}
+
+void settle_unfinished(void (*not_written)(const char* target)) noexcept
+{
+    for (const Slot& slot : slots) {
+        const State state = slot.state;
+        if (state == State::complete && std::rename(slot.path.data(), slot.target.data()) == 0)
+            continue;
+        if ((state == State::full || state == State::complete) && slot.target[0] != '\0')
+            not_written(slot.target.data());
+    }
+    remove_unfinished();
 }
 
 } // namespace multipath

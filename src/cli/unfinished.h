@@ -11,10 +11,14 @@ class Unfinished
 {
 public:
     Unfinished() = default; ///< of nothing
-    explicit Unfinished(const std::string& path);
+    /// `target`: the file that it will become; empty for a folder.
+    explicit Unfinished(const std::string& path, const std::string& target = "");
     ~Unfinished() { forget(); }
     Unfinished(Unfinished&& other) noexcept;
     Unfinished& operator=(Unfinished&& other) noexcept;
+
+    /// Nothing is missing but the target's name.
+    void complete() noexcept;
 
 private:
     void forget() noexcept;
@@ -26,5 +30,9 @@ private:
 
 /// Removes all of them: files, and folders that are empty then. A handler of signals may call it.
 void remove_unfinished() noexcept;
+
+/// The same, but what is complete gets the name of its target. `not_written` is called with the target of each of the
+/// others.
+void settle_unfinished(void (*not_written)(const char* target)) noexcept;
 
 } // namespace multipath

@@ -90,8 +90,8 @@ constexpr const char* exit_codes_text = R"(  0    done: all that was asked for i
   1    the input or the work failed: a scene that cannot be read, a full disk;
        also what check, selftest, reproduce and compare --tolerance find wrong
   2    wrong usage: an unknown command, option, value or extension of an output
-  130  interrupted (Ctrl-C); what solve and merge found until then is written,
-       of anything else nothing
+  130  interrupted (Ctrl-C); what solve and merge found until then is written
+       as far as two seconds suffice, of anything else nothing
 
 Errors are one line on standard error, which says what was expected. Results go
 to files and standard output, everything else to standard error. An output is

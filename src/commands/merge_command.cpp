@@ -1,4 +1,3 @@
-#include "cli/interrupt.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
@@ -76,7 +75,6 @@ void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t line
     RunRecord record;
     std::vector<Solution> parts;
     for (SavedRun& run : runs) {
-        end_if_interrupted();
         const Archive::Inner inner(*run.arrays, RunRecord::part);
         RunRecord one;
         one.visit(*run.arrays, scene.patch_count());
@@ -105,10 +103,9 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
         std::vector<Archive*> shares;
         for (SavedRun& run : runs)
             shares.push_back(run.arrays.get());
-        add_up_shares(
-            shares, runs[0].parts, scene.patch_count(),
-            count_bytes(scene.patch_count(), bytes_for_pairs(job.options.memory, scene)), job.options.threads,
-            [] { end_if_interrupted(); }, sum);
+        add_up_shares(shares, runs[0].parts, scene.patch_count(),
+                      count_bytes(scene.patch_count(), bytes_for_pairs(job.options.memory, scene)), job.options.threads,
+                      sum);
     } else {
         average(runs, scene, job.options.lines, sum);
     }
@@ -126,14 +123,12 @@ int run_merge(const CommandLine& line)
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
     inputs.push_back(runs[0].description.scene.file->path);
-    watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path), inputs);
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =
         read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
-    end_if_interrupted();
     const bool only_states = std::all_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
         return output.format == OutputFormat::state;
     });

@@ -68,7 +68,6 @@ void run_step(const PaperStep& step, const std::string& folder, const CommandLin
     if (line.has("threads"))
         add("threads", line.text("threads"));
     command.run(CommandLine(command.table, words));
-    end_if_interrupted("the same command goes on from the runs that were finished");
 }
 
 SceneFindings scene_findings(const std::string& name, const std::string& path, int threads)
@@ -127,7 +126,7 @@ int run_paper(const CommandLine& line)
     const auto start = std::chrono::steady_clock::now();
     const std::string scenes = scenes_folder(line);
     const std::vector<PaperStep> steps = paper_steps(line.has("quick"), scenes, folder);
-    watch_interrupts();
+    always_end_at_interrupts("the same command goes on from the runs that were finished");
     make_folder(folder);
     const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {

@@ -1,3 +1,4 @@
+#include "cli/interrupt.h"
 #include "cli/planned_outputs.h"
 #include "cli/provenance.h"
 #include "cli/shell_words.h"
@@ -148,6 +149,7 @@ int run_reproduce(const CommandLine& line)
         line.has("threads") ? std::optional(std::to_string(thread_count(line))) : std::nullopt;
     const std::string then = bytes_of_file(path);
     const RecordedCommand record = read_recorded_command(then, path);
+    always_end_at_interrupts();
     std::optional<OutputFile> keep = file_to_keep(line, record.words);
     if (!line.has("quiet"))
         std::fprintf(stderr, "running    multipath %s\n", shell_text(record.words).c_str());

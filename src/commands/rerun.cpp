@@ -1,6 +1,5 @@
 #include "commands/rerun.h"
 
-#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/provenance.h"
 #include "cli/temporary_folder.h"
@@ -145,7 +144,6 @@ void run_silently(const Command& command, const CommandLine& line, const std::st
     const SilentOutput silence;
     try {
         const int status = command.run(line);
-        end_if_interrupted();
         if (status != 0)
             throw InputError(path + ": the command in its record has failed");
     } catch (const InputError& error) {

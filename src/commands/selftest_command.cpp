@@ -1,5 +1,4 @@
 #include "cli/choice.h"
-#include "cli/interrupt.h"
 #include "cli/number_text.h"
 #include "cli/planned_outputs.h"
 #include "cli/progress.h"
@@ -76,7 +75,6 @@ int run_selftest(const CommandLine& line)
     ExamSettings settings = read_exam_settings(line);
     int threads = thread_count(line);
     const std::vector<std::string> paths = line.all("output");
-    watch_interrupts();
     const bool own_scene = !line.operands().empty();
     std::vector<PlannedOutput> outputs = open_outputs(
         paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {OutputFormat::csv});
@@ -95,10 +93,7 @@ int run_selftest(const CommandLine& line)
     std::vector<ExamRow> rows;
     {
         Progress progress("selftest", progress_style(line));
-        rows = take_exam(tasks, threads, [&](double done) {
-            end_if_interrupted();
-            progress.show(done);
-        });
+        rows = take_exam(tasks, threads, [&](double done) { progress.show(done); });
     }
     for (PlannedOutput& output : outputs)
         output.file.write(exam_csv(rows, comments));

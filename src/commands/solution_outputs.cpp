@@ -47,6 +47,13 @@ std::vector<Rgb> decoded(std::vector<Rgb> colours)
     return colours;
 }
 
+/// What pictures show.
+struct View
+{
+    Camera camera;
+    Quantity quantity;
+};
+
 ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const Camera& camera,
                            const PictureOptions& options)
 {
@@ -59,6 +66,19 @@ ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const C
     return false_colour(scene, quantity, camera, options.render);
 }
 
+std::vector<PlannedOutput*> quickest_first(std::vector<PlannedOutput>& outputs)
+{
+    const auto effort = [](const PlannedOutput* output) {
+        return output->format == OutputFormat::html ? 3 : is_picture(output->format) ? 2 : is_mesh(output->format);
+    };
+    std::vector<PlannedOutput*> result;
+    for (PlannedOutput& output : outputs)
+        result.push_back(&output);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const PlannedOutput* a, const PlannedOutput* b) { return effort(a) < effort(b); });
+    return result;
+}
+
 } // namespace
 
 bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format)
@@ -69,23 +89,25 @@ bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format)
 
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
                    const PictureOptions& picture_options, const std::vector<std::string>& comments,
-                   const std::map<OutputFormat, std::string>& made)
+                   const std::map<OutputFormat, std::function<std::string()>>& makers)
 {
     std::string comment;
     for (const std::string& part : comments)
         comment += (comment.empty() ? "" : "; ") + part;
 
-    const bool pictures = std::any_of(outputs.begin(), outputs.end(),
-                                      [](const PlannedOutput& output) { return is_picture(output.format); });
-    const Camera camera = pictures ? camera_for(scene, picture_options) : Camera{};
-    const Quantity quantity =
-        pictures ? shown_quantity(scene, solution, picture_options.shown, picture_options.render.threads) : Quantity{};
+    std::optional<View> view;
     ScreenImage screen;
     std::optional<SolvedMesh> mesh;
-    for (PlannedOutput& output : outputs) {
+    for (PlannedOutput* const planned : quickest_first(outputs)) {
+        PlannedOutput& output = *planned;
         const bool shows_screen = output.format == OutputFormat::ppm || output.format == OutputFormat::png;
+        if (is_picture(output.format) && !view)
+            view = View{
+                camera_for(scene, picture_options),
+                shown_quantity(scene, solution, picture_options.shown, picture_options.render.threads),
+            };
         if (shows_screen && screen.bytes.empty())
-            screen = screen_picture(scene, quantity, camera, picture_options);
+            screen = screen_picture(scene, view->quantity, view->camera, picture_options);
         if (is_mesh(output.format) && !mesh)
             mesh.emplace(scene, solution, picture_options);
         if (is_mesh(output.format))
@@ -95,11 +117,12 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
         else if (output.format == OutputFormat::png)
             output.file.write(png_bytes(screen, comment));
         else if (output.format == OutputFormat::pfm)
-            output.file.write(pfm_bytes(render(scene, quantity.values, camera, picture_options.render)));
+            output.file.write(pfm_bytes(render(scene, view->quantity.values, view->camera, picture_options.render)));
         else if (output.format == OutputFormat::html || output.format == OutputFormat::state)
-            output.file.write(made.at(output.format));
+            output.file.write(makers.at(output.format)());
         else
             output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
+        output.file.complete();
     }
     commit(outputs);
 }

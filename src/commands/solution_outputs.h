@@ -4,6 +4,7 @@
 #include "commands/picture_options.h"
 #include "radiosity/solve.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,10 +14,11 @@ namespace multipath {
 /// Is one of them of this format?
 bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format);
 
-/// Fills every output in its format and puts all into place. The comments go into the formats that have a place for
-/// them; `made` are the bytes of the formats that are made elsewhere, pages and states. Throws OutputError.
+/// Fills every output in its format, numbers before pictures before pages, so that what a signal costs can be made
+/// again from the rest, and puts all into place. The comments go into the formats that have a place for them; `makers`
+/// give the bytes of the formats that are made elsewhere, pages and states. Throws OutputError.
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
                    const PictureOptions& picture_options, const std::vector<std::string>& comments,
-                   const std::map<OutputFormat, std::string>& made);
+                   const std::map<OutputFormat, std::function<std::string()>>& makers);
 
 } // namespace multipath

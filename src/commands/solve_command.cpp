@@ -1,4 +1,3 @@
-#include "cli/interrupt.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
@@ -119,11 +118,9 @@ int run_solve(const CommandLine& line)
     for (const std::string& path : {state.state, state.from})
         if (!path.empty())
             inputs.push_back(path);
-    watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line, thread_count(line));
-    end_if_interrupted();
     require_no_input(outputs, scene.file().material_files);
     require_results_possible(job, scene, outputs);
     if (!job.quiet) {

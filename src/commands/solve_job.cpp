@@ -97,13 +97,13 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
                    std::vector<PlannedOutput>& outputs, const std::string& state)
 {
     const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
-    std::map<OutputFormat, std::string> made = {{OutputFormat::state, state}};
-    if (has_format(outputs, OutputFormat::html)) {
+    const auto page = [&] {
         Progress progress("solving with fewer lines, for the page", progress_style(job.line));
-        made[OutputFormat::html] = solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution,
-                                                 job.pictures, comments, [&](double done) { progress.show(done); });
-    }
-    write_outputs(outputs, scene, solution, job.pictures, comments, made);
+        return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, job.pictures,
+                             comments, [&](double done) { progress.show(done); });
+    };
+    write_outputs(outputs, scene, solution, job.pictures, comments,
+                  {{OutputFormat::state, [&] { return state; }}, {OutputFormat::html, page}});
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
@@ -115,20 +115,25 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     {
         Progress progress("solving", progress_style(job.line));
         const auto show = [&](double done) {
-            if (seconds_to_first_lines == 0.0)
+            if (seconds_to_first_lines == 0.0) {
                 seconds_to_first_lines = seconds_since(job.start);
+                watch_interrupts(); // from now on there are results as of then
+            }
             progress.show(done);
         };
         solution = solve_accurately(scene, job.options, job.accuracy, show, &keeper, share);
     }
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && share.of > 1) {
-        write_outputs(outputs, scene, solution, job.pictures, {}, {{OutputFormat::state, keeper.last_bytes()}});
+        write_outputs(outputs, scene, solution, job.pictures, {},
+                      {{OutputFormat::state, [&] { return keeper.last_bytes(); }}});
         return tell_of_share(job, keeper);
     }
     if (share.of > 1 && job.options.method == Method::reuse)
         throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
-    if (!keeper.stopped())
+    if (keeper.stopped())
+        tell_of_interruption(job, solution, keeper); // before what may be given up
+    else
         require_light(scene, solution, job.options.threads);
     write_results(job, scene, solution, outputs, keeper.last_bytes());
 
@@ -151,10 +156,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         for (const PlannedOutput& output : outputs)
             std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
     }
-    if (!keeper.stopped())
-        return 0;
-    tell_of_interruption(job, solution, keeper);
-    return exit_interrupted;
+    return keeper.stopped() ? exit_interrupted : 0;
 }
 
 } // namespace multipath

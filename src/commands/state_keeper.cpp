@@ -46,6 +46,7 @@ void StateKeeper::keep()
 {
     if (!plan_.path.empty()) {
         OutputFile file(plan_.path);
+        const InterruptDelay delay;
         write([&](std::string_view bytes) { file.write(bytes); });
         file.commit();
     }

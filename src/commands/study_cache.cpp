@@ -1,6 +1,5 @@
 #include "commands/study_cache.h"
 
-#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
@@ -121,11 +120,7 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
 {
     const SolveOptions options = read_solve_options(command, "lines");
     Progress progress("reference", progress_style(line));
-    const auto show = [&](double done) {
-        end_if_interrupted();
-        progress.show(done);
-    };
-    return solve_accurately(scene, options, read_accuracy(command), show);
+    return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
 }
 
 } // namespace

@@ -95,26 +95,22 @@ int run_study_command(const CommandLine& line)
     std::vector<std::string> inputs = {scene_path(line)};
     if (line.has("reference"))
         inputs.push_back(line.text("reference"));
-    watch_interrupts();
     std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {OutputFormat::csv, OutputFormat::svg});
 
     const Scene scene = read_scene(line, threads);
     require_no_input(outputs, scene.file().material_files);
     const std::vector<std::string> comments = provenance(study_table(), line, scene);
     const StudyCache cache(line, paths);
+    always_end_at_interrupts(cache.path("") ? "the same command goes on from the runs that were finished" : "");
     const Reference reference = study_reference(line, scene, plan, cache);
     Study study;
     {
         const std::unique_ptr<Journal> journal = cache.journal(study_table(), line, scene, reference);
         Progress progress("study", progress_style(line));
-        const auto show = [&](double done) {
-            end_if_interrupted(cache.path("") ? "the same command goes on from the runs that were finished" : "");
-            progress.show(done);
-        };
         const bool reuses = std::any_of(plan.curves.begin(), plan.curves.end(),
                                         [](const CurvePlan& c) { return c.options.method == Method::reuse; });
         const int at_a_time = reuses ? reuse_runs_at_a_time(line, scene, threads) : threads;
-        study = run_study(scene, reference, plan, *journal, at_a_time, show);
+        study = run_study(scene, reference, plan, *journal, at_a_time, [&](double done) { progress.show(done); });
     }
     const Abscissa against = line.text("against") == "seconds" ? Abscissa::seconds : Abscissa::lines;
     for (PlannedOutput& output : outputs)

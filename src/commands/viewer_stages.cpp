@@ -1,6 +1,5 @@
 #include "commands/viewer_stages.h"
 
-#include "cli/interrupt.h"
 #include "scene/input_error.h"
 
 #include <algorithm>
@@ -49,8 +48,6 @@ std::vector<ViewerStage> solve_stages(const Scene& scene, const SolveOptions& op
     const auto all = static_cast<double>(std::accumulate(lines.begin(), lines.end(), std::uint64_t{0}));
     double done = 0.0;
     for (const std::uint64_t count : lines) {
-        if (interrupted())
-            break;
         SolveOptions fewer = options;
         fewer.lines = count;
         const double share = static_cast<double>(count) / all;

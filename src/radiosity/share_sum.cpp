@@ -11,16 +11,12 @@ namespace multipath {
 
 namespace {
 
-using BeforeEach = std::function<void()>;
-
-void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patches, const BeforeEach& before_each,
-                        Archive& sum)
+void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
 {
     PairCounts counts(patches);
     PairCounts share(patches);
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
-        before_each();
         const Archive::Inner inner(*shares[k], "pair counts");
         ranges[k].visit(*shares[k]);
         share.visit(*shares[k]);
@@ -33,12 +29,11 @@ void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patch
 }
 
 void add_up_line_counts(const std::vector<Archive*>& shares, std::uint32_t patches, std::size_t byte_limit, int threads,
-                        const BeforeEach& before_each, Archive& sum)
+                        Archive& sum)
 {
     LineCounts counts(patches, byte_limit);
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
-        before_each();
         const Archive::Inner inner(*shares[k], "line counts");
         LineCounts share(patches);
         ranges[k].visit(*shares[k]);
@@ -54,13 +49,12 @@ void add_up_line_counts(const std::vector<Archive*>& shares, std::uint32_t patch
 }
 
 /// Each share has refined its rows; the others are as they were.
-void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, const BeforeEach& before_each, Archive& sum)
+void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
 {
     ExchangeEstimate all{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     ExchangeEstimate share{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     std::vector<SharedRange> ranges(shares.size());
     for (std::size_t k = 0; k < shares.size(); ++k) {
-        before_each();
         {
             const Archive::Inner inner(*shares[k], "pair rays");
             ranges[k].visit(*shares[k]);
@@ -87,15 +81,15 @@ void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, const
 } // namespace
 
 void add_up_shares(const std::vector<Archive*>& shares, const std::vector<std::string>& parts, std::uint32_t patches,
-                   std::size_t byte_limit, int threads, const std::function<void()>& before_each, Archive& sum)
+                   std::size_t byte_limit, int threads, Archive& sum)
 {
     const std::string stage = parts.empty() ? "" : parts.back();
     if (stage == "pair counts")
-        add_up_pair_counts(shares, patches, before_each, sum);
+        add_up_pair_counts(shares, patches, sum);
     else if (stage == "line counts")
-        add_up_line_counts(shares, patches, byte_limit, threads, before_each, sum);
+        add_up_line_counts(shares, patches, byte_limit, threads, sum);
     else if (stage == "pair rays")
-        join_rows(shares, patches, before_each, sum);
+        join_rows(shares, patches, sum);
     else
         throw ArchiveError("the shares are not finished; expected shares whose runs ended by themselves");
 }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,8 @@ namespace multipath {
 /// Adds up what the shares of a run of `reuse` handed in: counts of lines, or the rows of pairs at which each of them
 /// looked closer. `parts`: those under way in each of them, the outermost first. Writes what is not the same in all
 /// shares; the whole is then the state of a run that did all of it alone. Throws ArchiveError for shares that are not
-/// all, once, of different stages, or with counts beyond the limit. `before_each` is called before each share is read;
-/// what it throws ends the work.
+/// all, once, of different stages, or with counts beyond the limit.
 void add_up_shares(const std::vector<Archive*>& shares, const std::vector<std::string>& parts, std::uint32_t patches,
-                   std::size_t byte_limit, int threads, const std::function<void()>& before_each, Archive& sum);
+                   std::size_t byte_limit, int threads, Archive& sum);
 
 } // namespace multipath

@@ -169,7 +169,6 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
             told = done;
             progress(std::min(1.0, done_lines / all_lines));
         };
-        tell(0.0); // whoever ends the work by it need not wait for what a run prepares
         journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference, tell));
         tell(1.0);
     });

@@ -31,6 +31,10 @@ ends() {
     return 1
 }
 
+# For what must happen within some seconds of the clock: a busy machine may miss them once, not thrice.
+# usage: in_three_tries COMMAND ARGS...
+in_three_tries() { "$@" || "$@" || "$@"; }
+
 # Are these words somewhere in the file?
 # usage: says FILE TEXT
 says() {

@@ -91,46 +91,6 @@ killed() {
 }
 check "what a killed run has left is removed by the next, and nothing of a run that lives" killed
 
-# Runs the program in the background until the part file of FILE is there, in the folder `halted`.
-# usage: begin_output FILE COMMAND ARGS...
-begin_output() {
-    file=$1
-    shift
-    rm -rf halted && mkdir halted && { TMPDIR=halted "$program" "$@" >out 2>err & } || return
-    run=$!
-    for tries in $(seq 200); do
-        [ "$(find halted -name ".$file.*.part")" ] && return
-        sleep 0.05
-    done
-    echo "no output was begun"
-    kill -KILL $run
-    return 1
-}
-# The program was interrupted, has said nothing else, and left nothing.
-nothing_is_left() {
-    wait $run
-    status=$?
-    [ $status -eq 130 ] || { echo "exit status $status"; cat err; return 1; }
-    says err "interrupted" && lines_are err 1 && [ -z "$(ls -A halted)" ] || { ls -A halted; return 1; }
-}
-# usage: ends_at_once FILE COMMAND ARGS...
-ends_at_once() { begin_output "$@" && kill -TERM $run && nothing_is_left; }
-slow_picture="--shading gather --gather-rays 1000000 --size 500x500 --quiet"
-check "SIGTERM ends points at once, and nothing half written is left" ends_at_once a.csv points --count 2^40 -o halted/a.csv
-check "so does explain" ends_at_once a.svg explain "$scene" --method global --of 2^42 --first 2^40 -o halted/a.svg
-check "a state to render" ends 0 solve "$scene" $quick -o all.state
-check "so does render" ends_at_once b.png render all.state $slow_picture -o halted/a.csv -o halted/b.png
-printf '# command: multipath points --count 2^40\ncount\n' >endless.csv
-check "and reproduce, of the file that it makes for itself" ends_at_once new.csv reproduce endless.csv --quiet
-
-second_signal() {
-    begin_output b.png solve "$scene" --lines 1000 --patches 100 $slow_picture -o halted/a.csv -o halted/b.png || return
-    kill -TERM $run
-    sleep 0.2
-    kill -TERM $run && nothing_is_left
-}
-check "the second signal ends a run that the first one let write its outputs" second_signal
-
 # Closed streams.
 closed_output() {
     "$program" check "$scene" --lines 1000 >&- 2>err

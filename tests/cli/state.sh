@@ -19,15 +19,15 @@ interrupted() {
 }
 
 interrupt() {
-    interrupted TERM -o then.csv -o then.png && says err "interrupted after" && says err "--resume goes on" &&
+    interrupted TERM -o then.csv -o then.png --size 32x32 && says err "interrupted after" && says err "--resume goes on" &&
         [ -s then.csv ] && [ -s then.png ] && [ -z "$(find . -name '*.part*')" ]
 }
-check "SIGTERM ends a run in good order: outputs as of then, exit status 130" interrupt
+check "SIGTERM ends a run in good order: outputs as of then, exit status 130" in_three_tries interrupt
 
 interrupt_to_state() {
     interrupted TERM -o kept.state && ends 1 render kept.state -o x.png && says err "not finished"
 }
-check "an interrupted run leaves its state also as an output" interrupt_to_state
+check "an interrupted run leaves its state also as an output" in_three_tries interrupt_to_state
 
 # usage: goes_on SOLVE-OPTIONS      left after half of the lines' time or so, resumed, the same bytes as in one go
 goes_on() {

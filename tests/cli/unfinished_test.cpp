@@ -1,10 +1,12 @@
 #include "cli/unfinished.h"
 
+#include "export/file_bytes.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,30 @@ TEST_CASE("what is unfinished is removed, files and then their folder; what is f
     CHECK_FALSE(std::filesystem::exists(folder.path("moved")));
     CHECK(std::filesystem::exists(folder.path("finished")));
     CHECK(std::filesystem::exists(folder.path("replaced")));
+}
+
+TEST_CASE("what is complete gets the name of its target, the targets of the rest are named")
+{
+    const ScratchFolder folder;
+    for (const char* name : {"part-a", "part-b", "part-c"})
+        folder.write(name, "new");
+    folder.write("a", "old");
+    folder.write("b", "old");
+    Unfinished complete(folder.path("part-a"), folder.path("a"));
+    complete.complete();
+    const Unfinished moved(std::move(complete));
+    const Unfinished incomplete(folder.path("part-b"), folder.path("b"));
+    Unfinished nowhere(folder.path("part-c"), folder.path("no folder/c"));
+    nowhere.complete();
+
+    static std::vector<std::string> not_written;
+    not_written.clear();
+    settle_unfinished([](const char* target) { not_written.emplace_back(target); });
+    CHECK(bytes_of_file(folder.path("a")) == "new");
+    CHECK(bytes_of_file(folder.path("b")) == "old");
+    CHECK(not_written == std::vector<std::string>{folder.path("b"), folder.path("no folder/c")});
+    for (const char* name : {"part-a", "part-b", "part-c"})
+        CHECK_FALSE(std::filesystem::exists(folder.path(name)));
 }
 
 TEST_CASE("a folder with other files stays")

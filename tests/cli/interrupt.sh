@@ -1,0 +1,121 @@
+# Ctrl-C, SIGTERM and SIGHUP: every command ends within seconds in every phase; what is complete stays, nothing half written does.
+. "$2/tests/cli/check.sh"
+scene=$root/scenes/cube.obj
+quick="--lines 1000 --patches 100 --size 8x8 --quiet"
+slow_picture="--shading gather --gather-rays 1000000 --size 500x500"
+
+# Runs the program in the background with all files in the folder `halted` and its number in `pid`, until MOMENT
+# succeeds; its exit status will be in `status`.
+# usage: begin MOMENT COMMAND ARGS...
+begin() {
+    moment=$1
+    shift
+    rm -rf halted pid status && mkdir halted || return
+    { TMPDIR=halted sh -c 'echo $$ >pid; exec "$@"' sh "$program" "$@" >out 2>err; echo $? >status; } &
+    for tries in $(seq 1000); do
+        $moment && return
+        [ ! -s status ] || { echo "ended too early, exit status $(cat status)"; cat err; return 1; }
+        sleep 0.02
+    done
+    echo "the moment to send a signal never came"
+    kill -KILL "$(cat pid)"
+    return 1
+}
+# Times out after 20 seconds where two are promised: other work may keep the processors busy.
+ends_interrupted() {
+    for tries in $(seq 200); do
+        [ -s status ] && break
+        sleep 0.1
+    done
+    [ -s status ] || { echo "does not end"; kill -KILL "$(cat pid)"; return 1; }
+    [ "$(cat status)" -eq 130 ] || { echo "exit status $(cat status)"; cat err; return 1; }
+    says err "interrupted"
+}
+signal() { kill -"$1" "$(cat pid)"; }
+halted_is() {
+    [ "$(ls -A halted | tr '\n' ' ')" = "$1" ] && return
+    ls -A halted
+    return 1
+}
+begun() { [ -n "$(find halted -name ".*.part")" ]; }
+saved() { [ -f halted/run.state ]; }
+
+# usage: ends_at_once SIGNAL COMMAND ARGS...
+ends_at_once() {
+    name=$1
+    shift
+    begin begun "$@" && signal "$name" && ends_interrupted && lines_are err 1 && halted_is ""
+}
+check "SIGTERM ends points at once, and nothing half written is left" ends_at_once TERM points --count 2^40 -o halted/a.csv
+check "so does SIGHUP, of a terminal that is closed" ends_at_once HUP points --count 2^40 -o halted/a.csv
+check "and SIGTERM explain" ends_at_once TERM explain "$scene" --method global --of 2^42 --first 2^40 -o halted/a.svg
+check "a state to render" ends 0 solve "$scene" $quick -o all.state
+check "and render" ends_at_once TERM render all.state --quiet $slow_picture -o halted/a.csv -o halted/b.png
+printf '# command: multipath points --count 2^40\ncount\n' >endless.csv
+check "and reproduce, of the file that it makes for itself" ends_at_once TERM reproduce endless.csv --quiet
+printf '# command: multipath solve %s --lines 2^40 --patches 100 --method local\nid\n' "$scene" >endless_run.csv
+check "also when that is a run of solve" ends_at_once TERM reproduce endless_run.csv --quiet
+check "a run that prepares has nothing to write" ends_at_once TERM solve "$root/scenes/4chairs.obj" --patches 14000 --method reuse \
+    --lines 2^30 --quiet -o halted/a.csv
+
+fifo() {
+    rm -f fifo.csv && mkfifo fifo.csv &&
+        ends_at_once TERM solve "$scene" $quick -o halted/a.csv -o fifo.csv
+}
+check "a pipe that nobody reads does not keep the program from ending" fifo
+
+# usage: run_of SOLVE-OPTIONS...      endless; its state is saved now and then
+run_of() {
+    begin saved solve "$scene" --patches 100 --lines 2^40 --method local --quiet --state halted/run.state --save-every 0.01s "$@"
+}
+quick_outputs() {
+    run_of --size 8x8 -o halted/a.csv -o halted/b.png && signal "$1" && ends_interrupted && says err "interrupted after" &&
+        lines_are err 1 && halted_is "a.csv b.png run.state "
+}
+check "what is quick is written as of then" in_three_tries quick_outputs TERM
+check "and at SIGHUP, too" in_three_tries quick_outputs HUP
+
+given_up() {
+    echo old >kept.png
+    run_of $slow_picture -o kept.png -o halted/a.csv && signal TERM && ends_interrupted && says err "not written: kept.png" &&
+        lines_are err 2 && halted_is "a.csv run.state " && [ "$(cat kept.png)" = old ] && [ -s halted/a.csv ]
+}
+check "a picture that is not drawn in time is given up and named; its old file stays" in_three_tries given_up
+
+# The state appears when the run is done, before the picture.
+# usage: while_it_draws OUTPUT OPTIONS...
+while_it_draws() {
+    output=$1
+    shift
+    begin saved solve "$scene" --lines 4000 --patches 100 --quiet --state halted/run.state -o "halted/$output" -o halted/a.csv "$@" &&
+        signal TERM && ends_interrupted && says err "not written: halted/$output" && lines_are err 1 &&
+        halted_is "a.csv run.state " && [ "$(grep -c -v '^#' halted/a.csv)" -gt 60 ]
+}
+check "a signal during a large picture costs the picture, not the table" in_three_tries while_it_draws b.png --size 6000x6000 --samples 100
+check "and one during a picture that gathers light" in_three_tries while_it_draws b.ppm $slow_picture
+
+# Tries again where the two seconds of the first signal were over before the second one came.
+second_signal() {
+    for attempt in 1 2 3 4 5; do
+        begin saved solve "$scene" --lines 1000 --patches 100 --quiet $slow_picture --state halted/run.state -o halted/b.png || return
+        start=$(date +%s%N)
+        signal TERM
+        sleep 0.2
+        signal TERM
+        ends_interrupted && says err "not written: halted/b.png" && halted_is "run.state " || return
+        [ $((($(date +%s%N) - start) / 1000000)) -lt 1800 ] && return
+    done
+    echo "the second signal did not end the run before its time"
+    return 1
+}
+check "the second signal ends at once a run that the first one lets write its outputs" second_signal
+
+# A shell starts background jobs with SIGINT ignored.
+ignored() {
+    run_of -o halted/a.csv && signal INT
+    sleep 0.5
+    [ ! -s status ] || { echo "ended"; cat err; return 1; }
+    signal TERM && ends_interrupted
+}
+check "a signal that the program was started to ignore does not end a run" ignored
+finish
