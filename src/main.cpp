@@ -25,7 +25,8 @@ namespace {
 
 using namespace multipath;
 
-enum ExitCode { exit_done = 0, exit_failed = 1, exit_usage = 2 };
+constexpr int exit_done = 0;
+constexpr int exit_usage = 2;
 
 const Command& find_command(const std::vector<Command>& commands, const std::string& name)
 {
@@ -80,6 +81,7 @@ int main(int argc, char** argv)
 {
     prepare_standard_streams();
     end_at_interrupts();
+    end_at_lost_bytes();
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {

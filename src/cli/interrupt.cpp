@@ -31,11 +31,11 @@ class LastLine
 {
 public:
     /// Below what a terminal shows already: a bar of progress, ^C.
-    void begin()
+    void begin(const char* text)
     {
         if (isatty(STDERR_FILENO) != 0)
             text_[size_++] = '\n';
-        add("interrupted");
+        add(text);
     }
     void add(const char* text)
     {
@@ -47,12 +47,12 @@ public:
         add(outputs_++ == 0 ? "; not written: " : ", ");
         add(name);
     }
-    [[noreturn]] void end_program()
+    [[noreturn]] void end_program(int exit_code)
     {
         text_[size_++] = '\n';
         const auto told = write(STDERR_FILENO, text_.data(), size_);
         (void)told;
-        _exit(exit_interrupted);
+        _exit(exit_code);
     }
 
 private:
@@ -67,17 +67,24 @@ extern "C" void end_at_once(int)
 {
     remove_unfinished();
     const char* const hint = end_hint;
-    last_line.begin();
+    last_line.begin("interrupted");
     last_line.add(*hint != '\0' ? "; " : "");
     last_line.add(hint);
-    last_line.end_program();
+    last_line.end_program(exit_interrupted);
 }
 
 extern "C" void end_with_what_is_complete(int)
 {
-    last_line.begin();
+    last_line.begin("interrupted");
     settle_unfinished([](const char* target) { last_line.add_output(target); });
-    last_line.end_program();
+    last_line.end_program(exit_interrupted);
+}
+
+extern "C" void end_failed(int)
+{
+    remove_unfinished();
+    last_line.begin("multipath: a file cannot be read to its end: it has become shorter meanwhile, or its disk fails");
+    last_line.end_program(exit_failed);
 }
 
 extern "C" void end_in_time(int signal)
@@ -138,6 +145,11 @@ void watch_interrupts()
         return;
     handle(SIGALRM, end_in_time);
     handle_ends(note_interrupt);
+}
+
+void end_at_lost_bytes()
+{
+    handle(SIGBUS, end_failed);
 }
 
 bool interrupted()

@@ -2,7 +2,9 @@
 
 namespace multipath {
 
-constexpr int exit_interrupted = 130; ///< exit code of the program
+// Exit codes of the program.
+constexpr int exit_failed = 1;
+constexpr int exit_interrupted = 130;
 
 // Ctrl-C (SIGINT), SIGTERM and SIGHUP (the terminal is closed) are meant below, unless the program was started to
 // ignore them, as a shell starts background jobs and nohup its command: those it goes on ignoring.
@@ -21,6 +23,10 @@ void watch_interrupts();
 
 /// True if a watched signal has been received.
 bool interrupted();
+
+/// From now on the program ends in the same way, but as work that failed, when bytes of a mapped file are gone
+/// (SIGBUS): whoever makes a state shorter in place while it is read gives no other sign.
+void end_at_lost_bytes();
 
 /// While one lives, the two seconds do not end: the time for a state to reach the disk.
 class InterruptDelay

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
+#include <stdexcept>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -28,15 +29,16 @@ public:
     Descriptor& operator=(const Descriptor&) = delete;
 
     int number() const { return number_; }
-    [[noreturn]] static void fail() { throw std::system_error(errno, std::generic_category()); }
+    [[noreturn]] static void fail() { throw std::runtime_error(std::generic_category().message(errno)); }
 
 private:
     int number_;
 };
 
-/// Of what cannot be mapped, such as a pipe.
+/// Of what cannot be mapped, such as a pipe, which may have no end.
 std::vector<char> read_all(const Descriptor& file)
 {
+    constexpr std::size_t most = std::size_t{1} << 30;
     std::vector<char> bytes;
     for (;;) {
         constexpr std::size_t more = 1u << 20;
@@ -48,6 +50,8 @@ std::vector<char> read_all(const Descriptor& file)
         bytes.resize(length + static_cast<std::size_t>(got));
         if (got == 0)
             return bytes;
+        if (bytes.size() > most)
+            throw std::runtime_error("more than 1 GiB from a pipe; expected a file");
     }
 }
 
@@ -59,6 +63,8 @@ FileBytes::FileBytes(const std::string& path)
     struct stat status = {};
     if (fstat(file.number(), &status) != 0)
         Descriptor::fail();
+    if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode))
+        throw std::runtime_error("a device; expected a file or a pipe");
     if (!S_ISREG(status.st_mode) || status.st_size == 0) {
         *this = FileBytes(read_all(file));
         return;
@@ -85,8 +91,8 @@ std::string bytes_of_file(const std::string& path)
 {
     try {
         return std::string(FileBytes(path).view());
-    } catch (const std::system_error& error) {
-        throw InputError(path + ": cannot be read: " + error.code().message());
+    } catch (const std::runtime_error& error) {
+        throw InputError(path + ": cannot be read: " + error.what());
     }
 }
 

@@ -13,7 +13,8 @@ namespace multipath {
 class FileBytes
 {
 public:
-    /// Throws std::system_error.
+    /// Of a file, or of what a pipe brings until it ends. Throws std::runtime_error that says why there are none:
+    /// "Permission denied".
     explicit FileBytes(const std::string& path);
     /// Bytes that are in memory already.
     explicit FileBytes(std::vector<char> bytes);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <system_error>
+#include <stdexcept>
 #include <utility>
 
 namespace multipath {
@@ -60,8 +60,8 @@ FileBytes bytes_of_state(const std::string& path)
 {
     try {
         return FileBytes(path);
-    } catch (const std::system_error& error) {
-        throw ArchiveError("cannot read " + path + ": " + error.code().message());
+    } catch (const std::runtime_error& error) {
+        throw ArchiveError("cannot read " + path + ": " + error.what());
     }
 }
 
