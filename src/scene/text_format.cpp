@@ -1,6 +1,6 @@
 #include "scene/text_format.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 
@@ -8,12 +8,16 @@ namespace multipath {
 
 std::string format(const char* pattern, ...)
 {
-    std::array<char, 512> text{};
     va_list values;
     va_start(values, pattern);
-    std::vsnprintf(text.data(), text.size(), pattern, values);
+    va_list values_again;
+    va_copy(values_again, values);
+    const int length = std::vsnprintf(nullptr, 0, pattern, values);
     va_end(values);
-    return text.data();
+    std::string text(static_cast<std::size_t>(std::max(length, 0)), '\0');
+    std::vsnprintf(text.data(), text.size() + 1, pattern, values_again);
+    va_end(values_again);
+    return text;
 }
 
 std::string grouped(std::uint64_t count)

@@ -5,7 +5,7 @@
 
 namespace multipath {
 
-/// What printf would print, as a string of up to 511 characters.
+/// What printf would print.
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
