@@ -23,11 +23,11 @@ double Judge::limit(const ExamRow& row) const
     return most_sigmas(row.degrees) * row.standard_error + row.allowance;
 }
 
-Verdict Judge::verdict(const ExamRow& row) const
+RowVerdict Judge::verdict(const ExamRow& row) const
 {
     if (!(std::abs(row.measured - row.expected) <= limit(row))) // also what is no number
-        return Verdict::wrong;
-    return limit(row) <= row.resolution ? Verdict::passed : Verdict::vague;
+        return RowVerdict::wrong;
+    return limit(row) <= row.resolution ? RowVerdict::passed : RowVerdict::vague;
 }
 
 double sigmas(const ExamRow& row)
@@ -37,16 +37,16 @@ double sigmas(const ExamRow& row)
     return beyond <= 0.0 ? 0.0 : std::copysign(beyond / row.standard_error, deviation);
 }
 
-const char* verdict_word(Verdict verdict)
+const char* verdict_word(RowVerdict verdict)
 {
-    return verdict == Verdict::passed ? "passed" : verdict == Verdict::wrong ? "WRONG" : "VAGUE";
+    return verdict == RowVerdict::passed ? "passed" : verdict == RowVerdict::wrong ? "WRONG" : "VAGUE";
 }
 
 std::size_t failures(const std::vector<ExamRow>& rows)
 {
     const Judge judge(rows);
-    const auto failed =
-        std::count_if(rows.begin(), rows.end(), [&](const ExamRow& r) { return judge.verdict(r) != Verdict::passed; });
+    const auto failed = std::count_if(rows.begin(), rows.end(),
+                                      [&](const ExamRow& r) { return judge.verdict(r) != RowVerdict::passed; });
     return static_cast<std::size_t>(failed);
 }
 

@@ -23,7 +23,7 @@ struct ExamRow
     double resolution = 0.0;
 };
 
-enum class Verdict {
+enum class RowVerdict {
     passed,
     wrong, ///< farther from the known answer than the limit
     vague, ///< the limit is wider than the resolution
@@ -42,7 +42,7 @@ public:
     /// Standard errors that a row of so many degrees of freedom may be off.
     double most_sigmas(int degrees) const;
     double limit(const ExamRow& row) const;
-    Verdict verdict(const ExamRow& row) const;
+    RowVerdict verdict(const ExamRow& row) const;
 
 private:
     double tail_; ///< of one row
@@ -52,7 +52,7 @@ private:
 double sigmas(const ExamRow& row);
 
 /// "passed", "WRONG", "VAGUE"
-const char* verdict_word(Verdict verdict);
+const char* verdict_word(RowVerdict verdict);
 
 /// How many rows did not pass.
 std::size_t failures(const std::vector<ExamRow>& rows);

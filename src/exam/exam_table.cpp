@@ -17,7 +17,7 @@ std::string short_number(double value)
     return format(std::abs(value) < 1000.0 ? "%.2f" : "%.1e", value);
 }
 
-std::string row_text(const ExamRow& row, Verdict verdict)
+std::string row_text(const ExamRow& row, RowVerdict verdict)
 {
     const double off = sigmas(row);
     const bool random = row.degrees > 0;
@@ -46,8 +46,8 @@ std::string exam_text(const std::vector<ExamRow>& rows, bool only_failed)
     const Judge judge(rows);
     std::string text;
     for (const ExamRow& row : rows) {
-        const Verdict verdict = judge.verdict(row);
-        if (verdict != Verdict::passed || !only_failed)
+        const RowVerdict verdict = judge.verdict(row);
+        if (verdict != RowVerdict::passed || !only_failed)
             text += row_text(row, verdict);
     }
     if (!only_failed)

@@ -29,9 +29,9 @@ TEST_CASE("a row may be off by its share of the risk")
     const Judge judge(rows);
     const double most = judge.most_sigmas(31);
     CHECK(100.0 * student_tail(most, 31) == doctest::Approx(1e-3).epsilon(1e-4));
-    CHECK(judge.verdict(row_off(0.99 * most, 0.0, 1.0)) == Verdict::passed);
-    CHECK(judge.verdict(row_off(-1.01 * most, 0.0, 1.0)) == Verdict::wrong);
-    CHECK(judge.verdict(row_off(-1.01 * most, 0.2, 1.0)) == Verdict::passed);
+    CHECK(judge.verdict(row_off(0.99 * most, 0.0, 1.0)) == RowVerdict::passed);
+    CHECK(judge.verdict(row_off(-1.01 * most, 0.0, 1.0)) == RowVerdict::wrong);
+    CHECK(judge.verdict(row_off(-1.01 * most, 0.2, 1.0)) == RowVerdict::passed);
     CHECK(Judge({rows[0]}).most_sigmas(31) < most);
 }
 
@@ -39,8 +39,8 @@ TEST_CASE("a row whose limit is wider than its resolution proves nothing, howeve
 {
     const Judge judge({row_off(0.0, 0.0, 1.0)});
     const double limit = judge.limit(row_off(0.0, 0.3, 1.0));
-    CHECK(judge.verdict(row_off(0.0, 0.3, 1.01 * limit)) == Verdict::passed);
-    CHECK(judge.verdict(row_off(0.0, 0.3, 0.99 * limit)) == Verdict::vague);
+    CHECK(judge.verdict(row_off(0.0, 0.3, 1.01 * limit)) == RowVerdict::passed);
+    CHECK(judge.verdict(row_off(0.0, 0.3, 0.99 * limit)) == RowVerdict::vague);
 }
 
 TEST_CASE("where nothing is random only the allowance counts, and what is no number is wrong")
@@ -48,11 +48,11 @@ TEST_CASE("where nothing is random only the allowance counts, and what is no num
     ExamRow row = {"case", "", "", "quantity", 1.0, 1.0 + 1e-10};
     row.allowance = 1e-9;
     row.resolution = 1e-9;
-    CHECK(Judge({row}).verdict(row) == Verdict::passed);
+    CHECK(Judge({row}).verdict(row) == RowVerdict::passed);
     row.measured = 1.0 + 1e-8;
-    CHECK(Judge({row}).verdict(row) == Verdict::wrong);
+    CHECK(Judge({row}).verdict(row) == RowVerdict::wrong);
     row.measured = std::numeric_limits<double>::quiet_NaN();
-    CHECK(Judge({row}).verdict(row) == Verdict::wrong);
+    CHECK(Judge({row}).verdict(row) == RowVerdict::wrong);
     CHECK(failures({row, row_off(0.0, 0.0, 1.0)}) == 1);
 }
 
