@@ -12,6 +12,7 @@
 #include "commands/help_topics.h"
 #include "parallel/instruction_set.h"
 #include "scene/input_error.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -71,7 +72,7 @@ int wrong_usage(const std::exception& error, const std::vector<Command>& command
 {
     const bool known =
         std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.table.name == command; });
-    std::fprintf(stderr, "multipath: %s\n%s\n", error.what(), help_hint(known ? command : "").c_str());
+    print_note(format("multipath: %s\n%s\n", error.what(), help_hint(known ? command : "").c_str()));
     return exit_usage;
 }
 
@@ -101,7 +102,7 @@ int main(int argc, char** argv)
     } catch (const std::length_error&) { // of a list: more than any memory holds
         return out_of_memory();
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "multipath: %s\n", error.what());
+        print_note(format("multipath: %s\n", error.what()));
     }
     return exit_failed;
 }

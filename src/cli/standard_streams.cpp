@@ -2,11 +2,23 @@
 
 #include "cli/output_file.h"
 
+#include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <fcntl.h>
 #include <unistd.h>
 
 namespace multipath {
+
+namespace {
+
+void replace_controls(std::string& text)
+{
+    const auto is_control = [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7f; };
+    std::replace_if(text.begin(), text.end(), is_control, '?');
+}
+
+} // namespace
 
 void prepare_standard_streams()
 {
@@ -19,11 +31,18 @@ void prepare_standard_streams()
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void print(std::string_view text)
+void print(std::string text)
 {
+    replace_controls(text);
     OutputFile output("-");
     output.write(text);
     output.commit();
+}
+
+void print_note(std::string text)
+{
+    replace_controls(text);
+    std::fputs(text.c_str(), stderr);
 }
 
 } // namespace multipath

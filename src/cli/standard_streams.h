@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <string>
 
 namespace multipath {
 
@@ -10,7 +10,13 @@ namespace multipath {
 /// program with its temporary files left behind.
 void prepare_standard_streams();
 
+// Names of files may hold what a terminal takes for commands: printed text has '?' for control characters, but for line
+// feeds and tabs.
+
 /// Prints on standard output, at once. Throws OutputError.
-void print(std::string_view text);
+void print(std::string text);
+
+/// Prints on standard error.
+void print_note(std::string text);
 
 } // namespace multipath

@@ -4,8 +4,8 @@
 #include "commands/comparison_report.h"
 #include "commands/result_table.h"
 #include "export/comments.h"
+#include "scene/text_format.h"
 
-#include <cstdio>
 #include <optional>
 
 namespace multipath {
@@ -34,9 +34,8 @@ void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
     const std::optional<std::string> scene_a = comment_value(a.comments, "scene");
     const std::optional<std::string> scene_b = comment_value(b.comments, "scene");
     if (scene_a && scene_b && *scene_a != *scene_b)
-        std::fprintf(stderr,
-                     "warning: %s is of scene %s and %s of scene %s, though their patches have the same areas\n",
-                     a.path.c_str(), scene_a->c_str(), b.path.c_str(), scene_b->c_str());
+        print_note(format("warning: %s is of scene %s and %s of scene %s, though their patches have the same areas\n",
+                          a.path.c_str(), scene_a->c_str(), b.path.c_str(), scene_b->c_str()));
 }
 
 int run_compare(const CommandLine& line)
@@ -54,8 +53,8 @@ int run_compare(const CommandLine& line)
     print(text);
     if (!tolerance || comparison.root() <= *tolerance)
         return 0;
-    std::fprintf(stderr, "multipath: %s is %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(),
-                 100.0 * comparison.root(), b.path.c_str(), 100.0 * *tolerance);
+    print_note(format("multipath: %s is %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(),
+                      100.0 * comparison.root(), b.path.c_str(), 100.0 * *tolerance));
     return 1;
 }
 

@@ -8,6 +8,7 @@
 #include "commands/scene_options.h"
 #include "commands/story_drawing.h"
 #include "commands/story_text.h"
+#include "scene/text_format.h"
 #include "transport/line_sampling.h"
 
 #include <algorithm>
@@ -138,7 +139,7 @@ int run_explain(const CommandLine& line)
     const Scene scene = read_scene(line);
     require_no_input(outputs, scene.file().material_files);
     for (const std::string& warning : scene.file().warnings)
-        std::fprintf(stderr, "%s\n", warning.c_str());
+        print_note(warning + "\n");
     const ToldRun run{scene, options, line.text("method"), sequence};
     const Telling telling = tell(run, stage, range);
     LineDrawing drawing = drawing_of(run, stage, telling.title);

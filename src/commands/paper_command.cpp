@@ -131,7 +131,7 @@ int run_paper(const CommandLine& line)
     const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!quiet)
-            std::fprintf(stderr, "[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str());
+            print_note(format("[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str()));
         run_step(steps[k], folder, line);
     }
     PaperFindings findings = read_findings(line, scenes, folder, steps);
@@ -143,7 +143,7 @@ int run_paper(const CommandLine& line)
     write_file(folder + "/index.html", report_html(report, folder, comments));
     if (!quiet) {
         print(claims_text(paper_claims(findings)));
-        std::fprintf(stderr, "wrote      %s/index.html\n", folder.c_str());
+        print_note(format("wrote      %s/index.html\n", folder.c_str()));
     }
     return 0;
 }

@@ -1,10 +1,10 @@
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
 #include "commands/scene_options.h"
 #include "commands/solve_job.h"
-
-#include <cstdio>
+#include "scene/text_format.h"
 
 namespace multipath {
 
@@ -35,7 +35,7 @@ int run_render(const CommandLine& line)
     write_results(job, scene, solution, outputs, "");
     if (!job.quiet)
         for (const PlannedOutput& output : outputs)
-            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
+            print_note(format("wrote      %s\n", output.file.name().c_str()));
     return 0;
 }
 

@@ -1,3 +1,4 @@
+#include "cli/standard_streams.h"
 #include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "commands/forwarded_options.h"
@@ -7,6 +8,7 @@
 #include "commands/solve_job.h"
 #include "commands/solve_table.h"
 #include "commands/state_options.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -42,16 +44,15 @@ namespace {
 void print_what_was_read(const SceneFile& file)
 {
     for (const std::string& warning : file.warnings)
-        std::fprintf(stderr, "%s\n", warning.c_str());
-    std::fprintf(stderr, "%s: %s\n", file.path.c_str(), file.counts.c_str());
+        print_note(warning + "\n");
+    print_note(format("%s: %s\n", file.path.c_str(), file.counts.c_str()));
 }
 
 void warn_of_line_count(const SolveOptions& options)
 {
     const bool power_of_two = (options.lines & (options.lines - 1)) == 0;
     if (prefers_powers_of_two(options.sequence) && !power_of_two)
-        std::fprintf(
-            stderr, "note: Sobol's points are spread best when their number is a power of two, such as --lines 2^20\n");
+        print_note("note: Sobol's points are spread best when their number is a power of two, such as --lines 2^20\n");
 }
 
 void require_one_on_standard_output(const CommandLine& line)
@@ -101,10 +102,9 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
         saved.description.share = wanted.share;
     require_same_run(saved.description, state.from, wanted);
     if (!job.quiet)
-        std::fprintf(stderr,
-                     is_finished(saved) ? "%s is of a finished run; more --lines go on from there\n"
-                                        : "goes on from %s\n",
-                     state.from.c_str());
+        print_note(format(is_finished(saved) ? "%s is of a finished run; more --lines go on from there\n"
+                                             : "goes on from %s\n",
+                          state.from.c_str()));
     keeper.resume(std::move(saved));
 }
 

@@ -18,7 +18,6 @@
 #include "scene/text_format.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace multipath {
 
@@ -59,17 +58,17 @@ double seconds_since(SolveJob::Clock::time_point start)
 
 void tell_of_interruption(const SolveJob& job, const Solution& solution, const StateKeeper& keeper)
 {
-    std::fprintf(stderr, "interrupted after %s of %s lines%s\n", grouped(solution.all_lines).c_str(),
-                 grouped(job.options.lines).c_str(),
-                 keeper.path().empty() ? "; --state FILE would let it go on from there"
-                                       : ("; --resume goes on from " + keeper.path()).c_str());
+    print_note(format("interrupted after %s of %s lines%s\n", grouped(solution.all_lines).c_str(),
+                      grouped(job.options.lines).c_str(),
+                      keeper.path().empty() ? "; --state FILE would let it go on from there"
+                                            : ("; --resume goes on from " + keeper.path()).c_str()));
 }
 
 int tell_of_share(const SolveJob& job, const StateKeeper& keeper)
 {
     if (!job.quiet)
-        std::fprintf(stderr, "%s; 'multipath merge' adds the shares up\n",
-                     keeper.handed_in() ? "this share is done" : "interrupted; --resume goes on with this share");
+        print_note(format("%s; 'multipath merge' adds the shares up\n",
+                          keeper.handed_in() ? "this share is done" : "interrupted; --resume goes on with this share"));
     return keeper.handed_in() ? 0 : exit_interrupted;
 }
 
@@ -150,11 +149,11 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     if (job.line.has("json"))
         print(summary_json(summary).document());
     if (!job.quiet) {
-        std::fputs(summary_text(summary).c_str(), stderr);
+        print_note(summary_text(summary));
         if (job.line.has("verbose"))
-            std::fputs(stages_text(solution).c_str(), stderr);
+            print_note(stages_text(solution));
         for (const PlannedOutput& output : outputs)
-            std::fprintf(stderr, "wrote      %s\n", output.file.name().c_str());
+            print_note(format("wrote      %s\n", output.file.name().c_str()));
     }
     return keeper.stopped() ? exit_interrupted : 0;
 }

@@ -97,4 +97,13 @@ missing_folder() {
     [ -z "$(find . -name '*good*')" ] || { echo "the other output has left a file:"; ls -A; return 1; }
 }
 check "an output in a missing folder is reported before solving, and no other output is begun" missing_folder
+# A terminal would take them for commands.
+no_controls() {
+    strange=$(printf 'red\033[31m') && mkdir "$strange" && cp "$root"/scenes/cube.* "$strange" || return
+    ends 1 check "$strange/none.obj" && says err 'red?[31m/none.obj' || return
+    ends 0 check "$strange/cube.obj" && says out 'red?[31m/cube.obj' || return
+    ends 0 solve "$strange/cube.obj" --lines 1000 --patches 100 -o "$strange/a.csv" && says err 'red?[31m/a.csv' || return
+    ends 2 "$strange" && says err 'red?[31m'
+}
+check "control characters in names do not reach the terminal" no_controls
 finish
