@@ -10,12 +10,14 @@
 #include "commands/result_difference.h"
 #include "commands/scene_options.h"
 #include "export/file_bytes.h"
+#include "scene/obj_reader.h"
 #include "scene/text_format.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <unistd.h>
+#include <vector>
 
 namespace multipath {
 
@@ -126,6 +128,21 @@ int judge(const Reproduction& r)
     return 1;
 }
 
+/// Files that exist, with the materials of scenes.
+std::vector<std::string> inputs_among(const std::vector<std::string>& words)
+{
+    std::vector<std::string> inputs;
+    for (const std::string& word : words) {
+        if (access(word.c_str(), F_OK) != 0)
+            continue;
+        inputs.push_back(word);
+        if (word.size() > 4 && word.compare(word.size() - 4, 4, ".obj") == 0)
+            for (const std::string& material : read_obj(word).material_files)
+                inputs.push_back(material);
+    }
+    return inputs;
+}
+
 /// Open already. `words` are those of the recorded command, among them its inputs.
 std::optional<OutputFile> file_to_keep(const CommandLine& line, const std::vector<std::string>& words)
 {
@@ -136,9 +153,11 @@ std::optional<OutputFile> file_to_keep(const CommandLine& line, const std::vecto
         throw UsageError("--keep: standard output tells what came out; expected a file");
     if (same_file(keep, line.operands()[0]))
         throw UsageError("--keep: " + quoted_argument(keep) + " is the file to compare with; expected another file");
-    for (const std::string& word : words)
-        if (access(word.c_str(), F_OK) == 0 && same_file(keep, word))
-            throw UsageError("--keep: " + quoted_argument(keep) + " is an input of the command; expected another file");
+    if (access(keep.c_str(), F_OK) == 0)
+        for (const std::string& input : inputs_among(words))
+            if (same_file(keep, input))
+                throw UsageError("--keep: " + quoted_argument(keep) +
+                                 " is an input of the command; expected another file");
     return OutputFile(keep);
 }
 
@@ -152,13 +171,13 @@ int run_reproduce(const CommandLine& line)
     always_end_at_interrupts();
     std::optional<OutputFile> keep = file_to_keep(line, record.words);
     if (!line.has("quiet"))
-        std::fprintf(stderr, "running    multipath %s\n", shell_text(record.words).c_str());
+        print_note(format("running    multipath %s\n", shell_text(record.words).c_str()));
     const std::string now = run_again(record, path, threads);
     if (keep) {
         keep->write(now);
         keep->commit();
         if (!line.has("quiet"))
-            std::fprintf(stderr, "wrote      %s\n", keep->name().c_str());
+            print_note(format("wrote      %s\n", keep->name().c_str()));
     }
     return judge({path, then, now, record, read_recorded_command(now, "the new file")});
 }

@@ -3,6 +3,7 @@
 #include "sampling/random.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
@@ -54,6 +55,14 @@ void swap_on_big_endian(Scalar scalar, char* data, std::size_t length)
     if (!little_endian)
         for (std::size_t k = 0; k < length; ++k)
             std::reverse(data + k * size, data + (k + 1) * size);
+}
+
+/// A state is copied to arrays of its numbers, which no run makes infinite.
+template <class Number>
+bool all_finite(const void* data, std::size_t length)
+{
+    const auto* const numbers = static_cast<const Number*>(data);
+    return std::all_of(numbers, numbers + length, [](Number x) { return std::isfinite(x); });
 }
 
 FileBytes bytes_of_state(const std::string& path)
@@ -214,6 +223,9 @@ void StateReader::read(const std::string& name, Scalar scalar, void* data, std::
         return;
     std::memcpy(data, bytes_.data() + found.place, length * size_of(scalar));
     swap_on_big_endian(scalar, static_cast<char*>(data), length);
+    if ((scalar == Scalar::f64 && !all_finite<double>(data, length)) ||
+        (scalar == Scalar::f32 && !all_finite<float>(data, length)))
+        refuse("damaged: '" + name + "' has a number that is not finite; expected a whole copy");
 }
 
 void StateReader::copy_rest(StateWriter& other) const

@@ -125,6 +125,7 @@ kept() {
     same room.csv --keep kept.csv && cmp kept.csv room.csv && says err "wrote      kept.csv" &&
         ends 2 reproduce room.csv --keep ./room.csv && says err "is the file to compare with" &&
         ends 2 reproduce room.csv --keep $scene && says err "is an input of the command" &&
+        ends 2 reproduce room.csv --keep ${scene%.obj}.mtl && says err "is an input of the command" &&
         ends 2 reproduce room.csv --keep - && ends 1 reproduce room.csv --keep none/kept.csv && says err "cannot write none/kept.csv" &&
         cmp kept.csv room.csv && ends 0 check $scene
 }

@@ -3,6 +3,7 @@
 #include "export/state_file.h"
 #include "scene/scene_builder.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -75,6 +76,18 @@ bool says(const std::string& text, const char* part)
 }
 
 } // namespace
+
+TEST_CASE("a state with a number that is not finite is refused, whatever its checksum")
+{
+    for (const double number : {std::nan(""), HUGE_VAL}) {
+        Values values = some_values();
+        values.real = number;
+        CHECK(says(refusal(written(values)), "not finite"));
+    }
+    Values values = some_values();
+    values.floats[1] = std::nanf("");
+    CHECK(says(refusal(written(values)), "not finite"));
+}
 
 TEST_CASE("a state gives back the bits that were put into it")
 {
