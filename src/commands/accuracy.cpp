@@ -16,36 +16,18 @@ namespace {
 constexpr int replicates_of_rounds = 4; ///< without the user's word: an error to stop at needs a few
 constexpr std::uint64_t first_round_lines = 1u << 16;
 
-/// Ends the rounds where another one, twice as long as the last, would exceed the time or the lines.
-class RoundLimit
-{
-public:
-    /// With fewer lines than `least_lines` an error is not believed.
-    RoundLimit(const Accuracy& accuracy, std::uint64_t least_lines) : accuracy_(accuracy), least_lines_(least_lines) {}
-
-    bool go_on(const Round& round)
-    {
-        const Clock::time_point now = Clock::now();
-        const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
-        const double after_next = seconds(now - start_) + 2.0 * seconds(now - round_start_);
-        round_start_ = now;
-        const bool reached =
-            accuracy_.tolerance && round.lines >= least_lines_ && round.relative_standard_error <= *accuracy_.tolerance;
-        const bool too_late = accuracy_.seconds && after_next > *accuracy_.seconds;
-        const bool too_many = accuracy_.most_lines && 2 * round.lines > *accuracy_.most_lines;
-        return !reached && !too_late && !too_many;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-
-    const Accuracy& accuracy_;
-    std::uint64_t least_lines_;
-    Clock::time_point start_ = Clock::now();
-    Clock::time_point round_start_ = start_;
-};
-
 } // namespace
+
+bool RoundLimit::go_on(const Round& round, double seconds)
+{
+    const double after_next = seconds + 2.0 * (seconds - round_start_);
+    round_start_ = seconds;
+    const bool reached =
+        accuracy_.tolerance && round.lines >= least_lines_ && round.relative_standard_error <= *accuracy_.tolerance;
+    const bool too_late = accuracy_.seconds && after_next > *accuracy_.seconds;
+    const bool too_many = accuracy_.most_lines && 2 * round.lines > *accuracy_.most_lines;
+    return !reached && !too_late && !too_many;
+}
 
 OptionGroup accuracy_option_group()
 {
@@ -94,9 +76,12 @@ Solution solve_accurately(const Scene& scene, const SolveOptions& options, const
         return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, share);
     RoundLimit limit(accuracy, lines_for_error(scene, options.method, accuracy.replicates));
     const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
-    return solve_until(
-        scene, options, accuracy.replicates, first, [&](const Round& round) { return limit.go_on(round); }, progress,
-        checkpoint);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto go_on = [&](const Round& round) {
+        return limit.go_on(round, std::chrono::duration<double>(Clock::now() - start).count());
+    };
+    return solve_until(scene, options, accuracy.replicates, first, go_on, progress, checkpoint);
 }
 
 } // namespace multipath

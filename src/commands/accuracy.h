@@ -20,6 +20,23 @@ struct Accuracy
     bool in_rounds() const { return tolerance || seconds; }
 };
 
+/// Ends the rounds when the tolerance is reached, or where another round, twice as long as the last, would exceed the
+/// time or the lines.
+class RoundLimit
+{
+public:
+    /// With fewer lines than `least_lines` an error is not believed.
+    RoundLimit(const Accuracy& accuracy, std::uint64_t least_lines) : accuracy_(accuracy), least_lines_(least_lines) {}
+
+    /// After each round, `seconds` after the start of the first one.
+    bool go_on(const Round& round, double seconds);
+
+private:
+    Accuracy accuracy_;
+    std::uint64_t least_lines_;
+    double round_start_ = 0.0; ///< [s]
+};
+
 OptionGroup accuracy_option_group();
 
 /// Throws UsageError.
