@@ -71,6 +71,49 @@ TEST_CASE("between two facing squares the share F arrives and the rest escapes, 
     CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(1e-3));
 }
 
+// The same without a table of pairs, with the light of the lamp gathered: its share F is exact, what the other square
+// reflects has the noise of the lines.
+TEST_CASE("without a table of pairs the share F arrives and the rest escapes, too")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.4, 2.0));
+    builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.7, 0.0));
+    const Scene scene = builder.scene(1.0);
+    SolveOptions options = reuse_options(1u << 16);
+    options.memory = 1.0;
+    options.direct = Direct::gather;
+    const double f = 0.19982489569838746; // Howell, C-11, for opposite sides of a cube
+    const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
+    const Solution solution = solve(scene, options, silent);
+    CHECK(solution.radiosity[0].r == doctest::Approx(b_1).epsilon(1e-3));
+    CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(1e-3));
+    CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(5e-3));
+    CHECK(std::abs(solution.balance.unshot.r) < 1e-3);
+}
+
+// A slit in the ceiling takes a little of what every patch sends. How much, a row's few lines through it tell far
+// better than the boxes leave open what its patches exchange: the row must add up to the rest of its area. The light
+// that stays in the room is then off by 1.1 % (measured), without that knowledge by 2.9 %.
+TEST_CASE("rows that lose some of their light add up to the areas of the patches, too")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.9, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.9, 1.0));
+    builder.rectangle({0, 1, 0}, {0.48, 0, 0}, {0, 0, 1}, wall).rectangle({0.52, 1, 0}, {0.48, 0, 0}, {0, 0, 1}, wall);
+    builder.rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, wall).rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}, wall);
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, wall).rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0}, wall);
+    builder.box({0.2, 0.1, 0.3}, {0.5, 0.6, 0.7}, wall).box({0.6, 0.3, 0.1}, {0.9, 0.4, 0.8}, wall);
+    const Scene scene = builder.scene(0.125);
+    const double truth = mean(solve(scene, reuse_options(1u << 20), silent).balance.absorbed);
+    double squares = 0.0;
+    constexpr int runs = 4;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+        const double found = mean(solve(scene, reuse_options(1u << 14, seed), silent).balance.absorbed);
+        squares += (found / truth - 1.0) * (found / truth - 1.0);
+    }
+    CHECK(std::sqrt(squares / runs) < 0.018);
+}
+
 TEST_CASE("light that meets nothing escapes, all of it")
 {
     SceneBuilder builder;

@@ -3,6 +3,7 @@
 
 #include "radiosity/replicates.h"
 
+#include "paused_work.h"
 #include "scene/obj_reader.h"
 #include "test_scenes.h"
 
@@ -112,4 +113,37 @@ TEST_CASE("rounds double the lines until the caller has enough")
     CHECK(s.local_lines + s.global_lines == 12000);
     CHECK(s.all_lines == 21000);
     CHECK(rounds[2].relative_standard_error == *s.relative_standard_error);
+}
+
+// The error of the mean m of n runs x is sqrt(sum (x - m)^2 / (n (n - 1))); the runs follow from the means of the first
+// 1, 2 ... of them, which is what work that is left has found.
+TEST_CASE("the standard error is that of the mean of independent runs")
+{
+    const Scene scene = uneven_cube();
+    SolveOptions options = options_of(Method::first_shot, "random", 4000);
+    options.threads = 1;
+    for (const int replicates : {2, 4}) {
+        CAPTURE(replicates);
+        std::vector<std::vector<Rgb>> means(static_cast<std::size_t>(replicates));
+        for (int pause = 0;; ++pause) {
+            TestCheckpoint left(pause);
+            const Solution then = solve_replicates(scene, prepare(scene, options), options, replicates, silent, &left);
+            means[static_cast<std::size_t>(then.replicates) - 1] = then.radiosity;
+            if (then.replicates < replicates)
+                continue;
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+                double squares = 0.0;
+                double sum_before = 0.0;
+                for (std::size_t k = 0; k < means.size(); ++k) {
+                    const double sum = static_cast<double>(k + 1) * means[k][i].g;
+                    const double deviation = sum - sum_before - then.radiosity[i].g;
+                    squares += deviation * deviation;
+                    sum_before = sum;
+                }
+                CHECK(then.standard_error[i].g ==
+                      doctest::Approx(std::sqrt(squares / (replicates * (replicates - 1.0)))).epsilon(1e-6));
+            }
+            break;
+        }
+    }
 }

@@ -206,3 +206,68 @@ TEST_CASE("state of other work is refused")
     TestCheckpoint other(-1, left.saved());
     CHECK_THROWS_AS(solved(scene, options_of(Method::local, "sobol", 40000), 1, &other), ArchiveError);
 }
+
+// Line reuse without a table of pairs solves for the lines that it has: however many they are, all of the light arrives
+// somewhere. Only their noise is left, here below a hundredth.
+TEST_CASE("line counts that are left stand for the lines that are missing")
+{
+    const Scene scene = room();
+    SolveOptions options = options_of(Method::reuse, "sobol", 200000);
+    options.memory = 1e3; // in rounds
+    for (const Direct direct : {Direct::gather, Direct::shoot}) {
+        CAPTURE(static_cast<int>(direct));
+        options.direct = direct;
+        const Solution whole = solved(scene, options, 1, nullptr);
+        int counting = 0;
+        for (int pause = 0;; pause += 17) {
+            TestCheckpoint left(pause);
+            const Solution then = solved(scene, options, 1, &left);
+            if (left.finished())
+                break;
+            if (then.global_lines_cast == 0)
+                continue; // the first light is not yet there
+            CAPTURE(pause);
+            ++counting;
+            CHECK(mean(then.balance.absorbed) == doctest::Approx(mean(whole.balance.absorbed)).epsilon(0.01));
+            CHECK(mean(then.balance.unshot) < 0.01 * mean(whole.balance.emitted));
+        }
+        CHECK(counting > 3);
+    }
+}
+
+// Where the light of the lamps is gathered, what no patch receives leaves the scene; but not what was not yet looked
+// for. Between facing squares, B_1 = E + rho_1 F B_2 and B_2 = rho_2 F B_1; they absorb what does not escape.
+TEST_CASE("light that was not yet found when the work was left has not escaped")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.4, 2.0));
+    builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.7, 0.0));
+    const Scene scene = builder.scene(0.1);
+    SolveOptions options = options_of(Method::reuse, "sobol", 200000);
+    options.memory = 1.0;
+    options.direct = Direct::gather;
+    const double f = 0.19982489569838746; // Howell, C-11, for opposite sides of a cube
+    const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
+    const double escaped = (1.0 - f) * (b_1 + 0.7 * f * b_1);
+    TestCheckpoint left(0);
+    const Solution then = solved(scene, options, 1, &left);
+    REQUIRE(!left.finished());
+    CHECK(then.balance.escaped.g == doctest::Approx(escaped).epsilon(0.01));
+    CHECK(then.balance.absorbed.g == doctest::Approx(2.0 - escaped).epsilon(0.05));
+}
+
+// In a closed room of one reflectance the number of a particle's steps depends on its random decisions alone: the same
+// decisions would make as many steps again.
+TEST_CASE("a run that goes on to more lines draws other random numbers")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(0.8, 1.0)).scene(0.5);
+    for (const char* sequence : {"random", "sobol"}) {
+        CAPTURE(sequence);
+        TestCheckpoint first(-1);
+        const Solution few = solved(scene, options_of(Method::local, sequence, 10000), 1, &first);
+        TestCheckpoint more(-1, first.saved());
+        const Solution many = solved(scene, options_of(Method::local, sequence, 20000), 1, &more);
+        CHECK(many.local_lines != 2 * few.local_lines);
+    }
+}

@@ -254,3 +254,28 @@ TEST_CASE("every number of threads estimates the same bits")
         CHECK(std::equal(one.variance.row(0), one.variance.row(n), more.variance.row(0)));
     }
 }
+
+// Two pairs in one block: 0 of 8 lines through the first were free, 8 of 8 through the second. The share of each must
+// be told by the other alone, and by one line more that stands for the larger blocks: at least 8/9 for the first, at
+// most 1/9 for the second. Twice as many lines as expected met each pair, so that beta G + a (joined - 8 beta) with a =
+// G / 4 is -beta G and (2 - beta) G, but for the trust t^2 > 0.97 in the second term.
+TEST_CASE("the share of a pair is told by the lines of the other pairs")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, grey).rectangle({0, 2, -0.5}, {1, 0, 0}, {0, 0, 2}, grey);
+    const Scene scene = builder.scene(1.0); // patch 0 below the patches 1 and 2
+    REQUIRE(scene.patch_count() == 3);
+    const Case problem(scene);
+    const auto g = static_cast<double>(problem.unoccluded.at(1, 0));
+    PairCounts counts(3);
+    counts.pairs.at(1, 0) = {0, 8};
+    counts.pairs.at(2, 0) = {8, 8};
+    const ExchangeEstimate estimate = estimate_exchange(scene, problem.unoccluded, counts, g / 4.0, 1);
+    const double hidden = static_cast<double>(estimate.exchange.at(1, 0)) / g;
+    CHECK(hidden < -8.0 / 9.0 * (2 * 0.97 - 1.0));
+    CHECK(hidden >= -1.0);
+    const double open = static_cast<double>(estimate.exchange.at(2, 0)) / g;
+    CHECK(open > (1.0 - 1.0 / 9.0) * 2 * 0.97);
+    CHECK(open <= 2.0);
+}

@@ -1,5 +1,6 @@
 #include "transport/line_counts.h"
 
+#include "paused_work.h"
 #include "test_scenes.h"
 
 #include <algorithm>
@@ -123,4 +124,19 @@ TEST_CASE("counting ends when the memory is full, at the same line for any numbe
     CHECK(two.lines_cast == one.lines_cast);
     CHECK(contents(two.counts) == contents(one.counts));
     CHECK_FALSE(counted(scene, 0, 4096, 1).counts.full());
+}
+
+TEST_CASE("counting that is stopped has the counts of the lines that it tells")
+{
+    const Scene scene = open_room(0.05);
+    for (const int pause : {0, 3, 10}) {
+        TestCheckpoint stop(pause);
+        const CountedLines part =
+            count_lines(scene, GlobalLines(scene.bounds(), Chords::box), *make_sequence("sobol", 0), 0, lines,
+                        std::size_t{1} << 30, {1, {}, &stop});
+        CAPTURE(part.lines_cast);
+        REQUIRE(part.lines_cast > 0);
+        REQUIRE(part.lines_cast < lines);
+        CHECK(contents(part.counts) == contents(counted(scene, 0, part.lines_cast, 1).counts));
+    }
 }

@@ -1,0 +1,42 @@
+#include "commands/solve_summary.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace multipath;
+
+namespace {
+
+/// The summary of a run of which so much of 1 W is unshot and so much lost behind surfaces.
+std::string summary_of(double unshot, double behind)
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(0.5, 1.0)).scene(1.0);
+    const SolveOptions options;
+    Solution solution;
+    solution.radiosity.resize(scene.patch_count());
+    const auto grey = [](double power) { return Rgb{power, power, power}; };
+    solution.balance.emitted = solution.balance.source = grey(1.0);
+    solution.balance.unshot = grey(unshot);
+    solution.balance.behind = grey(behind);
+    solution.balance.absorbed = grey(1.0 - unshot - behind);
+    return summary_text({scene, options, solution, "reuse", "sobol"});
+}
+
+bool warns(const std::string& text, const char* of)
+{
+    const std::size_t warning = text.find("warning ");
+    return warning != std::string::npos && text.find(of, warning) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("power that is not distributed is warned of above 5 %, power lost behind surfaces above 0.01 %")
+{
+    CHECK(warns(summary_of(0.06, 0.0), "6 % of the power is not distributed yet"));
+    CHECK(warns(summary_of(0.0, 0.0002), "0.02 % of the power met surfaces from behind"));
+    CHECK_FALSE(warns(summary_of(0.04, 0.00005), ""));
+}

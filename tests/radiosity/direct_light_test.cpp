@@ -1,0 +1,29 @@
+#include "radiosity/direct_light.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+using namespace multipath;
+
+// A lamp far above a field of squares and strips by turns, with nothing in between: all but the lamp is lit, in
+// whatever proportion the patches that are looked at stand for the others.
+TEST_CASE("of an open field all is lit, also where some patches stand for many of other sizes")
+{
+    constexpr int columns = 75;
+    constexpr int rows = 75;
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    for (int i = 0; i < columns; ++i)
+        for (int j = 0; j < rows; ++j) {
+            const double x = i;
+            const double z = 1.1 * j;
+            builder.rectangle({x, 0, z}, {0, 0, 1}, {1, 0, 0}, grey);
+            builder.rectangle({x, 0, z + 1.0}, {0, 0, 0.1}, {1, 0, 0}, grey);
+        }
+    builder.rectangle({35, 90, 40}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.5, 1.0));
+    const Scene scene = builder.scene(1.0);
+    REQUIRE(scene.patch_count() == 2 * columns * rows + 1); // more than are looked at
+    const double lit = 1.1 * columns * rows;
+    CHECK(measure_direct_light(scene, 1000, 1).lit_fraction == doctest::Approx(lit / (lit + 1.0)).epsilon(1e-3));
+}
