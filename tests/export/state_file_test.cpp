@@ -120,7 +120,7 @@ TEST_CASE("the bytes of a state are those of its document")
     CHECK(bytes.substr(0, bytes.size() - 8) == std::string(expected, sizeof expected - 1));
 }
 
-TEST_CASE("every byte that changes is noticed, and every end that is missing")
+TEST_CASE("every byte that changes is noticed, words that are exchanged, and every end that is missing")
 {
     Values values = some_values();
     const std::string bytes = written(values);
@@ -131,6 +131,12 @@ TEST_CASE("every byte that changes is noticed, and every end that is missing")
         bent[k] = static_cast<char>(bent[k] ^ 4);
         CHECK(!refusal(bent).empty());
         CHECK(!refusal(bytes.substr(0, k)).empty());
+    }
+    for (std::size_t k = 24; k + 16 < bytes.size(); k += 8) { // words after the header
+        CAPTURE(k);
+        const std::string exchanged =
+            bytes.substr(0, k) + bytes.substr(k + 8, 8) + bytes.substr(k, 8) + bytes.substr(k + 16);
+        CHECK((exchanged == bytes || says(refusal(exchanged), "checksum")));
     }
     CHECK(says(refusal(bytes.substr(0, bytes.size() - 8)), "damaged"));
     CHECK(says(refusal(""), "not a state"));

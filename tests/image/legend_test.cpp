@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -98,4 +99,8 @@ TEST_CASE("a plus after the last number says that there are values beyond")
     const ScreenImage closed = legend_strip(640, height, {title, round_scale(1.0)});
     const ScreenImage open = legend_strip(640, height, {title, round_scale(1.0), true});
     CHECK(closed.bytes != open.bytes);
+    for (int y = 0; y < height; ++y) { // of five steps the last begins at four fifths
+        const auto row = [&](const ScreenImage& strip) { return strip.bytes.begin() + 3 * 640 * y; };
+        CHECK(std::equal(row(closed), row(closed) + 3 * 480, row(open)));
+    }
 }

@@ -26,6 +26,15 @@ std::vector<std::string> all_names()
     return names;
 }
 
+/// Item 0, as each of many seeds makes it.
+std::vector<Item> items_by_seed(const std::string& name)
+{
+    std::vector<Item> items;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed)
+        items.push_back(make_sequence(name, seed)->item(0));
+    return items;
+}
+
 } // namespace
 
 TEST_CASE("every sequence gives the same items in blocks and one by one, all below 1")
@@ -193,15 +202,25 @@ TEST_CASE("Hammersley's points are known in number")
     CHECK(sequence->coordinate(3, 2) == 1.0 / 9);
 }
 
-// The steps are 1/g, 1/g^2, ... with g^(s + 1) = g + 1, so that 1/g^s + 1/g^(s + 1) = 1: for s = 4 the fourth step and
-// its product with the first add up to 1. In one dimension the golden ratio: of N points, no two neighbours are further
-// apart than 2 / N.
+// In s dimensions the steps are 1/g, 1/g^2, ... with g^(s + 1) = g + 1. In one dimension g is the golden ratio: of N
+// points, no two neighbours are further apart than 2 / N.
 TEST_CASE("the Kronecker sequence steps by powers of a golden ratio")
 {
-    const auto four = make_sequence("kronecker", 0);
-    const auto step = [&](int d) { return four->coordinate(1, d) - 0.5 + (four->coordinate(1, d) < 0.5 ? 1.0 : 0.0); };
-    CHECK(step(3) + step(3) * step(0) == doctest::Approx(1.0).epsilon(1e-15));
-    CHECK(step(1) == doctest::Approx(step(0) * step(0)).epsilon(1e-15));
+    for (int dimensions = 1; dimensions <= 6; ++dimensions) {
+        double low = 1.0;
+        double high = 2.0;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (std::pow(middle, dimensions + 1) < middle + 1.0 ? low : high) = middle;
+        }
+        const auto sequence = make_sequence("kronecker", 0, dimensions);
+        for (int d = 0; d < dimensions; ++d) {
+            CAPTURE(dimensions);
+            CAPTURE(d);
+            const double step = sequence->coordinate(1, d) - 0.5;
+            CHECK(step + (step < 0.0 ? 1.0 : 0.0) == doctest::Approx(std::pow(low, -(d + 1))).epsilon(1e-14));
+        }
+    }
 
     const auto line = make_sequence("kronecker", 0, 1);
     std::set<double> places;
@@ -211,4 +230,64 @@ TEST_CASE("the Kronecker sequence steps by powers of a golden ratio")
     for (auto place = places.begin(); std::next(place) != places.end(); ++place)
         widest = std::max(widest, *std::next(place) - *place);
     CHECK(widest < 2.0 / 1000);
+}
+
+// Point 0 has the digits 0, 0, ..., whose permutations the seed chooses: the first digit becomes each of the base
+// equally often, and what is left beyond 2^-30 is uniform too. Binomial and uniform, 4 standard deviations.
+TEST_CASE("permuted digits are uniform, first ones and those beyond the last")
+{
+    const std::vector<std::uint64_t> bases = {2, 3, 5, 7};
+    const std::vector<Item> items = items_by_seed("halton-permuted:2,3,5,7");
+    const auto seeds = static_cast<double>(items.size());
+    for (std::size_t d = 0; d < 4; ++d) {
+        const auto base = static_cast<double>(bases[d]);
+        std::vector<double> counts(bases[d], 0.0);
+        double tails = 0.0;
+        for (const Item& item : items) {
+            counts[static_cast<std::size_t>(base * item[d])] += 1.0;
+            tails += std::ldexp(item[d], 30) - std::floor(std::ldexp(item[d], 30));
+        }
+        CAPTURE(base);
+        for (const double count : counts)
+            CHECK(std::abs(count / seeds - 1.0 / base) < 4.0 * std::sqrt((1.0 - 1.0 / base) / base / seeds));
+        CHECK(std::abs(tails / seeds - 0.5) < 4.0 * std::sqrt(1.0 / 12.0 / seeds));
+    }
+}
+
+// A shift that all dimensions share would move the points along the diagonal only. The correlation of independent
+// numbers is normal with standard deviation 1 / sqrt(n).
+TEST_CASE("the seed randomises each dimension by itself")
+{
+    for (const SequenceKind& kind : sequence_kinds()) {
+        const std::string name(kind.name);
+        if (kind.randomised != kind.name)
+            continue;
+        CAPTURE(name);
+        const std::vector<Item> items = items_by_seed(name);
+        const auto seeds = static_cast<double>(items.size());
+        for (std::size_t d = 1; d < 4; ++d) {
+            double products = 0.0;
+            for (const Item& item : items)
+                products += 12.0 * (item[0] - 0.5) * (item[d] - 0.5);
+            CHECK(std::abs(products / seeds) < 4.0 / std::sqrt(seeds));
+        }
+    }
+}
+
+TEST_CASE("of a sequence in pairs there are half as many items")
+{
+    CHECK(make_line_sequence("hammersley:100", 0, Pairing::four_dimensional)->item_limit() == 100);
+    CHECK(make_line_sequence("hammersley:100", 0, Pairing::two_dimensional)->item_limit() == 50);
+}
+
+TEST_CASE("blocks have the first four coordinates of sequences that have more")
+{
+    for (const char* name : {"random", "halton", "halton-permuted", "sobol", "sobol-owen", "kronecker"}) {
+        CAPTURE(name);
+        const auto sequence = make_sequence(name, 1, 6);
+        std::vector<Item> items(20);
+        sequence->generate(1000, items);
+        for (std::uint64_t k = 0; k < items.size(); ++k)
+            CHECK(items[k] == sequence->item(1000 + k));
+    }
 }

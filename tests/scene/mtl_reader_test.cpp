@@ -46,6 +46,8 @@ TEST_CASE("values that no material can have are refused with the name of the mat
     CHECK(contains(problem("newmtl red\nKe inf\n"), "a.mtl:2: Ke of material `red`: `inf` is not a finite number"));
     CHECK(contains(problem("newmtl red\nKd nan 0 0\n"), "a.mtl:2: Kd of material `red`: `nan`"));
     CHECK(contains(problem("newmtl red\nKe 1e300\n"), "a.mtl:2: Ke of material `red` is above 1e30"));
+    CHECK(contains(problem("newmtl red\nKe 0 0 1.1e30\n"), "is above 1e30"));
+    CHECK(problem("newmtl red\nKe 1e30\n").empty());
     CHECK(contains(problem("newmtl red\nKa -1\n", EmissionFrom::ka), "a.mtl:2: Ka of material `red` is negative"));
 }
 

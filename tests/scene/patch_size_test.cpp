@@ -44,3 +44,15 @@ TEST_CASE("the default patch size grows where long strips give more patches than
     CHECK(size > 1.25 * by_area);
     CHECK(size <= 3.0 * by_area);
 }
+
+// sqrt(6 x 2.1^2 / 2500) = 0.103: the next round size below is 0.1, and 6 x 21^2 patches are not too many.
+TEST_CASE("the default patch size grows with the scene, also through the powers of ten")
+{
+    for (int exponent = -6; exponent <= 6; ++exponent) {
+        const double unit = std::pow(10.0, exponent);
+        SceneBuilder builder;
+        const Vec3 size = 2.1 * unit * Vec3{1, 1, 1};
+        const SceneFile file = builder.room({0, 0, 0}, size, builder.grey(0.5, 1.0)).file();
+        CHECK(default_patch_size(file.surfaces) == doctest::Approx(0.1 * unit).epsilon(1e-12).scale(0.0));
+    }
+}

@@ -1,9 +1,13 @@
 #include "scene/scene.h"
 
 #include "input_problem.h"
+#include "scene/scene_hash.h"
 #include "test_scenes.h"
 
+#include <cstdint>
 #include <doctest/doctest.h>
+#include <functional>
+#include <set>
 
 using namespace multipath;
 
@@ -65,4 +69,38 @@ TEST_CASE("the scene's hash tells what changes the result from what does not")
     CHECK(hash(0.0, 0.5, 1.0, "a") != hash(1e-9, 0.5, 1.0, "a"));
     CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.6, 1.0, "a"));
     CHECK(hash(0.0, 0.5, 1.0, "a") != hash(0.0, 0.5, 0.5, "a"));
+}
+
+// A run goes on from its state only if the scene is the same.
+TEST_CASE("the scene's hash changes with every number of a surface and its material, and with the sides")
+{
+    SceneBuilder builder;
+    const SceneFile file =
+        builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, builder.material({0.5, 0.4, 0.3}, {3, 2, 1})).file();
+    const auto hash = [&](const std::function<void(SceneFile&)>& change, bool two_sided = false) {
+        SceneFile changed = file;
+        change(changed);
+        return Scene(changed, 0.3, two_sided).hash();
+    };
+    std::set<std::uint64_t> hashes = {hash([](SceneFile&) {}), hash([](SceneFile&) {}, true)};
+    std::size_t count = 2;
+    const auto check = [&](const std::function<void(SceneFile&)>& change) {
+        hashes.insert(hash(change));
+        CHECK(hashes.size() == ++count);
+    };
+    for (Vec3 Surface::*vector : {&Surface::origin, &Surface::edge_u, &Surface::edge_v})
+        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z})
+            check([&](SceneFile& changed) { changed.surfaces[0].*vector.*axis += 0.01; });
+    for (Rgb Material::*colour : {&Material::reflectance, &Material::emittance})
+        for (double Rgb::*channel : {&Rgb::r, &Rgb::g, &Rgb::b})
+            check([&](SceneFile& changed) { changed.materials[0].*colour.*channel += 0.01; });
+    check([](SceneFile& changed) { changed.surfaces[0].shape = Shape::triangle; });
+
+    const auto cells = [&](std::uint32_t u, std::uint32_t v) {
+        return scene_hash(file, {{Shape::parallelogram, u, v}}, false);
+    };
+    CHECK(cells(4, 4) == hash([](SceneFile&) {}));
+    CHECK(cells(4, 5) != cells(4, 4));
+    CHECK(cells(5, 4) != cells(4, 4));
+    CHECK(cells(5, 4) != cells(4, 5));
 }
