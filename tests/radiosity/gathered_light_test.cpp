@@ -277,3 +277,50 @@ TEST_CASE("gathering is several times more precise than shooting as many rays" *
     };
     CHECK(error(shot(scene, 1u << 16, 1)) > 5.0 * error(gathered(scene, 1u << 16).incident));
 }
+
+namespace {
+
+/// Random numbers that remember which items were taken for rays; offsets of systematic samples come one by one.
+class WatchedSequence final : public Sequence
+{
+public:
+    std::string name() const override { return "watched"; }
+    int dimensions() const override { return random_->dimensions(); }
+    std::uint64_t item_limit() const override { return random_->item_limit(); }
+    double coordinate(std::uint64_t n, int dimension) const override { return random_->coordinate(n, dimension); }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        for (std::uint64_t k = 0; k < items.size(); ++k)
+            taken_.push_back(first + k);
+        random_->generate(first, items);
+    }
+    const std::vector<std::uint64_t>& taken() const { return taken_; }
+
+private:
+    std::unique_ptr<Sequence> random_ = make_sequence("random", 1);
+    mutable std::vector<std::uint64_t> taken_;
+};
+
+} // namespace
+
+// Rays that share their numbers would err to the same side.
+TEST_CASE("every shadow ray takes an item of its own")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, grey).box({0.3, 0.2, 0.3}, {0.7, 0.5, 0.7}, grey);
+    builder.rectangle({0.2, 0.99, 0.2}, {0.1, 0, 0}, {0, 0, 0.1}, builder.grey(0.5, 1.0));
+    builder.rectangle({0.7, 0.99, 0.7}, {0.1, 0, 0}, {0, 0, 0.1}, builder.grey(0.5, 1.0));
+    const Scene scene = builder.scene(0.1);
+    const WatchedSequence sequence;
+    constexpr std::uint64_t first = 1000;
+    constexpr std::uint64_t rays = 20000;
+    const GatheredLight light = gather_direct_light(scene, sequence, first, rays, {1});
+    std::vector<std::uint64_t> taken = sequence.taken();
+    std::sort(taken.begin(), taken.end());
+    REQUIRE(taken.size() > rays / 2);
+    CHECK(std::adjacent_find(taken.begin(), taken.end()) == taken.end());
+    CHECK(taken.front() >= first);
+    CHECK(taken.back() < first + rays);
+    CHECK(light.lines == taken.size());
+}
