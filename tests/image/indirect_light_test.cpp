@@ -36,6 +36,20 @@ TEST_CASE("indirect light is what a patch reflects times its form factor, withou
           doctest::Approx(3.0 * 0.239456).epsilon(4.0 * std::pow(4096.0, -0.75) / 0.239456));
 }
 
+// The same square turned over, as wide as the sky: its back gives light where it is a patch of a two-sided scene.
+TEST_CASE("backs give indirect light in two-sided scenes alone")
+{
+    SceneBuilder builder;
+    builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({-1e4, 1.0, -1e4}, {0.0, 0.0, 2e4}, {2e4, 0.0, 0.0}, builder.grey(0.5, 10.0));
+    RayFan fan;
+    const Scene one_sided = builder.scene(1e5);
+    CHECK(IndirectLight(one_sided, {grey(0.0), grey(13.0)}, 64, 1).at(floor_place, 0, fan).irradiance == Rgb{});
+    const Scene two_sided = builder.scene(1e5, true); // fronts first
+    const IndirectLight light(two_sided, {grey(0.0), grey(13.0), grey(0.0), grey(3.0)}, 64, 1);
+    CHECK(light.at(floor_place, 0, fan).irradiance.g == doctest::Approx(3.0));
+}
+
 // The harmonic mean of the way to a ceiling at height 1, in cosine-distributed directions: the mean of cos(theta) is
 // the integral of 2 cos^2 sin = 2/3, so 1.5; the walls are as good as infinitely far away.
 TEST_CASE("the distance of a sample is the harmonic mean of what it sees")
@@ -85,8 +99,9 @@ TEST_CASE("samples in every second row and column are enough where nothing is cl
             for (int x = 0; x < 20; x += 2)
                 grid.set(x, y, {place(x, y), grey(2.0), distance});
         const bool is_open = distance > 1.0;
-        CHECK(grid.is_supported(place(9, 9), 9, 9) == is_open);
-        CHECK(grid.is_supported(place(1, 1), 1, 1) == is_open);
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < 20; ++x)
+                CHECK(grid.is_supported(place(x, y), x, y) == is_open);
         CHECK_FALSE(grid.is_supported({0, {0.09, 0.0, 0.09}, {1.0, 0.0, 0.0}}, 9, 9)); // on a wall
         // Set in between, as by another thread: it does not count where there are enough.
         grid.set(9, 9, {place(9, 9), grey(4.0), distance});

@@ -36,6 +36,23 @@ TEST_CASE("where two rectangles of one wall differ they meet at one value")
     }
 }
 
+// The corners are looked up in cells of a millionth of the scene's diagonal, here 5 m: x = 1 m is a multiple of them.
+TEST_CASE("corners that differ by rounding meet at one value, also at round coordinates")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 3.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 1.0));
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0.0, 0.0, 0.0}, {1.0 - 1e-14, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    builder.rectangle({1.0 + 1e-14, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    const Scene scene = builder.scene(0.25);
+    REQUIRE(scene.bounds().diagonal() == doctest::Approx(5.0).epsilon(1e-12));
+    const SmoothShading shading(scene, at_centres(scene, [](Vec3 p) { return p.x < 1.0 ? 1.0 : 3.0; }), 1);
+    for (const double v : {0.0, 0.4, 1.0}) {
+        CHECK(shown(shading, 1, 1.0, v) == doctest::Approx(2.0));
+        CHECK(shown(shading, 2, 0.0, v) == doctest::Approx(2.0));
+    }
+}
+
 TEST_CASE("nothing leaks across an edge, to another material, or to a coincident face that looks the other way")
 {
     SceneBuilder builder = with_lamp();

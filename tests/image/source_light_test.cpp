@@ -69,6 +69,18 @@ TEST_CASE("of a source half hidden arrives half")
     CHECK(irradiance_by(256, SourceLight(scene), 0.0).r == doctest::Approx(half).epsilon(4.0 * std::pow(256.0, -0.75)));
 }
 
+// A strip that reaches far to one side, of which a board hides all beyond 1 m: what is left gives more than its part of
+// the solid angle, since it is seen less at a slant.
+TEST_CASE("of a source partly hidden arrives what its part in sight gives")
+{
+    SceneBuilder builder = with_floor();
+    builder.rectangle({0.0, 1.0, -0.5}, {10.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.0, 1.0));
+    builder.rectangle({0.5, 0.5, -2.0}, {0.0, 0.0, 4.0}, {9.0, 0.0, 0.0}, builder.grey(0.5, 0.0));
+    const double in_sight = 2.0 * corner_factor(1.0, 0.5);
+    CHECK(irradiance_by(256, SourceLight(builder.scene(20.0)), 0.0).r ==
+          doctest::Approx(in_sight).epsilon(4.0 * std::pow(256.0, -0.75)));
+}
+
 TEST_CASE("behind a board nothing arrives, nor from a source that faces away or lies below the horizon")
 {
     SceneBuilder hidden = with_lamp({1.0, 1.0, 1.0});
