@@ -2,6 +2,7 @@
 # make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
 # make test       builds and runs all tests
 # make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
+# make mutants    plants the bugs of tests/mutants.list one by one and tells which the tests notice; takes about an hour
 # make bench      measures speed; close other programs first
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
@@ -94,6 +95,9 @@ $(BUILD)/%.o: %.cpp
 coverage:
 	+@BUILD="$(BUILD)" CXX="$(CXX)" sh tests/coverage.sh
 
+mutants: $(BUILD)/unit_tests $(PROGRAM)
+	+@sh tests/mutants.sh $(BUILD) $(PROGRAM)
+
 bench: $(BUILD)/bench
 	./$(BUILD)/bench
 
@@ -151,5 +155,5 @@ dist:
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
 
-.PHONY: demo paper results pictures test coverage bench install uninstall dist clean
+.PHONY: demo paper results pictures test coverage mutants bench install uninstall dist clean
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)
