@@ -89,3 +89,15 @@ TEST_CASE("a direction up that is none is refused")
     CHECK_THROWS_AS(automatic_camera(scene, aspect, {0, 0, 0}), SettingsError);
     CHECK_THROWS_AS(automatic_camera(scene, aspect, {0, INFINITY, 0}), SettingsError);
 }
+
+TEST_CASE("however wide the picture, its sides are not stretched")
+{
+    const Scene scene = furnished_room().scene(1.0);
+    for (const double ratio : {0.5, 1.0, 4.0 / 3.0, 3.0, 10.0}) {
+        CAPTURE(ratio);
+        const double vertical = automatic_camera(scene, ratio).field_of_view;
+        CHECK(vertical > 5.0);
+        CHECK(vertical <= 68.0);
+        CHECK(2.0 * std::atan(ratio * std::tan(0.5 * vertical * radians_per_degree)) / radians_per_degree < 88.1);
+    }
+}

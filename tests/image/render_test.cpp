@@ -127,3 +127,44 @@ TEST_CASE("a closed room can be seen from outside")
                                small_picture(Shading::flat));
     CHECK(std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& pixel) { return pixel.r > 0.0; }));
 }
+
+// An edge between two pixels, half a pixel from the middle of each: beyond it lie (1 - 1/2)^2 / 2 = 1/8 of the tent.
+// The 20 x 20 samples know an edge to a twentieth of a pixel or better.
+TEST_CASE("a pixel's samples have the density of a tent two pixels wide")
+{
+    SceneBuilder builder;
+    const Scene scene =
+        builder.rectangle({0, -5, 0}, {5, 0, 0}, {0, 10, 0}, builder.grey(0.0, 1.0)).scene(20.0); // right half
+    RenderOptions options;
+    options.width = options.height = 8;
+    options.samples_per_pixel = 400;
+    const Image image = render(scene, {grey(1.0)}, {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90.0}, options);
+    const double expected[] = {0.0, 0.0, 0.0, 0.125, 0.875, 1.0, 1.0, 1.0};
+    for (int x = 0; x < 8; ++x) {
+        CHECK(image.at(x, 4).r == doctest::Approx(expected[x]).epsilon(0.01));
+        CHECK(image.at(x, 4).r == image.at(x, 2).r);
+    }
+}
+
+// The edge rises by two pixels over the whole picture. Samples that share rows would show it in the steps of 3 rows;
+// of 9 samples in rows of their own, 6 of 8 shades lie between those.
+TEST_CASE("an edge that is almost level has a shade for every sample")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.rectangle({-5, -5.05, 0}, {10, 0.1, 0}, {0, 5, 0}, builder.grey(0.0, 1.0)).scene(20.0);
+    RenderOptions options;
+    options.width = 200;
+    options.height = 8;
+    options.samples_per_pixel = 9;
+    const double angle = 2.0 * std::atan(0.04) * 180.0 / std::acos(-1.0); // a pixel is 0.01 wide
+    const Image image = render(scene, {grey(1.0)}, {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, angle}, options);
+    int shades = 0;
+    int between = 0;
+    for (const Rgb& pixel : image.pixels) {
+        const int ninths = static_cast<int>(std::lround(9.0 * pixel.r));
+        shades += ninths > 0 && ninths < 9 ? 1 : 0;
+        between += ninths % 3 != 0 ? 1 : 0;
+    }
+    REQUIRE(shades > 200);
+    CHECK(between > shades / 2);
+}

@@ -82,6 +82,19 @@ TEST_CASE("dither keeps shades between two bytes")
         }
 }
 
+// Half way between two bytes: the finest pattern there is, so that the grain is not seen.
+TEST_CASE("dither of a half is a chessboard")
+{
+    Image even{8, 8, {}};
+    even.pixels.assign(64, {decoded(100.5), decoded(100.5), decoded(100.5)});
+    const ScreenImage image = tone_map(even, ToneOperator::linear, 1.0);
+    const auto byte = [&](int x, int y) { return image.bytes[3 * static_cast<std::size_t>(8 * y + x)]; };
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            CHECK(byte(x, y) == ((x + y) % 2 == 0 ? byte(0, 0) : byte(1, 0)));
+    CHECK(byte(0, 0) + byte(1, 0) == 201);
+}
+
 TEST_CASE("the scene's unit of light does not matter")
 {
     for (const NamedToneOperator& named : tone_operators) {

@@ -2,6 +2,7 @@
 
 #include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace multipath;
@@ -44,4 +45,15 @@ TEST_CASE("a view across the room is better than a close look at a wall")
     const double across = quality(scene, {0.3, 1.9, 0.3}, {2.5, 1.2, 2.5}).score;
     const double wall = quality(scene, {0.3, 1.9, 0.3}, {0.0, 1.9, 0.31}).score;
     CHECK(across > wall + 0.5); // half of what a view that shows everything could gain
+}
+
+// A bare room is the same upside down, but for the floor, which adds up to 0.5 to a view, and the ceiling, which adds
+// up to 0.2. Both cameras see enough of the one and nothing of the other.
+TEST_CASE("a floor in the picture is worth more than a ceiling")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {4, 3, 4}, builder.grey(0.5, 1.0)).scene(1.0);
+    const double down = quality(scene, {2, 1.5, 0.2}, {2, 0, 2.2}).score;
+    const double up = quality(scene, {2, 1.5, 0.2}, {2, 3, 2.2}).score;
+    CHECK(std::abs(down - up - 0.3) < 0.05); // the cells of the scene are not those of its mirror image
 }
