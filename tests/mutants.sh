@@ -2,7 +2,7 @@
 # the unit tests without their statistics suite, those of the bug's room first, then what the list names. Tells which
 # test noticed each bug, and ends with the line "N killed, N survived". Fails if a bug survives that is not marked as
 # equivalent, does not compile, or is no longer found. MUTANTS chooses: those whose first line matches this pattern of
-# grep -E. Needs BUILD/unit_tests and PROGRAM; make(1) hands on CXX and CXXFLAGS.
+# awk. Needs BUILD/unit_tests and PROGRAM; make(1) hands on CXX and CXXFLAGS.
 # usage: mutants.sh BUILD PROGRAM
 [ $# -eq 2 ] || { echo "usage: mutants.sh BUILD PROGRAM" >&2; exit 2; }
 cd "$(dirname "$0")/.." || exit 1
@@ -14,8 +14,9 @@ copy=$work/copy list=$work/list kept=$work/kept
 rm -rf "$work" && mkdir -p "$copy/$build" "$list" || exit 1
 
 # One folder for each chosen bug: name, file, run, equivalent, change.
-awk -v list="$list" -v chosen="${MUTANTS:-.}" '
-    function put(what, text) { print text > (folder "/" what) }
+MUTANTS=${MUTANTS:-.} awk -v list="$list" '
+    BEGIN { chosen = ENVIRON["MUTANTS"] }
+    function put(what, text) { print text >> (folder "/" what); close(folder "/" what) }
     /^#/ || /^$/ { next }
     /^[a-z]+\/[a-z0-9_\/.]+: / {
         skipped = $0 !~ chosen

@@ -18,6 +18,12 @@ json() {
 }
 check "--json gives the same figures to programs" json
 
+size() {
+    ends 0 check "$root/scenes/4chairs.obj" --lines 1000 &&
+        says out "size: 7.25 x 3.05 x 7.25 m from (-3.625, 0, -3.625) to (3.625, 3.05, 3.625)"
+}
+check "width, height and depth of a scene are told, and where it lies" size
+
 repeatable() {
     ends 0 check "$scene" --lines 20000 --threads 1 && mv out one && ends 0 check "$scene" --lines 20000 --threads 2 && cmp out one
 }

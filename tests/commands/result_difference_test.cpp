@@ -189,6 +189,10 @@ TEST_CASE("meshes differ where their vertices and faces do, not in their records
     CHECK(obj_difference(obj_then, obj(scene, "command: a")).text ==
           "line 2 differs: then `0 0 0 0.1250 0.2500 0.0625`, now `0 0 0 0.1250 0.3750 0.0625`");
 
+    // Counted from 1, the end of the header included: 11 bytes and 3.
+    CHECK(ply_difference("ply\nend_header\nabc", "ply\nend_header\nabd").text ==
+          "the vertices or faces differ, from byte 14 of 14 on");
+
     for (const std::size_t length : {std::size_t{0}, std::size_t{10}, std::size_t{30}, ply_then.size() / 2}) {
         CHECK_FALSE(ply_difference(ply_then, ply_then.substr(0, length)).text.empty());
         CHECK_FALSE(glb_difference(glb_then, glb_then.substr(0, length)).text.empty());

@@ -101,6 +101,10 @@ TEST_CASE("bent quads and polygons that cross themselves make one warning for al
     CHECK(pieces.warnings ==
           std::vector<std::string>{"a.obj:9: polygon is not planar and was cut into triangles (and 2 more)"});
 
+    // One corner h above a unit square lies h / 4 off the mean plane, h / 4 / sqrt(2) of the size.
+    CHECK(cut(polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 7e-4}, {0, 1, 0}})).warnings.size() == 1);
+    CHECK(cut(polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 4e-4}, {0, 1, 0}})).warnings.empty());
+
     // Here the two lobes even have the same area.
     const MeshPieces bow = cut(polygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}));
     CHECK(bow.pieces.size() == 2);
