@@ -77,7 +77,7 @@ done
 cp -p "$program" "$copy/$program" || exit 1
 
 # usage: runs COMMAND...     True if it ends well, in time
-runs() { (cd "$copy" && timeout "$limit" "$@") >"$work/log" 2>&1; }
+runs() { (cd "$copy" && timeout "$limit" "$@" || exit) >"$work/log" 2>&1; }
 # usage: script_passes NAME
 script_passes() {
     rm -rf "$work/scratch" && mkdir "$work/scratch" &&

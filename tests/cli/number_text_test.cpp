@@ -144,6 +144,7 @@ TEST_CASE("a vector is three numbers of any sign, a picture's size two counts")
     CHECK(size.height == 600);
     CHECK_THROWS_WITH_AS(read_pixel_size("--size", "800", 16384),
                          "--size: expected a width and height in pixels such as 800x600, got '800'", UsageError);
-    check_refused([](auto option, auto text) { return read_pixel_size(option, text, 16384); },
-                  {"", "x", "800x", "x600", "800x600x3", "0x600", "800x-600", "800*600", "16385x1", "1e9x1"});
+    check_refused(
+        [](auto option, auto text) { return read_pixel_size(option, text, 16384); },
+        {"", "x", "800x", "x600", "800x600x3", "0x600", "800x-600", "800*600", "16385x1", "1x16385", "1x0", "1e9x1"});
 }

@@ -100,6 +100,10 @@ TEST_CASE("a scene without light says why")
     CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(),
                    "used but defined nowhere: `light`, read `room.mtl`"));
     CHECK(contains(SceneText{faces, paint + "newmtl sun\nKe 9\n"}.problem(), "emitting but used by no face: `sun`"));
+    std::string suns;
+    for (int i = 1; i <= 7; ++i)
+        suns += "newmtl sun" + std::to_string(i) + "\nKe 9\n";
+    CHECK(contains(SceneText{faces, paint + suns}.problem(), "`sun1`, `sun2`, `sun3`, `sun4`, `sun5` and 2 more"));
 }
 
 TEST_CASE("a lamp in Ka is found on request, and pointed out without")
