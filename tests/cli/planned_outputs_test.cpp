@@ -23,6 +23,22 @@ TEST_CASE("files are the same by any of their names, also before they exist")
     CHECK(same_file(folder.path("new.csv"), folder.path("sub/later.csv")));
     CHECK_FALSE(same_file(file, folder.path("new.csv")));
     CHECK_FALSE(same_file(folder.path("new.csv"), folder.path("sub/new.csv")));
+    CHECK_FALSE(same_file(folder.path("new.csv"), folder.path("other.csv")));
+}
+
+TEST_CASE("of any number of outputs no two may be the same, and nothing is left of those before")
+{
+    const ScratchFolder folder;
+    const auto open = [&](const std::vector<std::string>& names) {
+        std::vector<std::string> paths;
+        for (const std::string& name : names)
+            paths.push_back(folder.path(name));
+        open_outputs(paths, {});
+    };
+    CHECK_NOTHROW(open({"a.csv", "b.csv", "a.png"}));
+    CHECK_THROWS_WITH_AS(open({"a.csv", "b.csv", "./b.csv"}), doctest::Contains("is named twice"), UsageError);
+    CHECK_THROWS_WITH_AS(open({"a.csv", "b.csv", "c.csv", "a.csv"}), doctest::Contains("is named twice"), UsageError);
+    CHECK(std::filesystem::is_empty(folder.path(".")));
 }
 
 TEST_CASE("an output that turns out to be an input is refused")
