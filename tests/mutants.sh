@@ -115,7 +115,7 @@ limit=3600
 start=$(date +%s)
 built "$build/unit_tests" "$program" && runs "$build/unit_tests" -tse=statistics ||
     { tail -n 20 "$work/log"; echo "ERROR: without a bug the unit tests do not pass"; exit 1; }
-limit=$((120 + 5 * ($(date +%s) - start))) # of each run with a bug
+limit=$((60 + 3 * ($(date +%s) - start))) # of each run with a bug
 
 killed=0 survived=0
 for bug in "$list"/*; do
