@@ -5,9 +5,14 @@
 #include "cli/usage_error.h"
 #include "commands/memory_limit.h"
 #include "image/automatic_camera.h"
+#include "image/picture.h"
+#include "image/view_quality.h"
+#include "scene/text_format.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace multipath {
@@ -47,6 +52,24 @@ Shown shown_named(const std::string& name)
                                                                  {"patches", Shown::patches},
                                                                  {"normals", Shown::normals}}};
     return std::find_if(names.begin(), names.end(), [&](const auto& one) { return name == one.first; })->second;
+}
+
+Camera chosen_camera(const Scene& scene, const PictureOptions& options, const std::vector<Rgb>& radiosity)
+{
+    Camera camera;
+    if (options.eye) {
+        camera.eye = *options.eye;
+        camera.target = scene.bounds().centre();
+        camera.up = options.up;
+    } else {
+        const double aspect = static_cast<double>(options.render.width) / options.render.height;
+        camera = automatic_camera(scene, aspect, options.up, radiosity);
+    }
+    if (options.target)
+        camera.target = *options.target;
+    if (options.field_of_view)
+        camera.field_of_view = *options.field_of_view;
+    return camera;
 }
 
 Shown read_shown(const CommandLine& line)
@@ -97,7 +120,8 @@ OptionGroup picture_option_group()
          {"gather-rays", 0, "N", "64",
           "Of --shading gather: rays per pixel in all directions, and twice as many to sources that something may "
           "hide."},
-         {"eye", 0, "X,Y,Z", "", "Where the camera stands. Without it, chosen to show most of the room."},
+         {"eye", 0, "X,Y,Z", "",
+          "Where the camera stands. Without it, chosen to show most of the room where light is."},
          {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
          {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
          {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
@@ -147,19 +171,42 @@ void require_view(const Scene& scene, const PictureOptions& options)
 
 Camera camera_for(const Scene& scene, const PictureOptions& options)
 {
-    Camera camera;
-    if (options.eye) {
-        camera.eye = *options.eye;
-        camera.target = scene.bounds().centre();
-        camera.up = options.up;
-    } else {
-        camera = automatic_camera(scene, static_cast<double>(options.render.width) / options.render.height, options.up);
-    }
-    if (options.target)
-        camera.target = *options.target;
-    if (options.field_of_view)
-        camera.field_of_view = *options.field_of_view;
-    return camera;
+    return chosen_camera(scene, options, {});
+}
+
+PictureOptions with_camera(PictureOptions options, const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    const Camera camera = chosen_camera(scene, options, radiosity);
+    options.eye = camera.eye;
+    options.target = camera.target;
+    options.field_of_view = camera.field_of_view;
+    return options;
+}
+
+std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& radiosity, const PictureOptions& options)
+{
+    constexpr double tolerated = 0.9; // of the pixels
+    constexpr std::uint8_t black = 4; // of 255: an eye sees no more in darker pixels
+    const Camera camera = camera_for(scene, options);
+    const RenderOptions render = preview_options(options.render);
+    const ScreenImage screen = picture(scene, radiosity, camera, render, options.tone);
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < screen.bytes.size(); i += 3)
+        dark += std::max({screen.bytes[i], screen.bytes[i + 1], screen.bytes[i + 2]}) <= black ? 1 : 0;
+    const double share = static_cast<double>(3 * dark) / static_cast<double>(screen.bytes.size());
+    const bool has_light = std::any_of(radiosity.begin(), radiosity.end(), [](Rgb b) { return mean(b) > 0.0; });
+    if (share <= tolerated || !has_light)
+        return "";
+
+    const double aspect = static_cast<double>(render.width) / render.height;
+    const ViewQuality view = view_quality(Sight(scene, radiosity), camera, aspect, std::min(render.height, 36));
+    const auto percent = [](double part) { return std::lround(100.0 * part); };
+    const std::string start = format("warning    %ld %% of the picture is black: ", percent(share));
+    if (view.escaped_share + view.dark_share < 0.5)
+        return start + "what the camera sees is too dim for this exposure; expected a higher --exposure\n";
+    return start + format("%ld %% of the view meets surfaces without light and %ld %% meets nothing; expected another "
+                          "view with --eye and --target\n",
+                          percent(view.dark_share), percent(view.escaped_share));
 }
 
 } // namespace multipath

@@ -8,6 +8,8 @@
 #include "scene/scene.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace multipath {
 
@@ -41,5 +43,12 @@ void require_view(const Scene& scene, const PictureOptions& options);
 
 /// The user's camera; what the user left open is chosen for the scene.
 Camera camera_for(const Scene& scene, const PictureOptions& options);
+
+/// The options with the camera that suits the solved light, radiosity [W/m^2] per patch, where the user left it open.
+PictureOptions with_camera(PictureOptions options, const Scene& scene, const std::vector<Rgb>& radiosity);
+
+/// One line for the user if nearly all of the picture is black though the scene has light: why, and what helps. Empty
+/// if it is not. `radiosity` [W/m^2] is what pictures show of every patch.
+std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& radiosity, const PictureOptions& options);
 
 } // namespace multipath

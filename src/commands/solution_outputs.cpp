@@ -87,6 +87,13 @@ bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format)
                        [&](const PlannedOutput& output) { return output.format == format; });
 }
 
+bool has_view(const std::vector<PlannedOutput>& outputs)
+{
+    return std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
+        return is_picture(output.format) || is_mesh(output.format) || output.format == OutputFormat::html;
+    });
+}
+
 void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
                    const PictureOptions& picture_options, const std::vector<std::string>& comments,
                    const std::map<OutputFormat, std::function<std::string()>>& makers)

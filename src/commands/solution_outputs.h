@@ -14,6 +14,9 @@ namespace multipath {
 /// Is one of them of this format?
 bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format);
 
+/// Does one of them show the scene from a camera, or with the exposure of such a picture?
+bool has_view(const std::vector<PlannedOutput>& outputs);
+
 /// Fills every output in its format, numbers before pictures before pages, so that what a signal costs can be made
 /// again from the rest, and puts all into place. The comments go into the formats that have a place for them; `makers`
 /// give the bytes of the formats that are made elsewhere, pages and states. Throws OutputError.

@@ -96,12 +96,16 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
                    std::vector<PlannedOutput>& outputs, const std::string& state)
 {
     const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
+    const PictureOptions pictures =
+        has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
+    if (!job.quiet && has_view(outputs) && shows_room(pictures.shown))
+        print_note(black_picture_warning(scene, solution.radiosity, pictures));
     const auto page = [&] {
         Progress progress("solving with fewer lines, for the page", progress_style(job.line));
-        return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, job.pictures,
-                             comments, [&](double done) { progress.show(done); });
+        return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments,
+                             [&](double done) { progress.show(done); });
     };
-    write_outputs(outputs, scene, solution, job.pictures, comments,
+    write_outputs(outputs, scene, solution, pictures, comments,
                   {{OutputFormat::state, [&] { return state; }}, {OutputFormat::html, page}});
 }
 

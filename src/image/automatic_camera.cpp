@@ -1,6 +1,9 @@
 // Many places where a photographer might stand are tried: along the walls and in the corners at several heights, behind
 // each wall, and outside in front of each side. A coarse grid of rays tells what each would see, a finer one decides
-// among the best. A scene that can be seen from outside without looking through anything is seen from there.
+// among the best. A scene that can be seen from outside without looking through anything is seen from there. What the
+// light does not reach counts as not seen if the best view shows much of it: a house whose lamps are inside is not
+// shown from the garden. Where the whole scene has no good place to stand, such as a small house in a large garden, the
+// part that holds the light is tried.
 
 #include "image/automatic_camera.h"
 
@@ -11,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,7 +40,27 @@ struct Room
         return (box.low.x + x * size.x) * axis_x + (box.low.y + y * size.y) * axis_y +
                (box.low.z + z * size.z) * axis_z;
     }
+    /// A box along the axes of space that holds the room.
+    Bounds in_space() const
+    {
+        Bounds result;
+        for (const double x : {0.0, 1.0})
+            for (const double y : {0.0, 1.0})
+                for (const double z : {0.0, 1.0})
+                    result.include(at(x, y, z));
+        return result;
+    }
 };
+
+/// A flat scene still needs a room around it to stand in.
+void grow_if_flat(Bounds& box)
+{
+    const double least = 0.1 * box.diagonal();
+    const Vec3 size = box.size();
+    const Vec3 missing = {std::max(0.0, least - size.x), std::max(0.0, least - size.y), std::max(0.0, least - size.z)};
+    box.low = box.low - 0.5 * missing;
+    box.high = box.high + 0.5 * missing;
+}
 
 Room room_of(const Scene& scene, Vec3 up)
 {
@@ -46,12 +72,45 @@ Room room_of(const Scene& scene, Vec3 up)
     for (const Surface& surface : scene.surfaces())
         for (const Vec3 corner : corners_of(surface))
             room.box.include(Vec3{dot(corner, room.axis_x), dot(corner, room.axis_y), dot(corner, room.axis_z)});
-    // A flat scene still needs a room around it to stand in.
-    const double least = 0.1 * room.box.diagonal();
-    const Vec3 size = room.box.size();
-    const Vec3 missing = {std::max(0.0, least - size.x), std::max(0.0, least - size.y), std::max(0.0, least - size.z)};
-    room.box.low = room.box.low - 0.5 * missing;
-    room.box.high = room.box.high + 0.5 * missing;
+    grow_if_flat(room.box);
+    return room;
+}
+
+/// The room that holds the reflected light, or the emitted if there is no other, but for a small part that leaves it
+/// through windows.
+Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
+{
+    constexpr double left_out = 0.02; // of the light on either side
+    std::vector<double> power;        // [W] per patch
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        power.push_back(scene.area(i) * std::max(0.0, mean(radiosity[i] - scene.emittance(i))));
+    if (std::all_of(power.begin(), power.end(), [](double p) { return p == 0.0; }))
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            power[i] = scene.area(i) * mean(radiosity[i]);
+    const double all = std::accumulate(power.begin(), power.end(), 0.0);
+
+    const auto range_along = [&](Vec3 axis) {
+        std::vector<std::pair<double, double>> places; // along the axis, with their power [W]
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            if (power[i] > 0.0)
+                places.emplace_back(dot(scene.patch(i).shape.centre(), axis), power[i]);
+        std::sort(places.begin(), places.end());
+        std::pair<double, double> range{places.front().first, places.back().first};
+        double passed = 0.0;
+        for (const auto& [place, light] : places) {
+            if (passed <= left_out * all)
+                range.first = place;
+            if (passed <= (1.0 - left_out) * all)
+                range.second = place;
+            passed += light;
+        }
+        return range;
+    };
+    Room room = room_of(scene, up);
+    std::tie(room.box.low.x, room.box.high.x) = range_along(room.axis_x);
+    std::tie(room.box.low.y, room.box.high.y) = range_along(room.axis_y);
+    std::tie(room.box.low.z, room.box.high.z) = range_along(room.axis_z);
+    grow_if_flat(room.box);
     return room;
 }
 
@@ -115,12 +174,12 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
 }
 
 /// The `count` best of the cameras, the best first; of equals the earlier.
-std::vector<Camera> best_cameras(const Scene& scene, const std::vector<Camera>& cameras, double aspect, int rows,
+std::vector<Camera> best_cameras(const Sight& sight, const std::vector<Camera>& cameras, double aspect, int rows,
                                  std::size_t count)
 {
     std::vector<std::pair<double, std::size_t>> ranking; // penalty, number
     for (std::size_t i = 0; i < cameras.size(); ++i)
-        ranking.emplace_back(-view_quality(scene, cameras[i], aspect, rows).score, i);
+        ranking.emplace_back(-view_quality(sight, cameras[i], aspect, rows).score, i);
     std::sort(ranking.begin(), ranking.end());
     std::vector<Camera> best;
     for (std::size_t i = 0; i < std::min(count, ranking.size()); ++i)
@@ -130,35 +189,54 @@ std::vector<Camera> best_cameras(const Scene& scene, const std::vector<Camera>& 
 
 /// Of cameras outside, those that look through no back and fill much of their picture: an open side, or an object, is
 /// meant to be seen from there.
-std::vector<Camera> unobstructed(const Scene& scene, const std::vector<Camera>& outside, double aspect)
+std::vector<Camera> unobstructed(const Sight& sight, const std::vector<Camera>& outside, double aspect)
 {
     std::vector<Camera> result;
     for (const Camera& camera : outside) {
-        const ViewQuality quality = view_quality(scene, camera, aspect, fine_rows);
-        if (quality.back_share < 0.01 && quality.escaped_share < 0.6)
+        const ViewQuality quality = view_quality(sight, camera, aspect, fine_rows);
+        if (quality.back_share < 0.01 && quality.escaped_share + quality.dark_share < 0.6)
             result.push_back(camera);
     }
     return result;
 }
 
-} // namespace
-
-Camera automatic_camera(const Scene& scene, double aspect, Vec3 up)
+/// The best of all places in and around a room.
+Camera best_camera(const Sight& sight, const Room& room, double aspect, Vec3 up)
 {
-    if (!(length(up) > 0.0) || !std::isfinite(length(up)))
-        throw SettingsError("camera: the up direction must be a finite vector that is not zero");
-    const Room room = room_of(scene, up);
     const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
-    const std::vector<Camera> open = unobstructed(scene, outside, aspect);
+    const std::vector<Camera> open = unobstructed(sight, outside, aspect);
     if (!open.empty())
-        return best_cameras(scene, open, aspect, fine_rows, 1).front();
+        return best_cameras(sight, open, aspect, fine_rows, 1).front();
 
     std::vector<Camera> cameras = outside;
     for (const double vertical : {58.0, 68.0})
         append_inside(room, up, field_of_view(vertical, vertical + 20.0, aspect), cameras);
     append_behind_walls(room, up, field_of_view(54.0, 74.0, aspect), cameras);
-    const std::vector<Camera> shortlist = best_cameras(scene, cameras, aspect, coarse_rows, 8);
-    return best_cameras(scene, shortlist, aspect, fine_rows, 1).front();
+    const std::vector<Camera> shortlist = best_cameras(sight, cameras, aspect, coarse_rows, 8);
+    return best_cameras(sight, shortlist, aspect, fine_rows, 1).front();
+}
+
+} // namespace
+
+Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::vector<Rgb>& radiosity)
+{
+    if (!(length(up) > 0.0) || !std::isfinite(length(up)))
+        throw SettingsError("camera: the up direction must be a finite vector that is not zero");
+    // Of light no more than needed: a good view is not to depend on the noise of the solution.
+    const Room room = room_of(scene, up);
+    const Camera plain = best_camera(Sight(scene), room, aspect, up);
+    Sight sight(scene, radiosity);
+    if (view_quality(sight, plain, aspect, fine_rows).is_lit())
+        return plain;
+    const Camera camera = best_camera(sight, room, aspect, up);
+    const ViewQuality quality = view_quality(sight, camera, aspect, fine_rows);
+    if (quality.is_lit() || radiosity.empty())
+        return camera;
+
+    const Room lit = lit_room(scene, radiosity, up);
+    sight.box = lit.in_space();
+    const Camera closer = best_camera(sight, lit, aspect, up);
+    return view_quality(sight, closer, aspect, fine_rows).dark_share < quality.dark_share ? closer : camera;
 }
 
 } // namespace multipath

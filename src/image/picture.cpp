@@ -6,8 +6,6 @@
 
 namespace multipath {
 
-namespace {
-
 RenderOptions preview_options(RenderOptions options)
 {
     const int larger = std::max({options.width, options.height, 1});
@@ -19,8 +17,6 @@ RenderOptions preview_options(RenderOptions options)
     options.white = std::numeric_limits<double>::infinity();
     return options;
 }
-
-} // namespace
 
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                      const RenderOptions& options, const ToneMapOptions& tone)

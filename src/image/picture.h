@@ -20,6 +20,9 @@ struct ToneMapOptions
     std::optional<double> scale = std::nullopt;
 };
 
+/// The same picture small and coarse, for what is measured on it.
+RenderOptions preview_options(RenderOptions options);
+
 /// [m^2/W] The scale at which picture() shows the radiosity: the given or the measured one, exposure included.
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                      const RenderOptions& options, const ToneMapOptions& tone);

@@ -39,7 +39,7 @@ TEST_CASE("the camera of a closed room stands in it, looks down a little, and se
 {
     const Scene scene = furnished_room().scene(1.0);
     const Camera camera = automatic_camera(scene, aspect);
-    const ViewQuality quality = view_quality(scene, camera, aspect, 30);
+    const ViewQuality quality = view_quality(Sight(scene), camera, aspect, 30);
     CHECK(quality.escaped_share == 0.0);
     CHECK(quality.back_share == 0.0);
     CHECK(camera.eye.y > camera.target.y);
@@ -71,8 +71,8 @@ TEST_CASE("the camera moves with the scene, in any unit, anywhere, and with any 
         CHECK(length(away.target - (offset + scale * plain.target)) < 1e-9 * scale);
 
         const Camera turned = automatic_camera(moved(furnished_room(), scale, offset, true), aspect, {0, 0, 1});
-        CHECK(view_quality(moved(furnished_room(), scale, offset, true), turned, aspect, 18).score ==
-              doctest::Approx(view_quality(furnished_room().scene(1.0), plain, aspect, 18).score).epsilon(0.02));
+        CHECK(view_quality(Sight(moved(furnished_room(), scale, offset, true)), turned, aspect, 18).score ==
+              doctest::Approx(view_quality(Sight(furnished_room().scene(1.0)), plain, aspect, 18).score).epsilon(0.02));
     }
 }
 
@@ -100,4 +100,22 @@ TEST_CASE("however wide the picture, its sides are not stretched")
         CHECK(vertical <= 68.0);
         CHECK(2.0 * std::atan(ratio * std::tan(0.5 * vertical * radians_per_degree)) / radians_per_degree < 88.1);
     }
+}
+
+TEST_CASE("what has no light is not shown where something else has")
+{
+    // Two rooms side by side, the larger and richer of them without a lamp.
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.room({0, 0, 0}, {8, 3, 8}, paint).box({2, 0, 2}, {3, 1, 3}, paint).box({5, 0, 4}, {6, 2, 6}, paint);
+    builder.room({10, 0, 2}, {14, 3, 6}, paint).rectangle({11, 2.9, 3}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 10.0));
+    const Scene scene = builder.scene(1.0);
+    std::vector<Rgb> radiosity(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (scene.patch(i).shape.centre().x > 9.0)
+            radiosity[i] = {1.0, 1.0, 1.0};
+    const Camera camera = automatic_camera(scene, aspect, {0, 1, 0}, radiosity);
+    CHECK(view_quality(Sight(scene, radiosity), camera, aspect, 30).dark_share < 0.05);
+    CHECK(view_quality(Sight(scene), automatic_camera(scene, aspect), aspect, 30).dark_share == 0.0);
+    CHECK(view_quality(Sight(scene, radiosity), automatic_camera(scene, aspect), aspect, 30).dark_share > 0.2);
 }
