@@ -20,15 +20,15 @@ PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading,
     const bool has_error = !solution.standard_error.empty();
     if (shading == Shading::flat)
         return patch_mesh(scene, flat_corners(solution.radiosity),
-                          has_error ? flat_corners(solution.standard_error) : CornerFunction());
+                          has_error ? flat_corners(solution.standard_error) : CornerFunction(), threads);
     const auto corners_of = [](const SmoothShading& smooth) {
         return [&smooth](std::uint32_t patch) { return smooth.at_corners(patch); };
     };
     const SmoothShading radiosity(scene, solution.radiosity, threads);
     if (!has_error)
-        return patch_mesh(scene, corners_of(radiosity), {});
+        return patch_mesh(scene, corners_of(radiosity), {}, threads);
     const SmoothShading error(scene, solution.standard_error, threads);
-    return patch_mesh(scene, corners_of(radiosity), corners_of(error));
+    return patch_mesh(scene, corners_of(radiosity), corners_of(error), threads);
 }
 
 } // namespace

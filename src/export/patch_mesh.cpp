@@ -1,8 +1,10 @@
 #include "export/patch_mesh.h"
 
+#include "export/covered_patches.h"
 #include "export/mesh_seams.h"
 #include "scene/input_error.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -30,8 +32,8 @@ bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
 class MeshBuilder
 {
 public:
-    MeshBuilder(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error)
-        : scene_(scene), radiosity_(radiosity), error_(error)
+    MeshBuilder(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads)
+        : scene_(scene), radiosity_(radiosity), error_(error), covered_(covered_patches(scene, threads))
     {
         mesh_.faces.reserve(scene.patch_count());
     }
@@ -44,8 +46,11 @@ public:
         const std::size_t first_vertex = mesh_.positions.size();
         const std::size_t first_face = mesh_.faces.size();
         latest_.assign((std::size_t{tessellation.cells_u} + 1) * (std::size_t{tessellation.cells_v} + 1), none);
+        const auto first = covered_.begin() + first_patch;
+        has_holes_ = std::find(first, first + cells, true) != first + cells;
         for (std::uint32_t patch = first_patch; patch < first_patch + cells; ++patch)
-            add_face(patch, surface, front);
+            if (!covered_[patch])
+                add_face(patch, surface, front);
         const Vec3 normal = scene_.surfaces()[surface].normal();
         mesh_.sides.push_back({surface, front ? normal : -normal, first_vertex, mesh_.positions.size() - first_vertex,
                                first_face, mesh_.faces.size() - first_face});
@@ -68,8 +73,8 @@ private:
         for (std::size_t k = 0; k < corners.count; ++k) {
             const std::size_t here = turn(k);
             face.corners[k] = vertex(surface, corners.points[here], single(radiosity[here]), single(error[here]));
-            if (on_rim(scene_.tessellation(surface), corners.points[here],
-                       corners.points[turn((k + 1) % corners.count)]))
+            if (has_holes_ || on_rim(scene_.tessellation(surface), corners.points[here],
+                                     corners.points[turn((k + 1) % corners.count)]))
                 mesh_.rims.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), static_cast<std::uint32_t>(k)});
         }
         mesh_.faces.push_back(face);
@@ -91,7 +96,7 @@ private:
         mesh_.radiosity.push_back(radiosity);
         if (error_)
             mesh_.error.push_back(error);
-        if (on_rim(tessellation, point))
+        if (has_holes_ || on_rim(tessellation, point))
             mesh_.rim_vertices.push_back(latest);
         return latest;
     }
@@ -99,6 +104,8 @@ private:
     const Scene& scene_;
     const CornerFunction& radiosity_;
     const CornerFunction& error_;
+    std::vector<bool> covered_;         ///< per patch
+    bool has_holes_ = false;            ///< the side has covered patches: every edge may be on the rim of a hole
     std::vector<std::uint32_t> latest_; ///< per point of the side's grid
     PatchMesh mesh_;
 };
@@ -113,9 +120,9 @@ CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch)
     };
 }
 
-PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error)
+PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads)
 {
-    MeshBuilder builder(scene, radiosity, error);
+    MeshBuilder builder(scene, radiosity, error, threads);
     for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
         builder.add_side(surface, true);
         if (scene.two_sided())

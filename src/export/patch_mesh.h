@@ -82,10 +82,10 @@ using ScreenColour = std::function<Rgb(Rgb radiosity)>;
 /// One value per patch at all its corners: every patch in one colour. The values must outlive the result.
 CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch);
 
-/// All sides that exist, surface by surface, each front before its back. Patches that meet within a side have one
-/// vertex for a common corner if their values [W/m^2] agree there. Between sides there is no crack: a patch on whose
-/// edge others have a corner is several triangles. `error` may be empty. Throws InputError where 2^31 vertices do not
-/// suffice.
-PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error);
+/// All sides that exist, surface by surface, each front before its back, without their covered_patches. Patches that
+/// meet within a side have one vertex for a common corner if their values [W/m^2] agree there. Between sides there is
+/// no crack: a patch on whose edge others have a corner is several triangles. `error` may be empty. Throws InputError
+/// where 2^31 vertices do not suffice.
+PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads = 1);
 
 } // namespace multipath

@@ -51,6 +51,9 @@ public:
     /// The surfaces that share the plane of `of` and hold `point`, a point of `of`; without `of` itself.
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
+    /// Of two surfaces in one plane that face the same way, which is met first? The smaller lies on top.
+    bool is_over(std::uint32_t a, std::uint32_t b) const { return size_rank_[a] < size_rank_[b]; }
+
 private:
     struct Nearest;
     struct Groundwork;

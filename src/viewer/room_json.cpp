@@ -1,5 +1,6 @@
 #include "viewer/room_json.h"
 
+#include "export/covered_patches.h"
 #include "export/json.h"
 #include "image/colour_map.h"
 #include "image/legend.h"
@@ -27,11 +28,12 @@ std::vector<double> channels(Rgb c)
     return {c.r, c.g, c.b};
 }
 
-JsonObject surfaces_json(const Scene& scene)
+JsonObject surfaces_json(const Scene& scene, int threads)
 {
     std::vector<std::uint8_t> triangles;
     std::vector<double> geometry;
     std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> covered;
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
         const Surface& surface = scene.surfaces()[s];
         triangles.push_back(surface.shape == Shape::triangle ? 1 : 0);
@@ -41,6 +43,10 @@ JsonObject surfaces_json(const Scene& scene)
         cells.push_back(scene.tessellation(s).cells_u);
         cells.push_back(scene.tessellation(s).cells_v);
     }
+    const std::vector<bool> is_covered = covered_patches(scene, threads);
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        if (is_covered[patch])
+            covered.push_back(patch);
     JsonObject json;
     json.text("triangles", packed_bytes(triangles));
     json.text("geometry", packed_numbers(geometry));
@@ -48,6 +54,7 @@ JsonObject surfaces_json(const Scene& scene)
     json.text("materials", packed_counts(scene.file().material));
     json.text("groups", packed_counts(scene.file().group));
     json.text("lines", packed_counts(scene.file().line));
+    json.text("covered", packed_counts(covered));
     return json;
 }
 
@@ -188,7 +195,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
     json.texts("record", content.record);
     json.boolean("two_sided", scene.two_sided());
     json.count("patches", scene.patch_count());
-    json.object("surfaces", surfaces_json(scene));
+    json.object("surfaces", surfaces_json(scene, content.render.threads));
     json.objects("materials", materials_json(scene));
     json.texts("groups", scene.file().groups);
     json.object("camera", camera_json(content.camera));

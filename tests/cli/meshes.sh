@@ -58,6 +58,19 @@ brighter() {
 }
 check "exposure is that of pictures" brighter
 
+# A carpet in the plane of the floor: what of the floor lies under it is in no mesh, as in no picture.
+covered() {
+    printf 'newmtl grey\nKd .5 .5 .5\nnewmtl lamp\nKe 1 1 1\n' >floor.mtl
+    {
+        printf 'mtllib floor.mtl\nusemtl grey\nv 0 0 0\nv 0 0 4\nv 4 0 4\nv 4 0 0\nf 1 2 3 4\nv 1 0 1\nv 1 0 3\nv 3 0 3\nv 3 0 1\nf 5 6 7 8\n'
+        printf 'usemtl lamp\nv 0 3 0\nv 1 3 0\nv 1 3 1\nv 0 3 1\nf 9 10 11 12\n'
+    } >floor.obj
+    ends 0 solve floor.obj --patch-size 1 --lines 2^12 --quiet -o floor.csv -o floor.ply -o floor.obj.glb -o lit.obj -o floor.html || return
+    patches=$(grep -c '^[0-9]' floor.csv) && has floor.ply "element face $((patches - 4))" && [ "$(grep -c '^f ' lit.obj)" -eq $((patches - 4)) ] &&
+        ! has floor.html '"covered": ""' && ends 0 solve "$scene" $quick -o whole.html && has whole.html '"covered": ""'
+}
+check "what lies under another face of its plane is left out" covered
+
 not_the_scene() {
     cp "$scene" room.obj && cp "$root/scenes/5cubes.mtl" . && ends 2 solve room.obj $quick -o ./room.obj &&
         says err "is an input" && cmp "$scene" room.obj

@@ -41,22 +41,25 @@ class Drawing {
     return { program, uniforms, attribute: name => gl.getAttribLocation(program, name) };
   }
 
-  // Three or four corners per surface; the numbers for the shader stand at each of them.
+  // Three or four corners per piece of a surface; the numbers for the shader stand at each of them.
   make_surfaces() {
     const gl = this.gl, room = this.room, words = 9; // 3 + 2 numbers, 4 counts
-    const corner_total = 4 * room.surface_count;
-    const numbers = new Float32Array(words * corner_total), counts = new Uint32Array(numbers.buffer);
-    const indices = new Uint32Array(6 * room.surface_count);
+    const pieces = [];
+    for (let s = 0; s < room.surface_count; ++s)
+      for (const corners of room.pieces(s))
+        pieces.push([s, corners]);
+    const numbers = new Float32Array(4 * words * pieces.length), counts = new Uint32Array(numbers.buffer);
+    const indices = new Uint32Array(6 * pieces.length);
     let n = 0, used = 0;
-    for (let s = 0; s < room.surface_count; ++s) {
+    for (const [s, corners] of pieces) {
       const first = n, [cells_u, cells_v] = room.cells_of(s);
-      for (const [u, v] of room.corners(s)) {
+      for (const [u, v] of corners) {
         numbers.set([...room.point(s, u, v), u, v], words * n);
         counts.set([cells_u, room.triangles[s] ? 0 : cells_v], words * n + 5);
         counts.set([room.first_patch[s], room.is_source(s) ? 1 : 0], words * n + 7);
         ++n;
       }
-      const fan = room.triangles[s] ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
+      const fan = corners.length === 3 ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
       indices.set(fan.map(k => first + k), used);
       used += fan.length;
     }

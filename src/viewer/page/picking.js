@@ -19,10 +19,11 @@ function nearest_hit(room, origin, direction) {
     if (!(v >= 0 && (room.triangles[s] ? u + v : v) <= 1))
       continue;
     const t = dot(b, upright) / determinant;
-    if (t > 0 && (nearest === null || t < nearest.t))
-      nearest = { t, surface: s, u, v, front: determinant > 0 };
+    if (!(t > 0 && (nearest === null || t < nearest.t)))
+      continue;
+    const patch = room.patch_at(s, u, v, determinant > 0);
+    if (!room.covered.has(patch))
+      nearest = { t, surface: s, u, v, front: determinant > 0, patch };
   }
-  if (nearest)
-    nearest.patch = room.patch_at(nearest.surface, nearest.u, nearest.v, nearest.front);
   return nearest;
 }

@@ -27,6 +27,7 @@ class Room {
     this.material = counts_of(data.surfaces.materials);
     this.group = counts_of(data.surfaces.groups);
     this.line = counts_of(data.surfaces.lines);
+    this.covered = new Set(counts_of(data.surfaces.covered));
     this.surface_count = this.triangles.length;
     this.number_patches();
     this.find_size();
@@ -85,6 +86,28 @@ class Room {
       cell = i * m + index(v, m);
     }
     return (front ? 0 : this.cell_count) + this.first_patch[s] + cell;
+  }
+
+  // Is the cell of a surface under others of the same plane, so that it is not to be seen?
+  is_hidden(s, cell) {
+    const patch = this.first_patch[s] + cell;
+    return this.covered.has(patch) && (!this.two_sided || this.covered.has(patch + this.cell_count));
+  }
+
+  // What of a surface is to be drawn, as lists of corners (u, v): all of it, or its cells one by one, if others lie over
+  // some of them.
+  pieces(s) {
+    const [n, m] = this.cells_of(s), pieces = [];
+    let hidden = 0;
+    for (let cell = 0; this.covered.size && cell < n * m; ++cell)
+      if (this.is_hidden(s, cell))
+        ++hidden;
+    if (!hidden)
+      return [this.corners(s)];
+    for (let cell = 0; cell < n * m; ++cell)
+      if (!this.is_hidden(s, cell))
+        pieces.push(this.cell_corners(s, cell).map(([i, j]) => [i / n, j / m]));
+    return pieces;
   }
 
   is_back(patch) { return patch >= this.cell_count; }
