@@ -36,6 +36,31 @@ struct RimEdge
     std::size_t beyond; ///< the face that is not seen
 };
 
+using PlanePoint = std::pair<double, double>;
+
+/// Twice the area of the triangle, positive if it is counter-clockwise.
+double turn(PlanePoint a, PlanePoint b, PlanePoint c)
+{
+    return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
+}
+
+/// Twice the area between the first point and the half of the hull that turns left from it to the last one; the points
+/// are sorted either way.
+template <class Iterator>
+double chain_area(Iterator first, Iterator last)
+{
+    std::vector<PlanePoint> chain;
+    for (; first != last; ++first) {
+        while (chain.size() >= 2 && turn(chain[chain.size() - 2], chain.back(), *first) <= 0.0)
+            chain.pop_back();
+        chain.push_back(*first);
+    }
+    double area = 0.0;
+    for (std::size_t i = 2; i < chain.size(); ++i)
+        area += turn(chain[0], chain[i - 1], chain[i]);
+    return area;
+}
+
 Vec3 unit_or_zero(Vec3 v)
 {
     return v == Vec3{} ? v : normalized(v);
@@ -62,29 +87,22 @@ public:
         return result;
     }
 
-    /// All points in one plane: their hull is a polygon, whose corners are found by walking around it (gift wrapping).
+    /// All points in one plane: their hull is a polygon, found in the plane by a monotone chain (Andrew 1979).
     double flat_area() const
     {
         if (points_.size() < 3)
             return 0.0;
-        const Vec3 normal = cross(points_[b_] - points_[a_], points_[c_] - points_[a_]);
-        Vec3 twice_area;
-        Corner corner = a_; // the farthest from some point, so a corner of the hull
-        for (std::size_t step = 0; step < points_.size(); ++step) {
-            Corner next = corner == 0 ? 1 : 0;
-            for (Corner p = 0; p < points_.size(); ++p) {
-                const Vec3 to_next = points_[next] - points_[corner];
-                const Vec3 to_p = points_[p] - points_[corner];
-                const double turn = dot(normal, cross(to_next, to_p));
-                if (turn < 0.0 || (turn == 0.0 && length(to_p) > length(to_next)))
-                    next = p;
-            }
-            twice_area = twice_area + cross(points_[corner] - points_[a_], points_[next] - points_[a_]);
-            corner = next;
-            if (points_[corner] == points_[a_])
-                break;
-        }
-        return length(twice_area);
+        const Vec3 origin = points_[a_];
+        const Vec3 along = unit_or_zero(points_[b_] - origin);
+        const Vec3 height = points_[c_] - origin;
+        const Vec3 across = unit_or_zero(height - dot(height, along) * along);
+        std::vector<PlanePoint> points;
+        points.reserve(points_.size());
+        for (const Vec3 p : points_)
+            points.push_back({dot(along, p - origin), dot(across, p - origin)});
+        std::sort(points.begin(), points.end());
+        const double below = chain_area(points.begin(), points.end());
+        return below + chain_area(points.rbegin(), points.rend()); // both sides of the polygon
     }
 
 private:

@@ -72,6 +72,31 @@ TEST_CASE("the hull of a set that is all but flat is that of its outline, twice"
     }
 }
 
+// The regular polygon of n corners in the unit circle has the area n / 2 sin(2 pi / n). As a plane figure and as the
+// rims of a drum and of a cone; a hull found in a time that grows with n^2 would take minutes here.
+TEST_CASE("the hull of a hundred thousand points of a circle is their polygon")
+{
+    constexpr int n = 100000;
+    constexpr double pi = 3.14159265358979323846;
+    const Vec3 x = normalized({1, 2, -0.5});
+    const Vec3 y = normalized(cross(x, {0.3, -1, 2}));
+    const Vec3 z = cross(x, y);
+    std::vector<Vec3> circle, drum;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2.0 * pi * ((i * 37) % n) / n;
+        const Vec3 p = Vec3{5, 6, 7} + std::cos(angle) * x + std::sin(angle) * y;
+        circle.push_back(p);
+        drum.push_back(p);
+        drum.push_back(p + 2.0 * z);
+    }
+    const double polygon = 0.5 * n * std::sin(2.0 * pi / n);
+    CHECK(ConvexHull(circle).area() == doctest::Approx(2.0 * polygon).epsilon(1e-9));
+    CHECK(ConvexHull(drum).area() == doctest::Approx(2.0 * polygon + 2.0 * 2.0 * pi).epsilon(1e-6));
+    std::vector<Vec3> cone = circle;
+    cone.push_back(Vec3{5, 6, 7} + z);
+    CHECK(ConvexHull(cone).area() == doctest::Approx(polygon + pi * std::sqrt(2.0)).epsilon(1e-6));
+}
+
 TEST_CASE("points beyond one side of a hull lie beside it, points around an edge are not found to")
 {
     const ConvexHull cube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
