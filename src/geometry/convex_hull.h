@@ -3,6 +3,7 @@
 #include "geometry/line.h"
 #include "geometry/vec3.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace multipath {
@@ -14,7 +15,8 @@ class ConvexHull
 public:
     explicit ConvexHull(const std::vector<Vec3>& points);
 
-    double area() const { return area_; } ///< [square of the points' unit]
+    double area() const { return area_; }                    ///< [square of the points' unit]
+    std::size_t side_count() const { return sides_.size(); } ///< triangles
     /// Does the line, taken without ends, meet the hull? Never true of a flat hull.
     bool meets(const Line& line) const;
     /// Does the point lie in the hull, its sides included? Never true of a flat hull.

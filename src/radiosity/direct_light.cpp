@@ -5,6 +5,7 @@
 #include "radiosity/first_shot.h"
 #include "sampling/radical_inverse.h"
 #include "sampling/random.h"
+#include "transport/depth_complexity.h"
 #include "transport/intersection_list.h"
 #include "transport/local_ray.h"
 
@@ -191,12 +192,14 @@ private:
     FirstHits hits_;
 };
 
-/// [scene units^2] Of many patches some stand for all.
-double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
+/// [scene units^2] Of many patches some stand for all; `share` of as many as usual.
+double lit_area(const Scene& scene, std::uint64_t shadow_rays, double share, int threads)
 {
     const std::vector<Try> tries =
         make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
-    const auto most_patches = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, 1u << 13, 1u << 16));
+    const auto least_patches = static_cast<std::uint64_t>(std::max(16.0, share * (1u << 13)));
+    const auto most_patches =
+        static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, least_patches, 1u << 16));
     const std::vector<Representative> chosen = representatives(scene, most_patches);
     constexpr std::uint32_t patches_at_a_time = 256;
     std::vector<double> area(chosen.size() / patches_at_a_time + 1, 0.0);
@@ -210,8 +213,10 @@ double lit_area(const Scene& scene, std::uint64_t shadow_rays, int threads)
 
 } // namespace
 
-DirectLight measure_direct_light(const Scene& scene, std::uint64_t rays, int threads)
+DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, int threads)
 {
+    const double share = affordable_source_rays(scene);
+    const auto rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
     PowerState state(scene);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
     const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
@@ -229,7 +234,7 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t rays, int thr
         squares += sent_on * sent_on / scene.area(i);
     }
     DirectLight result;
-    result.lit_fraction = lit_area(scene, rays, threads) / scene.total_area();
+    result.lit_fraction = lit_area(scene, rays, share, threads) / scene.total_area();
     result.secondary_reflectance = received > 0.0 ? reflected / received : 0.0;
     result.effective_fraction = squares > 0.0 ? reflected * reflected / (scene.total_area() * squares) : 0.0;
     return result;

@@ -14,7 +14,8 @@ struct DirectLight
     double secondary_reflectance = 0.0; ///< [1] R_s': mean reflectance of what is lit, weighted by the power received
 };
 
-/// Measured with up to `rays` rays from the sources and as many shadow rays between patches and sources. Deterministic.
-DirectLight measure_direct_light(const Scene& scene, std::uint64_t rays, int threads);
+/// Measured with up to `most_rays` rays from the sources and as many shadow rays between patches and sources, fewer
+/// where faces lie on the sources by the hundred. Deterministic.
+DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, int threads);
 
 } // namespace multipath

@@ -13,10 +13,17 @@ namespace {
 
 constexpr std::uint64_t lines_per_block = 4096;
 
+/// Of the lines one in so many is compared with the hull, whose sides may be as many as surfaces.
+std::uint64_t lines_per_hull_test(const ConvexHull& hull)
+{
+    constexpr std::uint64_t few_sides = 1024;
+    return 1 + hull.side_count() / few_sides;
+}
+
 LineSurvey empty_survey(const Scene& scene)
 {
     const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
-    return {0, 0, 0, zeros, zeros, zeros, zeros, zeros};
+    return {0, 0, 0, 0, zeros, zeros, zeros, zeros, zeros};
 }
 
 /// Counts what light finds that leaves hit `from` towards hit `to`; `to` is nullptr when nothing is there.
@@ -60,6 +67,7 @@ LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
 {
     const GlobalLines global_lines(scene.bounds());
     const ConvexHull hull = scene_hull(scene);
+    const std::uint64_t per_test = lines_per_hull_test(hull);
     const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
     std::vector<LineSurvey> slots(static_cast<std::size_t>(slot_count(threads)), empty_survey(scene));
     const auto cast_block = [&](std::uint64_t block, int slot) {
@@ -68,11 +76,14 @@ LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
         std::vector<Item> items(static_cast<std::size_t>(std::min(lines_per_block, lines - first)));
         sequence->generate(first, items);
         std::vector<Hit> hits;
-        for (const Item& item : items) {
-            const Line line = global_lines.line(item);
+        for (std::size_t k = 0; k < items.size(); ++k) {
+            const Line line = global_lines.line(items[k]);
             scene.intersector().all_hits(line, hits);
             count_line(scene, hits, survey);
-            survey.lines_into_hull += hull.meets(line) ? 1 : 0;
+            if ((first + k) % per_test == 0) {
+                ++survey.hull_tests;
+                survey.lines_into_hull += hull.meets(line) ? 1 : 0;
+            }
         }
     };
     ordered_blocks((lines + lines_per_block - 1) / lines_per_block, threads, cast_block, [](std::uint64_t, int) {});
@@ -80,6 +91,7 @@ LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
     LineSurvey total = empty_survey(scene);
     for (const LineSurvey& survey : slots) { // counts: their order does not matter
         total.lines += survey.lines;
+        total.hull_tests += survey.hull_tests;
         total.lines_into_hull += survey.lines_into_hull;
         total.crossings += survey.crossings;
         add(total.departures, survey.departures);

@@ -11,7 +11,8 @@ namespace multipath {
 struct LineSurvey
 {
     std::uint64_t lines = 0;           ///< chords of the sphere around the scene
-    std::uint64_t lines_into_hull = 0; ///< of them, those that meet the convex hull of the scene
+    std::uint64_t hull_tests = 0;      ///< of them, those compared with the convex hull of the scene
+    std::uint64_t lines_into_hull = 0; ///< of these, those that meet it
     std::uint64_t crossings = 0;       ///< of lines with surfaces
 
     /// Per surface, in both directions of every line:

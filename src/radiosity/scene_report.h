@@ -29,14 +29,16 @@ struct SceneReport
     double threshold_radiosity = 0.0;       ///< [W/m^2] (4)
 
     LineSurvey survey;
-    PowerBalance balance; ///< of a short run: what escapes and what is lost behind surfaces
+    std::uint64_t trial_lines = 0; ///< of a short run
+    PowerBalance balance;          ///< of this run: what escapes and what is lost behind surfaces
 };
 
 /// The lines that `check` takes unless told otherwise. The paper's report takes as many, so that both print the same
 /// figures.
 constexpr std::uint64_t report_lines = 1u << 20;
 
-/// Measures with about `lines` lines for each figure; always the same lines.
-SceneReport report_on(const Scene& scene, std::uint64_t lines, int threads);
+/// Measures with about `wanted_lines` lines for each figure, always the same ones; with fewer where surfaces lie on or
+/// behind each other by the hundred.
+SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int threads);
 
 } // namespace multipath
