@@ -76,12 +76,17 @@ void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* r
             found.covered_.push_back(static_cast<std::uint32_t>(i));
             found.whole_lines_.push_back(whole_line(rays[i]));
         }
-    if (found.covered_.empty())
-        return;
-    all_hits(found.whole_lines_.data(), found.whole_lines_.size(), found.along_);
-    for (std::size_t k = 0; k < found.covered_.size(); ++k) {
-        const std::uint32_t i = found.covered_[k];
-        found.put(i, next_along(found.along_[k], from[i], rays[i]));
+    // In parts, since each of the lines may meet thousands of surfaces.
+    constexpr std::size_t most_hits = 1u << 15;
+    std::size_t part = 16;
+    for (std::size_t first = 0; first < found.covered_.size();) {
+        const std::size_t end = std::min(first + part, found.covered_.size());
+        all_hits(found.whole_lines_.data() + first, end - first, found.along_);
+        part = std::clamp<std::size_t>(most_hits * (end - first) / (found.along_.hit_count() + 1), 1, LineBatch::most);
+        for (const std::size_t of_part = first; first < end; ++first) {
+            const std::uint32_t i = found.covered_[first];
+            found.put(i, next_along(found.along_[first - of_part], from[i], rays[i]));
+        }
     }
 }
 

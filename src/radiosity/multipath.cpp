@@ -2,6 +2,7 @@
 
 #include "parallel/ordered_blocks.h"
 #include "radiosity/power_walk.h"
+#include "transport/depth_complexity.h"
 #include "transport/line_block.h"
 
 #include <algorithm>
@@ -45,9 +46,11 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
         archive.value<double>("tally", total);
         walk.visit(archive);
     });
+    const LineBlocks plan{scene,           lines,           sequence,
+                          pass.first_item, pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))};
     std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
     const auto trace = [&](std::uint64_t number, int slot) {
-        blocks[static_cast<std::size_t>(slot)].trace(scene, lines, sequence, pass.first_item, pass.lines_cast, number);
+        blocks[static_cast<std::size_t>(slot)].trace(plan, number);
     };
     const auto exchange_in_order = [&](std::uint64_t, int slot) {
         const SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
@@ -60,8 +63,8 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
         total += tally;
         run.count_lines(block.lines.lines());
     };
-    resumable_blocks(next_block, LineBlock::blocks_for(pass.lines_cast), run, trace, exchange_in_order);
-    const std::uint64_t cast = std::min(pass.lines_cast, next_block * LineBlock::most_lines);
+    resumable_blocks(next_block, plan.count(), run, trace, exchange_in_order);
+    const std::uint64_t cast = plan.lines_in(next_block);
     const double planned = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
     walk.finish(total, planned, state);
     state.emitted_variance += planned * variance;

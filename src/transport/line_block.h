@@ -11,24 +11,42 @@
 
 namespace multipath {
 
+/// The global lines of a stage, cut into blocks.
+struct LineBlocks
+{
+    const Scene& scene;
+    const GlobalLines& global_lines;
+    const Sequence& sequence;
+    std::uint64_t first_item; ///< of the sequence, for the first line
+    std::uint64_t lines;
+    std::uint64_t block_lines; ///< in each block but the last
+
+    std::uint64_t count() const { return (lines + block_lines - 1) / block_lines; }
+    std::uint64_t lines_in(std::uint64_t blocks) const { return std::min(lines, blocks * block_lines); } ///< the first
+};
+
+/// How many lines make one piece of work for a thread: fewer than usual where they meet so many surfaces that a block
+/// would fill the memory. `notes_per_line`: how many things a line leaves behind that are kept until its block is done.
+inline std::uint64_t lines_per_block(double notes_per_line)
+{
+    constexpr double most_lines = 4096.0;
+    constexpr double most_notes = 1u << 17;
+    return static_cast<std::uint64_t>(std::clamp(most_notes / notes_per_line, 1.0, most_lines));
+}
+
 /// Successive global lines of a stage, as many as make one piece of work for a thread, with buffers that serve again.
 class LineBlock
 {
 public:
-    static constexpr std::uint64_t most_lines = 4096;
-
-    static std::uint64_t blocks_for(std::uint64_t lines) { return (lines + most_lines - 1) / most_lines; }
-
-    /// Takes block `number` of the `lines` lines whose items begin at first_item: what each of them meets, in order.
-    const HitLists& trace(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
-                          std::uint64_t first_item, std::uint64_t lines, std::uint64_t number)
+    /// Takes block `number`: what each of its lines meets, in order.
+    const HitLists& trace(const LineBlocks& blocks, std::uint64_t number)
     {
-        const std::uint64_t first = number * most_lines;
-        items_.resize(static_cast<std::size_t>(std::min(most_lines, lines - first)));
+        const std::uint64_t first = number * blocks.block_lines;
+        items_.resize(static_cast<std::size_t>(blocks.lines_in(number + 1) - first));
         lines_.resize(items_.size());
-        sequence.generate(first_item + first, items_);
-        global_lines.lines(items_.data(), items_.size(), lines_.data());
-        scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
+        blocks.sequence.generate(blocks.first_item + first, items_);
+        blocks.global_lines.lines(items_.data(), items_.size(), lines_.data());
+        blocks.scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
         return hits_;
     }
 
@@ -46,10 +64,9 @@ struct SegmentBlock
     LineBlock lines;
     std::vector<Segment> segments;
 
-    void trace(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence, std::uint64_t first_item,
-               std::uint64_t line_count, std::uint64_t number)
+    void trace(const LineBlocks& blocks, std::uint64_t number)
     {
-        find_segments(scene, lines.trace(scene, global_lines, sequence, first_item, line_count, number), segments);
+        find_segments(blocks.scene, lines.trace(blocks, number), segments);
     }
 };
 

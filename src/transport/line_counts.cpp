@@ -7,6 +7,7 @@
 #include "parallel/ordered_blocks.h"
 #include "parallel/shared_blocks.h"
 #include "scene/input_error.h"
+#include "transport/depth_complexity.h"
 #include "transport/line_block.h"
 
 #include <algorithm>
@@ -125,9 +126,9 @@ bool LineCounts::full() const
 namespace {
 
 /// How many lines to cast before the next merge: notes must fit below the limit, and not take more than the rows do.
-std::uint64_t lines_of_round(const CountedLines& counted)
+std::uint64_t lines_of_round(const CountedLines& counted, std::uint64_t block_lines)
 {
-    constexpr double least = 1u << 17; // cast in a moment, noted in a few megabytes
+    const double least = 32.0 * static_cast<double>(block_lines); // cast in a moment, noted in a few megabytes
     if (counted.lines_cast == 0)
         return static_cast<std::uint64_t>(least);
     const auto ends = static_cast<double>(std::max<std::uint64_t>(counted.counts.line_ends(), 1));
@@ -156,23 +157,24 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
         if (range.all != lines || round > range.end - range.next)
             throw ArchiveError("the state is damaged: no such lines");
     });
+    const std::uint64_t block_lines = lines_per_block(crossings_per_line(scene, global_lines));
     std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
     const auto wants_round = [&] { return range.next < range.end && !counted.counts.full(); };
     while ((round > 0 || wants_round()) && !run.stopped()) {
         if (round == 0)
-            round = std::min(range.end - range.next, lines_of_round(counted));
-        const std::uint64_t first_of_round = first_item + range.next;
+            round = std::min(range.end - range.next, lines_of_round(counted, block_lines));
+        const LineBlocks plan{scene, global_lines, sequence, first_item + range.next, round, block_lines};
         const auto trace_block = [&](std::uint64_t number, int slot) {
             SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
-            block.trace(scene, global_lines, sequence, first_of_round, round, number);
+            block.trace(plan, number);
             counted.counts.add(block.segments);
         };
         const auto report = [&](std::uint64_t, int slot) {
             run.count_lines(blocks[static_cast<std::size_t>(slot)].lines.lines());
         };
-        resumable_blocks(next_block, LineBlock::blocks_for(round), run, trace_block, report);
+        resumable_blocks(next_block, plan.count(), run, trace_block, report);
         counted.counts.merge(run.threads);
-        range.next += std::min(round, next_block * LineBlock::most_lines);
+        range.next += plan.lines_in(next_block);
         counted.lines_cast = range.next - range.first;
         round = next_block = 0;
     }
