@@ -85,7 +85,7 @@ void require_memory_for_picture(const CommandLine& line, int width, int height, 
 int reuse_runs_at_a_time(const CommandLine& line, const Scene& scene, int threads)
 {
     const double of_pairs = line.has("memory") ? memory_limit(line) : SolveOptions{}.memory;
-    const double runs = memory_limit(line) / std::min(of_pairs, reuse_bytes(scene.patch_count()));
+    const double runs = memory_limit(line) / std::min(of_pairs, reuse_bytes(scene));
     return static_cast<int>(std::clamp(runs, 1.0, static_cast<double>(threads)));
 }
 

@@ -129,10 +129,12 @@ void clamp_to_positive(PairMatrix<float>& pairs)
 
 } // namespace
 
-double reuse_bytes(std::uint32_t patches)
+double reuse_bytes(const Scene& scene)
 {
-    constexpr double bytes_per_pair = sizeof(PairCount) + 3 * sizeof(float);
-    return bytes_per_pair * static_cast<double>(PairMatrix<float>::pair_count(patches));
+    const auto pairs = static_cast<double>(PairMatrix<float>::pair_count(scene.patch_count()));
+    constexpr double counted = sizeof(PairCount) + sizeof(float); // bytes of a pair, then those of its estimate, too
+    constexpr double estimated = counted + 2 * sizeof(float);
+    return std::max(estimated * pairs, counted * pairs + estimation_bytes(scene));
 }
 
 std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,

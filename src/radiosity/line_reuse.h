@@ -20,8 +20,9 @@ struct ReusedLines
     std::uint64_t seed = 0;            ///< of the rounding to whole rays
 };
 
-/// Bytes that reuse_lines needs for its pairs of patches.
-double reuse_bytes(std::uint32_t patches);
+/// Bytes that reuse_lines needs for its pairs of patches. More than half of them are for pairs of surfaces where those
+/// are almost as many as patches.
+double reuse_bytes(const Scene& scene);
 
 /// Distributes all unshot power: global lines tell which patches see each other and how well, rays look closer at the
 /// pairs that matter, and the light is found by solving for it (R1) instead of carrying it along the lines.

@@ -11,6 +11,7 @@
 #include "radiosity/multipath.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"
+#include "transport/depth_complexity.h"
 #include "transport/line_sampling.h"
 #include "transport/unoccluded_exchange.h"
 
@@ -297,14 +298,26 @@ private:
 
 } // namespace
 
+namespace {
+
+/// A table of all pairs is kept where it fits, and where lines do not cross so much that counting all pairs along them,
+/// which grows with the square of it, is the work.
+bool wants_table(const Scene& scene, const SolveOptions& options)
+{
+    constexpr double many_pairs = 4096.0;
+    return reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) &&
+           pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs;
+}
+
+} // namespace
+
 Preparation prepare(const Scene& scene, const SolveOptions& options)
 {
     Preparation preparation;
     const bool optimum = options.method == Method::first_shot || options.method == Method::extended;
     if (optimum && !options.power_by_line)
         preparation.ratio = ratio_for(scene, options);
-    const double for_pairs = bytes_for_pairs(options.memory, scene);
-    if (options.method == Method::reuse && reuse_bytes(scene.patch_count()) <= for_pairs)
+    if (options.method == Method::reuse && wants_table(scene, options))
         preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
     return preparation;
 }

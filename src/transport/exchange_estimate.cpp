@@ -20,6 +20,8 @@ namespace multipath {
 
 namespace {
 
+constexpr std::uint32_t fine_cells = 2;
+constexpr std::uint32_t middle_cells = 4;
 constexpr double prior_lines = 1.0; ///< how many lines the share of the larger blocks is worth
 
 struct BlockCount
@@ -144,12 +146,21 @@ double trust(double lines_across)
 
 } // namespace
 
+double estimation_bytes(const Scene& scene)
+{
+    const double surfaces = static_cast<double>(scene.surfaces().size()) * (scene.two_sided() ? 2.0 : 1.0);
+    double pairs = 0.0;
+    for (const double blocks : {block_count(scene, fine_cells), block_count(scene, middle_cells), surfaces})
+        pairs += 0.5 * blocks * (blocks + 1.0);
+    return (sizeof(BlockCount) + sizeof(double)) * pairs;
+}
+
 ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& unoccluded, const PairCounts& counts,
                                    double crossing_area, int threads)
 {
     const std::uint32_t n = scene.patch_count();
-    BlockLevel fine(patch_blocks(scene, 2));
-    BlockLevel middle(patch_blocks(scene, 4));
+    BlockLevel fine(patch_blocks(scene, fine_cells));
+    BlockLevel middle(patch_blocks(scene, middle_cells));
     BlockLevel coarse(surface_blocks(scene));
     const std::vector<PatchRange> ranges = sides(coarse.blocks);
     for_pairs_of_surfaces(ranges, threads, [&](std::uint32_t i, std::uint32_t j) {

@@ -39,6 +39,14 @@ PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells)
     return blocks;
 }
 
+double block_count(const Scene& scene, std::uint32_t cells)
+{
+    double count = 0.0;
+    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface)
+        count += blocks_in_surface(scene.tessellation(surface), cells);
+    return (scene.two_sided() ? 2.0 : 1.0) * count;
+}
+
 PatchBlocks surface_blocks(const Scene& scene)
 {
     return patch_blocks(scene, std::numeric_limits<std::uint32_t>::max());

@@ -18,6 +18,9 @@ struct PatchBlocks
 /// Blocks of up to cells x cells patches. Blocks of 2 k cells are made of whole blocks of k cells.
 PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells);
 
+/// How many there are, without finding them.
+double block_count(const Scene& scene, std::uint32_t cells);
+
 /// One block for every surface, and for its back where it has patches.
 PatchBlocks surface_blocks(const Scene& scene);
 
