@@ -92,6 +92,7 @@ private:
     {
         return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
     }
+    void sort_many(Hit* hits, std::size_t count) const;
     void put_in_order(Hit* hits, std::size_t count) const;
 
     const FilterKernel* kernel_;

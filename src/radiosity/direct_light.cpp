@@ -193,8 +193,9 @@ private:
 };
 
 /// [scene units^2] Of many patches some stand for all; `share` of as many as usual.
-double lit_area(const Scene& scene, std::uint64_t shadow_rays, double share, int threads)
+double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int threads)
 {
+    const auto shadow_rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
     const std::vector<Try> tries =
         make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
     const auto least_patches = static_cast<std::uint64_t>(std::max(16.0, share * (1u << 13)));
@@ -234,7 +235,8 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, in
         squares += sent_on * sent_on / scene.area(i);
     }
     DirectLight result;
-    result.lit_fraction = lit_area(scene, rays, share, threads) / scene.total_area();
+    result.lit_fraction =
+        lit_area(scene, most_rays, std::min(share, affordable_patch_rays(scene)), threads) / scene.total_area();
     result.secondary_reflectance = received > 0.0 ? reflected / received : 0.0;
     result.effective_fraction = squares > 0.0 ? reflected * reflected / (scene.total_area() * squares) : 0.0;
     return result;

@@ -1,10 +1,12 @@
 #include "transport/depth_complexity.h"
 
 #include "sampling/radical_inverse.h"
+#include "transport/local_ray.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -34,8 +36,15 @@ namespace {
 
 constexpr double ordinary_surfaces = 16.0; ///< along a line, or on each other
 
-/// Mean number of other surfaces that share a point of a source and its plane, weighted by power; at a few points.
-double faces_on_sources(const Scene& scene)
+constexpr std::uint64_t trial_rays = 64;
+
+std::size_t faces_on(const Scene& scene, std::uint32_t surface, Vec3 point)
+{
+    return scene.intersector().coincident_surfaces(surface, point).size();
+}
+
+/// Mean number of other surfaces on the start of a ray from a source and on the point that it meets first.
+double faces_on_source_rays(const Scene& scene)
 {
     std::vector<std::uint32_t> sources;
     std::vector<double> power_up_to; // [W] cumulative
@@ -49,22 +58,29 @@ double faces_on_sources(const Scene& scene)
     }
     if (sources.empty())
         return 0.0;
-    constexpr std::uint64_t trials = 64;
     std::size_t faces = 0;
-    for (std::uint64_t k = 0; k < trials; ++k) {
-        const double at = (static_cast<double>(k) + 0.5) / trials * power;
+    for (std::uint64_t k = 0; k < trial_rays; ++k) {
+        const auto number = [k](std::uint64_t base) { return radical_inverse(base, k + 1); };
+        const double at = (static_cast<double>(k) + 0.5) / trial_rays * power;
         const auto found = std::upper_bound(power_up_to.begin(), power_up_to.end() - 1, at) - power_up_to.begin();
         const std::uint32_t source = sources[static_cast<std::size_t>(found)];
-        const Surface& shape = scene.surfaces()[source];
-        double u = radical_inverse(2, k + 1);
-        double v = radical_inverse(3, k + 1);
-        if (shape.shape == Shape::triangle && u + v > 1.0) {
-            u = 1.0 - u;
-            v = 1.0 - v;
-        }
-        faces += scene.intersector().coincident_surfaces(source, shape.at(u, v)).size();
+        const Line ray = local_line({source, scene.surfaces()[source]}, {number(2), number(3), number(5), number(7)});
+        faces += faces_on(scene, source, ray.origin);
+        const std::optional<Hit> hit = scene.intersector().closest_hit_from(source, ray);
+        faces += hit ? faces_on(scene, hit->surface, scene.surfaces()[hit->surface].at(hit->u, hit->v)) : 0;
     }
-    return static_cast<double>(faces) / trials;
+    return static_cast<double>(faces) / trial_rays;
+}
+
+/// Mean number of other surfaces on the centre of a patch.
+double faces_on_patches(const Scene& scene)
+{
+    std::size_t faces = 0;
+    for (std::uint64_t k = 0; k < trial_rays; ++k) {
+        const auto patch = static_cast<std::uint32_t>(k * scene.patch_count() / trial_rays);
+        faces += faces_on(scene, scene.surface_of(patch), scene.patch(patch).shape.centre());
+    }
+    return static_cast<double>(faces) / trial_rays;
 }
 
 } // namespace
@@ -77,7 +93,12 @@ double affordable_lines(const Scene& scene)
 
 double affordable_source_rays(const Scene& scene)
 {
-    return ordinary_surfaces / std::max(faces_on_sources(scene), ordinary_surfaces);
+    return ordinary_surfaces / std::max(faces_on_source_rays(scene), ordinary_surfaces);
+}
+
+double affordable_patch_rays(const Scene& scene)
+{
+    return ordinary_surfaces / std::max(faces_on_patches(scene), ordinary_surfaces);
 }
 
 } // namespace multipath
