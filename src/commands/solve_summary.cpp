@@ -1,6 +1,7 @@
 #include "commands/solve_summary.h"
 
 #include "commands/method_options.h"
+#include "radiosity/counted_reuse.h"
 #include "radiosity/replicates.h"
 #include "scene/text_format.h"
 
@@ -61,6 +62,11 @@ std::string summary_text(const SolveSummary& s)
                    "surfaces; balance to %.0e\n",
                    mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
                    percent(balance.behind), balance.relative_error());
+    if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0)
+        text +=
+            format("warning    so few lines per patch are not reused: particles carried the reflected light, with more "
+                   "noise; reuse begins at about %.1g lines, if --memory holds them\n",
+                   2.0 * fewest_lines_to_count(s.scene, GlobalLines(s.scene.bounds(), chords_of(s.options))));
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=

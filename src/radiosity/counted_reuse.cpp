@@ -16,13 +16,23 @@ std::size_t count_bytes(std::uint32_t patches, double memory)
     return std::max(static_cast<std::size_t>(memory), std::size_t{256} * patches);
 }
 
+double fewest_lines_to_count(const Scene& scene, const GlobalLines& lines)
+{
+    constexpr double lines_per_patch = 10.0; // were all patches black
+    const double absorption = 1.0 - mean(scene.average_reflectance());
+    constexpr std::uint64_t many = 1u << 20;
+    const double crossings_per_line = lines.expected_crossings(scene.total_area(), many) / static_cast<double>(many);
+    return lines_per_patch * scene.patch_count() / (absorption * crossings_per_line);
+}
+
 bool can_count(const Scene& scene, const GlobalLines& lines, std::uint64_t lines_cast, std::size_t byte_limit)
 {
     constexpr double bytes_per_line_end = 8.0;
-    const double line_ends = lines.expected_crossings(scene.total_area(), lines_cast);
-    const double at_a_time = std::min(line_ends, static_cast<double>(byte_limit) / bytes_per_line_end);
-    const double absorption = 1.0 - mean(scene.average_reflectance());
-    return at_a_time * absorption >= 10.0 * scene.patch_count();
+    const double bytes_per_line =
+        bytes_per_line_end * lines.expected_crossings(scene.total_area(), lines_cast) / static_cast<double>(lines_cast);
+    const double at_a_time =
+        std::min(static_cast<double>(lines_cast), static_cast<double>(byte_limit) / bytes_per_line);
+    return at_a_time >= fewest_lines_to_count(scene, lines);
 }
 
 std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,

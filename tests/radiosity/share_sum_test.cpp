@@ -57,8 +57,7 @@ SavedWork next_stage(const Scene& scene, const SolveOptions& options, const std:
     }
     SavedWork all{"", shares[0].parts};
     StateWriter sum([&](std::string_view bytes) { all.bytes += bytes; });
-    add_up_shares(
-        archives, all.parts, scene.patch_count(), count_bytes(scene.patch_count(), options.memory), 1, [] {}, sum);
+    add_up_shares(archives, all.parts, scene.patch_count(), count_bytes(scene.patch_count(), options.memory), 1, sum);
     readers[0]->copy_rest(sum);
     sum.finish();
     return all;

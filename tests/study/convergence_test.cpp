@@ -141,21 +141,6 @@ TEST_CASE("runs that the journal knows are not repeated")
     }
 }
 
-// More lines than `reuse` can count are refused by solve, behind what is prepared: here the end comes first.
-TEST_CASE("a study that its progress ends begins no run, nor what a run prepares")
-{
-    struct Ended
-    {
-    };
-    const Scene scene = small_room();
-    StudyPlan plan;
-    plan.curves = {curve("reuse", Method::reuse, "sobol")};
-    plan.line_counts = {std::uint64_t{1} << 33};
-    Journal journal;
-    const Reference reference{std::vector<Rgb>(scene.patch_count()), {}};
-    CHECK_THROWS_AS((void)run_study(scene, reference, plan, journal, 1, [](double) { throw Ended(); }), Ended);
-}
-
 TEST_CASE("a point less than ten times above the error of the reference is left out of the fit")
 {
     const Scene scene = small_room();
