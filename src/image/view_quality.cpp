@@ -15,7 +15,7 @@ namespace {
 
 constexpr double cells_along_diagonal = 24.0; // points of one cell of the scene count as one place
 constexpr double too_near = 0.08;             // of the scene's diagonal
-constexpr double in_the_dark = 0.02;          // of the reflected power: the patches that share it count as dark
+constexpr double in_the_dark = 0.02;          // of the reflected power: the sides that share it count as dark
 
 /// What the rays of one view met.
 struct View
@@ -84,33 +84,18 @@ double weight(const Surface& surface)
     return std::sqrt(surface.area());
 }
 
-/// [W/m^2] The reflected radiosity that is reached by the patches that hold nearly all of the reflected power. Not a
-/// share of a mean: the spot above a lamp may be a hundred times brighter than the room, and a garden larger.
-double least_lit_radiosity(const Scene& scene, const std::vector<Rgb>& radiosity)
+/// One side of a surface.
+struct LitSide
 {
-    std::vector<std::pair<double, double>> patches; // reflected radiosity, power
-    double all = 0.0;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double reflected = mean(radiosity[i] - scene.emittance(i));
-        if (!(reflected > 0.0))
-            continue;
-        patches.emplace_back(reflected, scene.area(i) * reflected);
-        all += patches.back().second;
-    }
-    std::sort(patches.begin(), patches.end());
-    double passed = 0.0;
-    for (const auto& [reflected, power] : patches)
-        if ((passed += power) > in_the_dark * all)
-            return reflected;
-    return 0.0;
-}
+    std::uint32_t first_patch;
+    std::uint32_t end_patch;
+    double radiosity; ///< [W/m^2] mean
+    double power;     ///< [W] reflected
+};
 
-/// The patches whose light a picture would show. A side counts as a whole, too: a patch that no line has met is not
-/// dark for that.
-std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radiosity)
+std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
-    const double least = least_lit_radiosity(scene, radiosity);
-    std::vector<bool> is_lit(scene.patch_count());
+    std::vector<LitSide> sides;
     for (const bool front : {true, false})
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
             if (!front && !scene.two_sided())
@@ -120,10 +105,38 @@ std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radios
             double sum = 0.0;
             for (std::uint32_t i = first; i < end; ++i)
                 sum += mean(radiosity[i]);
-            const bool side_is_lit = sum >= least * (end - first) && sum > 0.0;
-            for (std::uint32_t i = first; i < end; ++i)
-                is_lit[i] = side_is_lit || (mean(radiosity[i]) >= least && mean(radiosity[i]) > 0.0);
+            const double reflected = std::max(0.0, sum - (end - first) * mean(scene.emittance(first)));
+            sides.push_back({first, end, sum / (end - first), scene.area(first) * reflected});
         }
+    return sides;
+}
+
+/// [W/m^2] The mean radiosity that is reached by the sides that hold nearly all of the reflected power. Not a share of
+/// a mean: the spot above a lamp may be a hundred times brighter than the room, and a garden larger. Of sides and not
+/// of patches, since few lines leave many patches without light.
+double least_lit_radiosity(std::vector<LitSide> sides)
+{
+    std::sort(sides.begin(), sides.end(), [](const LitSide& a, const LitSide& b) { return a.radiosity < b.radiosity; });
+    double all = 0.0;
+    for (const LitSide& side : sides)
+        all += side.power;
+    double passed = 0.0;
+    for (const LitSide& side : sides)
+        if ((passed += side.power) > in_the_dark * all)
+            return side.radiosity;
+    return 0.0;
+}
+
+/// The patches whose light a picture would show: of bright sides all, of others those that are bright themselves.
+std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    const std::vector<LitSide> sides = lit_sides(scene, radiosity);
+    const double least = least_lit_radiosity(sides);
+    const auto shows = [least](double light) { return light >= least && light > 0.0; };
+    std::vector<bool> is_lit(scene.patch_count());
+    for (const LitSide& side : sides)
+        for (std::uint32_t i = side.first_patch; i < side.end_patch; ++i)
+            is_lit[i] = shows(side.radiosity) || shows(mean(radiosity[i]));
     return is_lit;
 }
 
