@@ -138,7 +138,9 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         tell_of_interruption(job, solution, keeper); // before what may be given up
     else
         require_light(scene, solution, job.options.threads);
+    const SolveJob::Clock::time_point outputs_start = SolveJob::Clock::now();
     write_results(job, scene, solution, outputs, keeper.last_bytes());
+    const double seconds_outputs = seconds_since(outputs_start);
 
     const SolveSummary summary{scene,
                                job.options,
@@ -147,6 +149,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
                                job.sequence,
                                seconds_since(job.start),
                                seconds_trace,
+                               seconds_outputs,
                                seconds_to_first_lines,
                                !keeper.stopped(),
                                !keeper.resumed()};

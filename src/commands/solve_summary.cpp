@@ -85,8 +85,10 @@ std::string summary_text(const SolveSummary& s)
             percent(balance.behind));
     if (!s.all_at_once)
         return text + format("time       %.2f s, of this part of the run\n", s.seconds);
-    text += format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s\n", s.seconds,
-                   s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads, s.options.threads == 1 ? "" : "s");
+    text +=
+        format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s; %.2f s for the outputs\n",
+               s.seconds, s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads,
+               s.options.threads == 1 ? "" : "s", s.seconds_outputs);
     return text;
 }
 
@@ -140,6 +142,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("balance_error", balance.relative_error());
     json.number("seconds", s.seconds);
     json.number("seconds_trace", s.seconds_trace);
+    json.number("seconds_outputs", s.seconds_outputs);
     json.number("seconds_to_first_lines", s.seconds_to_first_lines);
     json.number("lines_per_second", lines_per_second(s));
     json.boolean("complete", s.complete);

@@ -18,6 +18,7 @@ struct SolveSummary
     std::string sequence;                ///< full name
     double seconds = 0.0;                ///< from start to end, pictures included
     double seconds_trace = 0.0;          ///< of the solver alone
+    double seconds_outputs = 0.0;        ///< of making and writing the outputs
     double seconds_to_first_lines = 0.0; ///< from start to when the first block of lines was done
     bool complete = true;                ///< or was it interrupted?
     bool all_at_once = true;             ///< or were some of the lines traced by an earlier run?

@@ -39,7 +39,7 @@ summary() {
     ends 0 solve "$scene" $quick --json --quiet -o room.csv && silent err || return
     for key in scene patches surfaces area_m2 average_reflectance source_power_w method sequence lines local_lines \
         global_lines mean_radiosity unshot_power_w escaped_power_w back_face_power_w balance_error seconds \
-        seconds_trace seconds_to_first_lines lines_per_second threads relative_standard_error; do
+        seconds_trace seconds_outputs seconds_to_first_lines lines_per_second threads relative_standard_error; do
         says out "\"$key\": " || return
     done
     says out '"lines": 20000' && says out '"escaped_power_w": 0,' && says out '"sequence": "sobol"'
