@@ -128,7 +128,8 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, cons
         else if (output.format == OutputFormat::html || output.format == OutputFormat::state)
             output.file.write(makers.at(output.format)());
         else
-            output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments));
+            output.file.write(patch_table(scene, solution.radiosity, solution.standard_error, comments,
+                                          picture_options.render.threads));
         output.file.complete();
     }
     commit(outputs);

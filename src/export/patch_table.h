@@ -11,6 +11,6 @@ namespace multipath {
 /// digits, so that reading them gives the same doubles. Standard errors, if there are any, are three columns more. The
 /// comments become `# ` lines before the header.
 std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
-                        const std::vector<std::string>& comments);
+                        const std::vector<std::string>& comments, int threads = 1);
 
 } // namespace multipath
