@@ -222,6 +222,18 @@ std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Ve
     return found;
 }
 
+std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bounds& box) const
+{
+    if (tree_.empty())
+        return std::nullopt;
+    constexpr double rounding = 1e-6; // of the frame's coordinates, in single precision
+    const Vec3 margin = {rounding, rounding, rounding};
+    std::vector<std::uint32_t> found = unfiltered_;
+    tree_.for_each_near({frame_.to_frame(box.low) - margin, frame_.to_frame(box.high) + margin},
+                        [&](std::uint32_t surface) { found.push_back(surface); });
+    return found;
+}
+
 double Intersector::reach_of(const Line& ray) const
 {
     return (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);

@@ -51,6 +51,16 @@ public:
     /// The surfaces that share the plane of `of` and hold `point`, a point of `of`; without `of` itself.
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
+    /// All surfaces that reach into the box, and others. None if there are so few surfaces that no list is faster.
+    std::optional<std::vector<std::uint32_t>> surfaces_near(const Bounds& box) const;
+
+    /// Does the line meet this surface?
+    bool meets(const Line& line, std::uint32_t surface) const
+    {
+        Hit hit;
+        return table_.decide(line, surface, hit);
+    }
+
     /// Of two surfaces in one plane that face the same way, which is met first? The smaller lies on top.
     bool is_over(std::uint32_t a, std::uint32_t b) const { return size_rank_[a] < size_rank_[b]; }
 

@@ -29,25 +29,33 @@ public:
 
     /// Calls visit(number) for all things whose boxes hold the point, and for others.
     template <class Visit>
-    void for_each_around(Vec3 point_in_frame, const Visit& visit) const;
+    void for_each_around(Vec3 point_in_frame, const Visit& visit) const
+    {
+        for_each_near({point_in_frame, point_in_frame}, visit);
+    }
+    /// The same for all things whose boxes meet a box.
+    template <class Visit>
+    void for_each_near(const Bounds& box_in_frame, const Visit& visit) const;
 
 private:
     template <class Visit>
-    void visit_child(std::uint32_t child, const float (&point)[3], const Visit& visit) const;
+    void visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const;
 
     std::vector<WideNode> nodes_;
     std::vector<std::uint32_t> things_;
 };
 
 template <class Visit>
-void WideTree::for_each_around(Vec3 point, const Visit& visit) const
+void WideTree::for_each_near(const Bounds& box, const Visit& visit) const
 {
+    const auto single = [](double x) { return static_cast<float>(x); };
     if (!empty())
-        visit_child(0, {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)}, visit);
+        visit_child(0, {single(box.low.x), single(box.low.y), single(box.low.z)},
+                    {single(box.high.x), single(box.high.y), single(box.high.z)}, visit);
 }
 
 template <class Visit>
-void WideTree::visit_child(std::uint32_t child, const float (&point)[3], const Visit& visit) const
+void WideTree::visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const
 {
     if ((child & WideNode::block_flag) != 0) {
         const std::size_t first = std::size_t{WideNode::lanes} * (child - WideNode::block_flag);
@@ -57,11 +65,11 @@ void WideTree::visit_child(std::uint32_t child, const float (&point)[3], const V
     }
     const WideNode& node = nodes_[child];
     for (unsigned lane = 0; lane < WideNode::lanes; ++lane) {
-        bool inside = true;
+        bool meets = true;
         for (int axis = 0; axis < 3; ++axis)
-            inside = every(inside, node.low[axis][lane] <= point[axis], point[axis] <= node.high[axis][lane]);
-        if (inside)
-            visit_child(node.child[lane], point, visit);
+            meets = every(meets, node.low[axis][lane] <= high[axis], low[axis] <= node.high[axis][lane]);
+        if (meets)
+            visit_child(node.child[lane], low, high, visit);
     }
 }
 

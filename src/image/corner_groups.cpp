@@ -64,7 +64,9 @@ public:
                 continue;
             if (step == 0 || !turn.joined[(k + count - 1) % count])
                 groups.push_back({surface_, normal_, corner, {}, {}, 0.0, {}, !whole});
-            add(turn, k, corner, groups.back());
+            add(turn, k, groups.back());
+            if (!whole)
+                add_points(turn, k, groups.back());
         }
     }
 
@@ -73,31 +75,36 @@ private:
     struct Turn
     {
         std::array<std::optional<CellCorner>, 6> cells;
+        std::array<std::optional<OpenPoint>, 6> points; ///< of the cells, close to the corner
         std::array<bool, 6> joined{};
     };
 
     Turn turn_around(const std::array<std::optional<CellCorner>, 6>& cells, Vec3 corner) const
     {
-        Turn turn{cells, {}};
+        Turn turn{cells, {}, {}};
         const std::size_t count = lattice_.most_around();
         for (std::size_t k = 0; k < count; ++k)
+            if (cells[k])
+                turn.points[k] = open_point(*cells[k], corner);
+        for (std::size_t k = 0; k < count; ++k)
             if (cells[k] && cells[(k + 1) % count])
-                turn.joined[k] = is_joined(*cells[k], *cells[(k + 1) % count], corner);
+                turn.joined[k] = is_joined(turn, k, (k + 1) % count);
         return turn;
     }
 
     /// A wall parts two neighbours from end to end, the leg of a table does not: so they are joined if one of two
-    /// places along the edge between them is free.
-    bool is_joined(CellCorner one, CellCorner other, Vec3 corner) const
+    /// places along the edge between them is free: at the corner, and in the middle.
+    bool is_joined(const Turn& turn, std::size_t one, std::size_t other) const
     {
-        const Vec3 middle = 0.5 * (centre(one) + centre(other));
-        for (const Vec3 place : {corner, middle}) {
-            const std::optional<OpenPoint> from = open_point(one, place);
-            const std::optional<OpenPoint> to = open_point(other, place);
-            if (from && to && !parted(scene_, *from, *to))
-                return true;
-        }
-        return false;
+        if (is_free(turn.points[one], turn.points[other]))
+            return true;
+        const Vec3 middle = 0.5 * (centre(*turn.cells[one]) + centre(*turn.cells[other]));
+        return is_free(open_point(*turn.cells[one], middle), open_point(*turn.cells[other], middle));
+    }
+
+    bool is_free(const std::optional<OpenPoint>& from, const std::optional<OpenPoint>& to) const
+    {
+        return from && to && !parted(scene_, *from, *to);
     }
 
     Vec3 centre(CellCorner cell) const { return scene_.patch(first_patch_ + cell.cell).shape.centre(); }
@@ -109,7 +116,7 @@ private:
     }
 
     /// Adds a cell to the group's mean, weighted with what of it is in the open.
-    void add(const Turn& turn, std::size_t k, Vec3 corner, CornerGroup& group) const
+    void add(const Turn& turn, std::size_t k, CornerGroup& group) const
     {
         const std::uint32_t patch = first_patch_ + turn.cells[k]->cell;
         const double weight = patches_.open_share(patch);
@@ -120,8 +127,14 @@ private:
             group.value = value;
         group.weight += weight;
         group.places.push_back(CornerLattice::per_cell * patch + turn.cells[k]->number);
-        for (const Vec3 place : {corner, centre(*turn.cells[k])})
-            if (const std::optional<OpenPoint> point = open_point(*turn.cells[k], place))
+    }
+
+    /// Points from which other surfaces are looked for, at the border.
+    void add_points(const Turn& turn, std::size_t k, CornerGroup& group) const
+    {
+        for (const std::optional<OpenPoint>& point :
+             {turn.points[k], open_point(*turn.cells[k], centre(*turn.cells[k]))})
+            if (point)
                 group.points.push_back(*point);
     }
 
@@ -174,11 +187,12 @@ private:
 
 } // namespace
 
-std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, std::uint32_t surface, bool front)
+std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, std::uint32_t surface, bool front,
+                                       std::uint32_t first_row, std::uint32_t end_row)
 {
     const Side side(patches, surface, front);
     std::vector<CornerGroup> groups;
-    for (std::uint32_t j = 0; j <= side.lattice().last_row(); ++j)
+    for (std::uint32_t j = first_row; j < end_row; ++j)
         for (std::uint32_t i = 0; i <= side.lattice().last_column(j); ++i)
             side.append_groups(i, j, groups);
     return groups;

@@ -1,7 +1,9 @@
 #include "image/skin.h"
 
+#include "geometry/bounds.h"
+#include "geometry/flat_polygon.h"
+
 #include <algorithm>
-#include <vector>
 
 namespace multipath {
 
@@ -11,14 +13,71 @@ bool level(Vec3 a, Vec3 b)
     return dot(a, b) >= smallest_cosine;
 }
 
+namespace {
+
+constexpr double lift = 0.01;     // of the distance: what touches the surface is met, its own rounding is not
+constexpr double rounding = 1e-9; // of the scene's diagonal
+
+Line sight(const OpenPoint& a, const OpenPoint& b)
+{
+    const double height = lift * length(b.point - a.point);
+    return chord(a.point + height * a.normal, b.point + height * b.normal);
+}
+
+bool may_part(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
+{
+    return !level(normal, a.normal) && !level(normal, b.normal);
+}
+
+bool reaches_into(const Bounds& box, const Surface& surface)
+{
+    Bounds own;
+    const FlatPolygon polygon = polygon_of(surface);
+    for (std::size_t k = 0; k < polygon.size; ++k)
+        own.include(polygon.corners[k]);
+    return own.low.x <= box.high.x && own.high.x >= box.low.x && own.low.y <= box.high.y && own.high.y >= box.low.y &&
+           own.low.z <= box.high.z && own.high.z >= box.low.z;
+}
+
+} // namespace
+
 bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
 {
-    const double lift = 0.01 * length(b.point - a.point); // what touches the surface is met, its own rounding is not
     std::vector<Hit> hits;
-    scene.intersector().all_hits(chord(a.point + lift * a.normal, b.point + lift * b.normal), hits);
-    return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
-        const Vec3 normal = scene.surfaces()[hit.surface].normal();
-        return !level(normal, a.normal) && !level(normal, b.normal);
+    scene.intersector().all_hits(sight(a, b), hits);
+    return std::any_of(hits.begin(), hits.end(),
+                       [&](const Hit& hit) { return may_part(scene.surfaces()[hit.surface].normal(), a, b); });
+}
+
+Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points)
+    : scene_(scene)
+{
+    Bounds box;
+    for (const OpenPoint& point : points)
+        box.include(point.point);
+    const double reach = 2.0 * lift * box.diagonal() + rounding * scene.bounds().diagonal();
+    const Vec3 margin = {reach, reach, reach};
+    box = {box.low - margin, box.high + margin};
+    const std::optional<std::vector<std::uint32_t>> listed = scene.intersector().surfaces_near(box);
+    if (!listed)
+        return;
+    near_.emplace();
+    for (const std::uint32_t surface : *listed) {
+        const Vec3 normal = normals[surface];
+        const bool is_level = std::all_of(points.begin(), points.end(),
+                                          [&](const OpenPoint& point) { return level(normal, point.normal); });
+        if (!is_level && reaches_into(box, scene.surfaces()[surface]))
+            near_->push_back({surface, normal});
+    }
+}
+
+bool Surroundings::part(const OpenPoint& a, const OpenPoint& b) const
+{
+    if (!near_)
+        return parted(scene_, a, b);
+    const Line line = sight(a, b);
+    return std::any_of(near_->begin(), near_->end(), [&](const Near& near) {
+        return may_part(near.normal, a, b) && scene_.intersector().meets(line, near.surface);
     });
 }
 

@@ -3,6 +3,10 @@
 #include "geometry/vec3.h"
 #include "scene/scene.h"
 
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 namespace multipath {
 
 // A skin: surfaces that a viewer takes for one, such as the triangles of a sphere, and that are shaded as one.
@@ -20,5 +24,28 @@ bool level(Vec3 a, Vec3 b);
 /// Does anything stand between two points of one skin, close to each other, such as a wall on a floor? What lies level
 /// with one of them does not count.
 bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
+
+/// The same for many pairs of points near each other: looks only at what is there and level with not all of them.
+class Surroundings
+{
+public:
+    /// `points`: those that will be asked for; `normals`: of all surfaces. The scene must outlive this object.
+    Surroundings(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points);
+
+    /// True if no two of the points are parted.
+    bool part_nothing() const { return near_ && near_->empty(); }
+    /// parted() for two of the points.
+    bool part(const OpenPoint& a, const OpenPoint& b) const;
+
+private:
+    struct Near
+    {
+        std::uint32_t surface;
+        Vec3 normal;
+    };
+
+    const Scene& scene_;
+    std::optional<std::vector<Near>> near_; ///< none: all surfaces
+};
 
 } // namespace multipath
