@@ -64,6 +64,10 @@ void require_emitter(const UsedMaterials& materials, const ObjMesh& mesh, Emissi
     if (!materials.unknown_names.empty())
         problem += "; used but defined nowhere: " + list_of(materials.unknown_names) +
                    (materials.files.empty() ? "" : ", read " + list_of(materials.files));
+    const std::vector<std::string> too_dark =
+        names_where(materials.used, [](const MtlMaterial& m) { return m.emission_too_small; });
+    if (!too_dark.empty())
+        problem += "; below 1e-30, which counts as 0: " + list_of(too_dark);
     if (!idle.empty())
         problem += "; emitting but used by no face: " + list_of(idle);
     if (emission_from == EmissionFrom::ke && !lamps.empty())

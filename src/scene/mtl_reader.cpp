@@ -11,7 +11,9 @@ namespace multipath {
 
 namespace {
 
-constexpr double largest_emittance = 1e30; ///< [W/m^2] powers and their squares must stay within the range of doubles
+// [W/m^2] Powers and their squares must stay within the range of doubles.
+constexpr double largest_emittance = 1e30;
+constexpr double smallest_emittance = 1e-30;
 
 class MtlParser
 {
@@ -112,12 +114,21 @@ void MtlParser::set_reflectance(std::string_view rest, TextPlace place)
 void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, TextPlace place)
 {
     MtlMaterial& current = current_material(keyword, place);
-    const Rgb emittance = colour(keyword, rest, place);
+    Rgb emittance = colour(keyword, rest, place);
     const auto [least, largest] = std::minmax({emittance.r, emittance.g, emittance.b});
     if (least < 0.0 || largest > largest_emittance)
         refuse(place, std::string(keyword) + " of material " + in_quotes(current.material.name) + " is " +
                           (least < 0.0 ? "negative" : "above 1e30") + ", expected the emitted power per area");
     note_repetition(keyword, current.emission_line, place);
+    current.emission_too_small = false;
+    for (double* channel : {&emittance.r, &emittance.g, &emittance.b})
+        if (*channel > 0.0 && *channel < smallest_emittance) {
+            *channel = 0.0;
+            current.emission_too_small = true;
+        }
+    if (current.emission_too_small)
+        library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
+                                    in_quotes(current.material.name) + " is below 1e-30, which counts as 0");
     current.material.emittance = emittance;
     current.emission_line = place.line;
 }

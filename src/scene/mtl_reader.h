@@ -16,6 +16,7 @@ struct MtlMaterial
     Rgb ambient;                     ///< `Ka`; in some files the emission of lamps
     std::uint32_t kd_line = 0;       ///< 0: not given, the material reflects nothing
     std::uint32_t emission_line = 0; ///< of `Ke` or `Ka`, whichever counts; 0: not given
+    bool emission_too_small = false; ///< of one colour or more, which therefore count as 0
 };
 
 /// The materials of all MTL files of a scene.

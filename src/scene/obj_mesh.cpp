@@ -19,8 +19,8 @@ namespace multipath {
 
 namespace {
 
-/// Areas, volumes and their squares must stay within the range of doubles.
-constexpr double largest_coordinate = 1e30;
+/// Squares of areas must stay within the range of single precision, in which exchange between patches is kept.
+constexpr double largest_coordinate = 1e9;
 
 /// Free-form surfaces, and files in files: to skip them would change the scene.
 constexpr std::array<std::string_view, 6> unsupported_keywords = {"surf", "bzp", "bsp", "cdp", "cdc", "call"};
@@ -165,7 +165,7 @@ void ObjParser::vertex(std::string_view rest, const TextPlace& place)
     for (double& coordinate : x) {
         coordinate = read_number(next_word(rest), place, "vertex");
         if (std::abs(coordinate) > largest_coordinate)
-            refuse(place, "coordinate beyond 1e30, expected a scene of sensible size");
+            refuse(place, "coordinate beyond 1e9, expected a scene of sensible size");
     }
     if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
         refuse(place, "more than 2^31 vertices do not fit");

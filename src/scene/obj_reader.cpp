@@ -185,6 +185,9 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
     MaterialList list = look_up_materials(mesh, std::move(library), materials_of(cut.pieces, mesh), material_files);
     if (cut.pieces.empty())
         refuse({path, mesh.faces.front().line}, "no face of the file has an area");
+    constexpr double smallest_extent = 1e-9; // as largest_coordinate
+    if (scale.extent < smallest_extent)
+        refuse({path, 0}, "all faces lie within 1e-9 of each other, expected a scene of sensible size");
 
     SceneFile scene;
     scene.path = path;

@@ -99,11 +99,18 @@ TEST_CASE("a scene without light says why")
     CHECK(contains(SceneText{square + "f 1 2 3\n", ""}.problem(), "no material file is named"));
     CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(),
                    "used but defined nowhere: `light`, read `room.mtl`"));
+    CHECK(contains(SceneText{faces, paint + "Ke 1e-323\n"}.problem(), "below 1e-30, which counts as 0: `paint`"));
     CHECK(contains(SceneText{faces, paint + "newmtl sun\nKe 9\n"}.problem(), "emitting but used by no face: `sun`"));
     std::string suns;
     for (int i = 1; i <= 7; ++i)
         suns += "newmtl sun" + std::to_string(i) + "\nKe 9\n";
     CHECK(contains(SceneText{faces, paint + suns}.problem(), "`sun1`, `sun2`, `sun3`, `sun4`, `sun5` and 2 more"));
+}
+
+TEST_CASE("a scene too small to compute with is refused")
+{
+    const std::string faces = "mtllib room.mtl\nv 0 0 0\nv 1e-10 0 0\nv 0 1e-10 0\nusemtl lamp\nf 1 2 3\n";
+    CHECK(contains(SceneText{faces, "newmtl lamp\nKe 1\n"}.problem(), "lie within 1e-9 of each other"));
 }
 
 TEST_CASE("a lamp in Ka is found on request, and pointed out without")
