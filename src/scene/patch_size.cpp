@@ -45,6 +45,10 @@ double default_patch_size(const std::vector<Surface>& surfaces)
     constexpr std::uint64_t most = 4000;
     while (round_size(k + 1) <= 3.0 * wanted && has_more_cells(surfaces, round_size(k), most))
         ++k;
+    // Slivers by the thousand are left almost whole.
+    const std::uint64_t bearable = (1u << 17) + 8 * surfaces.size();
+    while (has_more_cells(surfaces, round_size(k), bearable))
+        ++k;
     return round_size(k);
 }
 

@@ -56,3 +56,15 @@ TEST_CASE("the default patch size grows with the scene, also through the powers 
         CHECK(default_patch_size(file.surfaces) == doctest::Approx(0.1 * unit).epsilon(1e-12).scale(0.0));
     }
 }
+
+// A disk cut like a cake into slivers, each as long as its radius.
+TEST_CASE("the default patch size leaves thousands of slivers almost whole")
+{
+    constexpr int n = 20000;
+    std::vector<Surface> slivers;
+    for (int i = 0; i < n; ++i) {
+        const auto rim = [](int k) { return Vec3{std::cos(6.283185307 * k / n), std::sin(6.283185307 * k / n), 0}; };
+        slivers.push_back({Shape::triangle, {0, 0, 0}, rim(i), rim(i + 1)});
+    }
+    CHECK(cell_count(slivers, default_patch_size(slivers)) <= 131072.0 + 8.0 * n);
+}
