@@ -194,25 +194,38 @@ std::optional<Hit> Intersector::nearest_in_tree(const Line& line, const FilterLi
     return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
 }
 
-/// Calls visit(surface) for what coincident_surfaces lists.
+/// Calls visit(surface) for all that may share the plane of a surface and hold a point of it.
 template <class Visit>
-void Intersector::for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const
+void Intersector::for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const
 {
-    const auto consider = [&](std::uint32_t surface) {
-        if (surface != of && plane_[surface] == plane_[of] && table_.holds(point, surface))
-            visit(surface);
-    };
     if (neighbours_.is_listed(of)) {
-        neighbours_.for_each(of, consider);
+        neighbours_.for_each(of, visit);
         return;
     }
     if (tree_.empty())
         for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
-            consider(surface);
+            visit(surface);
     else
         for (const std::uint32_t surface : unfiltered_)
-            consider(surface);
-    tree_.for_each_around(frame_.to_frame(point), consider);
+            visit(surface);
+    tree_.for_each_around(frame_.to_frame(point), visit);
+}
+
+/// Calls visit(surface) for what coincident_surfaces lists.
+template <class Visit>
+void Intersector::for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const
+{
+    for_each_around(of, point, [&](std::uint32_t surface) {
+        if (surface != of && plane_[surface] == plane_[of] && table_.holds(point, surface))
+            visit(surface);
+    });
+}
+
+std::size_t Intersector::surfaces_around(std::uint32_t of, Vec3 point) const
+{
+    std::size_t count = 0;
+    for_each_around(of, point, [&](std::uint32_t) { ++count; });
+    return count;
 }
 
 std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Vec3 point) const

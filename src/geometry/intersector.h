@@ -63,6 +63,8 @@ public:
 
     /// Of two surfaces in one plane that face the same way, which is met first? The smaller lies on top.
     bool is_over(std::uint32_t a, std::uint32_t b) const { return size_rank_[a] < size_rank_[b]; }
+    /// How many surfaces are looked at to find these.
+    std::size_t surfaces_around(std::uint32_t of, Vec3 point) const;
 
 private:
     struct Nearest;
@@ -79,6 +81,8 @@ private:
     double reach_of(const Line& ray) const;
     Line whole_line(const Line& ray) const; ///< the ray and what lies behind its start
     std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;
+    template <class Visit>
+    void for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const;
     template <class Visit>
     void for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const;
 

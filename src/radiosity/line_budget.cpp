@@ -30,10 +30,15 @@ ConvexHull scene_hull(const Scene& scene)
     return hull_of(scene.surfaces());
 }
 
-double intersections_of_hull_line(const Scene& scene)
+double intersections_of_hull_line(const Scene& scene, const ConvexHull& hull)
 {
     const double area = scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // a crossing is one, whatever the sides
-    return 2.0 * area / scene_hull(scene).area();                             // (G2)
+    return 2.0 * area / hull.area();                                          // (G2)
+}
+
+double intersections_of_hull_line(const Scene& scene)
+{
+    return intersections_of_hull_line(scene, scene_hull(scene));
 }
 
 double threshold_radiosity(const Scene& scene)

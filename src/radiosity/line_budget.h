@@ -29,6 +29,7 @@ BudgetFigures extended_figures(BudgetFigures figures);
 ConvexHull scene_hull(const Scene& scene);
 
 /// n_int = 2 A_T / A_hull (G2).
+double intersections_of_hull_line(const Scene& scene, const ConvexHull& hull);
 double intersections_of_hull_line(const Scene& scene);
 
 /// The radiosity that every patch keeps unshot in the (extended) first shot (4) [W/m^2]: the mean reflected radiosity

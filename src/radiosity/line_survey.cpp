@@ -1,7 +1,6 @@
 #include "radiosity/line_survey.h"
 
 #include "parallel/ordered_blocks.h"
-#include "radiosity/line_budget.h"
 #include "transport/intersection_list.h"
 #include "transport/line_sampling.h"
 
@@ -16,7 +15,7 @@ constexpr std::uint64_t lines_per_block = 4096;
 /// Of the lines one in so many is compared with the hull, whose sides may be as many as surfaces.
 std::uint64_t lines_per_hull_test(const ConvexHull& hull)
 {
-    constexpr std::uint64_t few_sides = 1024;
+    constexpr std::uint64_t few_sides = 256;
     return 1 + hull.side_count() / few_sides;
 }
 
@@ -63,10 +62,9 @@ void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& coun
 
 } // namespace
 
-LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
+LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads)
 {
     const GlobalLines global_lines(scene.bounds());
-    const ConvexHull hull = scene_hull(scene);
     const std::uint64_t per_test = lines_per_hull_test(hull);
     const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
     std::vector<LineSurvey> slots(static_cast<std::size_t>(slot_count(threads)), empty_survey(scene));

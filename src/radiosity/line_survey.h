@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/convex_hull.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct LineSurvey
         back_to_back; ///< the line leaves its back, which has no patch, and meets another such back
 };
 
-/// Casts `lines` random chords, always the same.
-LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads);
+/// Casts `lines` random chords, always the same. `hull`: of the scene.
+LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads);
 
 } // namespace multipath

@@ -57,6 +57,7 @@ public:
         escaping();
         coincident_faces();
         materials();
+        depth();
         reader_flaws();
         scale();
         coarse_patches();
@@ -295,6 +296,15 @@ private:
         for (const std::string& file : file_.material_files)
             names += (names.empty() ? "" : " or ") + file;
         return names;
+    }
+
+    void depth()
+    {
+        if (report_.trial_lines < report_.wanted_lines)
+            add_note("depth", file_.path,
+                     "very many faces lie on or behind each other, so " + grouped(report_.trial_lines) +
+                         " lines were cast for the figures instead of " + grouped(report_.wanted_lines) +
+                         "; every line takes as much longer");
     }
 
     void reader_flaws()

@@ -16,13 +16,14 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
         return static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(wanted_lines)));
     };
     const std::uint64_t lines = part(affordable_lines(scene));
-    report.survey = survey_lines(scene, lines, threads);
-    report.hull_area = scene_hull(scene).area();
+    const ConvexHull hull = scene_hull(scene);
+    report.survey = survey_lines(scene, hull, lines, threads);
+    report.hull_area = hull.area();
     report.sphere_area = GlobalLines(scene.bounds()).sphere_area();
     const auto crossings = static_cast<double>(report.survey.crossings);
     const double tested = static_cast<double>(report.survey.hull_tests) / static_cast<double>(report.survey.lines);
     const double into_hull = static_cast<double>(report.survey.lines_into_hull) / tested;
-    report.intersections_per_hull_line = intersections_of_hull_line(scene);
+    report.intersections_per_hull_line = intersections_of_hull_line(scene, hull);
     report.intersections_per_hull_line_measured = into_hull > 0.0 ? crossings / into_hull : 0.0;
     report.intersections_per_sphere_line_measured = crossings / static_cast<double>(report.survey.lines);
     report.intersections_per_sphere_line = report.intersections_per_hull_line * report.hull_area / report.sphere_area;
@@ -36,6 +37,7 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
 
     SolveOptions trial;
     trial.lines = std::min(lines, part(affordable_source_rays(scene)));
+    report.wanted_lines = wanted_lines;
     report.trial_lines = trial.lines;
     trial.ratio = 1.0;
     trial.threads = threads;

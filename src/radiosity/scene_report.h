@@ -29,6 +29,7 @@ struct SceneReport
     double threshold_radiosity = 0.0;       ///< [W/m^2] (4)
 
     LineSurvey survey;
+    std::uint64_t wanted_lines = 0;
     std::uint64_t trial_lines = 0; ///< of a short run
     PowerBalance balance;          ///< of this run: what escapes and what is lost behind surfaces
 };

@@ -38,9 +38,12 @@ constexpr double ordinary_surfaces = 16.0; ///< along a line, or on each other
 
 constexpr std::uint64_t trial_rays = 64;
 
-std::size_t faces_on(const Scene& scene, std::uint32_t surface, Vec3 point)
+/// Surfaces that lie on the point, of `surface`; those only looked at count little.
+double faces_on(const Scene& scene, std::uint32_t surface, Vec3 point)
 {
-    return scene.intersector().coincident_surfaces(surface, point).size();
+    const Intersector& intersector = scene.intersector();
+    return static_cast<double>(intersector.coincident_surfaces(surface, point).size()) +
+           static_cast<double>(intersector.surfaces_around(surface, point)) / 16.0;
 }
 
 /// Mean number of other surfaces on the start of a ray from a source and on the point that it meets first.
@@ -58,7 +61,7 @@ double faces_on_source_rays(const Scene& scene)
     }
     if (sources.empty())
         return 0.0;
-    std::size_t faces = 0;
+    double faces = 0.0;
     for (std::uint64_t k = 0; k < trial_rays; ++k) {
         const auto number = [k](std::uint64_t base) { return radical_inverse(base, k + 1); };
         const double at = (static_cast<double>(k) + 0.5) / trial_rays * power;
@@ -67,20 +70,20 @@ double faces_on_source_rays(const Scene& scene)
         const Line ray = local_line({source, scene.surfaces()[source]}, {number(2), number(3), number(5), number(7)});
         faces += faces_on(scene, source, ray.origin);
         const std::optional<Hit> hit = scene.intersector().closest_hit_from(source, ray);
-        faces += hit ? faces_on(scene, hit->surface, scene.surfaces()[hit->surface].at(hit->u, hit->v)) : 0;
+        faces += hit ? faces_on(scene, hit->surface, scene.surfaces()[hit->surface].at(hit->u, hit->v)) : 0.0;
     }
-    return static_cast<double>(faces) / trial_rays;
+    return faces / trial_rays;
 }
 
 /// Mean number of other surfaces on the centre of a patch.
 double faces_on_patches(const Scene& scene)
 {
-    std::size_t faces = 0;
+    double faces = 0.0;
     for (std::uint64_t k = 0; k < trial_rays; ++k) {
         const auto patch = static_cast<std::uint32_t>(k * scene.patch_count() / trial_rays);
         faces += faces_on(scene, scene.surface_of(patch), scene.patch(patch).shape.centre());
     }
-    return static_cast<double>(faces) / trial_rays;
+    return faces / trial_rays;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "radiosity/line_survey.h"
 
+#include "radiosity/line_budget.h"
 #include "radiosity/scene_report.h"
 #include "test_scenes.h"
 
@@ -29,7 +30,8 @@ TEST_CASE("every departure of a closed scene arrives, half of an open pair's do 
 {
     SceneBuilder builder;
     const std::uint32_t grey = builder.grey(0.5, 1.0);
-    const LineSurvey closed = survey_lines(builder.room({0, 0, 0}, {1, 1, 1}, grey).scene(1.0), 10000, 1);
+    const Scene room = builder.room({0, 0, 0}, {1, 1, 1}, grey).scene(1.0);
+    const LineSurvey closed = survey_lines(room, scene_hull(room), 10000, 1);
     for (std::size_t s = 0; s < 6; ++s) {
         CHECK(closed.departures[s] > 1000);
         CHECK(closed.arrivals[s] == closed.departures[s]);
@@ -39,7 +41,8 @@ TEST_CASE("every departure of a closed scene arrives, half of an open pair's do 
     const std::uint32_t one = pair.grey(0.5, 1.0);
     pair.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, one)
         .rectangle({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, one); // both look up
-    const LineSurvey open = survey_lines(pair.scene(1.0), 10000, 3);
+    const Scene two = pair.scene(1.0);
+    const LineSurvey open = survey_lines(two, scene_hull(two), 10000, 3);
     CHECK(open.arrivals[0] + open.arrivals[1] == 0);
     CHECK(open.escapes[1] == open.departures[1]);
     CHECK(open.met_behind[1] + open.escapes[0] == open.departures[0]);

@@ -25,3 +25,30 @@ TEST_CASE("pairs get what scene and light leave of the memory, and the table is 
     options.memory -= 1.0;
     CHECK((prepare(scene, options).unoccluded == nullptr));
 }
+
+TEST_CASE("the table's bytes count the pairs of surfaces where those are as many as patches")
+{
+    SceneBuilder few, many;
+    const std::uint32_t wall = few.grey(0.5, 1.0);
+    many.grey(0.5, 1.0);
+    few.rectangle({0, 0, 0}, {0, 0, 10}, {10, 0, 0}, wall);
+    for (int k = 0; k < 100; ++k)
+        many.rectangle({k % 10 * 1.0, 0, k / 10 * 1.0}, {0, 0, 1}, {1, 0, 0}, wall);
+    const Scene one = few.scene(1.0);
+    const Scene tiles = many.scene(1.0);
+    REQUIRE(one.patch_count() == tiles.patch_count());
+    CHECK(reuse_bytes(one) == 20.0 * 100 * 101 / 2);
+    CHECK(reuse_bytes(tiles) == (12.0 + 3 * 24.0) * 100 * 101 / 2);
+}
+
+// All pairs of 200 sheets lie along a line.
+TEST_CASE("no table is made where lines cross very many surfaces")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    for (int k = 0; k < 200; ++k)
+        builder.rectangle({0, 1e-4 * k, 0}, {0, 0, 1}, {1, 0, 0}, grey);
+    SolveOptions options;
+    options.method = Method::reuse;
+    CHECK((prepare(builder.scene(1.0), options).unoccluded == nullptr));
+}

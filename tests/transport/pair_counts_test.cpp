@@ -197,6 +197,38 @@ TEST_CASE("a thing seen from behind takes lines and is no partner")
 
 // Through the opening of a cube without its ceiling the floor loses what it would exchange with the ceiling, and a wall
 // the fourth part of the rest.
+// Of k sheets that look up, a line that crosses all meets k (k - 1) / 2 pairs if they have fronts and backs; blocks of
+// such lines are short, and long lines are counted apart.
+TEST_CASE("the pairs along a line through a hundred sheets are all counted, by any number of threads")
+{
+    constexpr std::uint32_t sheets = 100;
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    for (std::uint32_t k = 0; k < sheets; ++k)
+        builder.rectangle({0, 1e-4 * k, 0}, {0, 0, 1}, {1, 0, 0}, grey);
+    const Scene scene = builder.scene(10.0, true);
+    constexpr std::uint64_t lines = 3000;
+    const PairCounts counts = counted(scene, lines, 0, 1);
+    PairCounts expected(scene.patch_count());
+    std::vector<Hit> hits;
+    for_lines(scene, lines, [&](const Line& line) {
+        scene.intersector().all_hits(line, hits);
+        for (std::size_t a = 0; a < hits.size(); ++a)
+            for (std::size_t b = a + 1; b < hits.size(); ++b) {
+                PairCount& pair =
+                    expected.pairs.at(passage_at(scene, hits[a]).leaves, passage_at(scene, hits[b]).arrives_at);
+                pair.through += 1;
+                pair.joined += b == a + 1 ? 1 : 0;
+            }
+        if (!hits.empty()) {
+            expected.escaped[passage_at(scene, hits.front()).arrives_at] += 1;
+            expected.escaped[passage_at(scene, hits.back()).leaves] += 1;
+        }
+    });
+    CHECK(same(counts, expected));
+    CHECK(same(counts, counted(scene, lines, 0, 3)));
+}
+
 TEST_CASE("lines escape through a missing wall")
 {
     constexpr std::uint64_t lines = 200000;
