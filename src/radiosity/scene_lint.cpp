@@ -204,8 +204,8 @@ private:
     }
 
     /// A row for pairs of one kind, with the area and power of what is hidden at most: the smaller of each pair, once.
-    void add_pairs(const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& what,
-                   const std::string& advice, bool harmful)
+    void add_pairs(const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& at_least,
+                   const std::string& what, const std::string& advice, bool harmful)
     {
         if (pairs.empty())
             return;
@@ -222,8 +222,8 @@ private:
         }
         const CoincidentFaces& first = pairs.front();
         add_weighed(kind, place_of(first.second),
-                    counted(pairs.size(), "pair") + " of faces " + what + ": " + name_of(first.first) + " and " +
-                        name_of(first.second) + advice,
+                    at_least + counted(pairs.size(), "pair") + " of faces " + what + ": " + name_of(first.first) +
+                        " and " + name_of(first.second) + advice,
                     hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
     }
 
@@ -232,13 +232,15 @@ private:
         std::vector<CoincidentFaces> hiding;
         std::vector<CoincidentFaces> equal;
         std::vector<CoincidentFaces> touching;
-        for (const CoincidentFaces& pair : find_coincident_faces(scene_, most_coincident_pairs))
+        const CoincidentPairs found = find_coincident_faces(scene_, most_coincident_pairs);
+        for (const CoincidentFaces& pair : found.pairs)
             (!pair.same_side ? touching : are_equal(pair.first, pair.second) ? equal : hiding).push_back(pair);
-        add_pairs("duplicate", hiding,
+        const std::string at_least = found.complete ? "" : "at least ";
+        add_pairs("duplicate", hiding, at_least,
                   "lie in one place and face the same way, so the smaller hides the larger where they overlap",
                   "; remove one or move it", true);
-        add_pairs("copy", equal, "are the same twice, of which one counts", "", false);
-        add_pairs("coincident", touching, "touch with their fronts or backs, which is handled", "", false);
+        add_pairs("copy", equal, at_least, "are the same twice, of which one counts", "", false);
+        add_pairs("coincident", touching, at_least, "touch with their fronts or backs, which is handled", "", false);
     }
 
     void materials()

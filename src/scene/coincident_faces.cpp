@@ -24,21 +24,45 @@ std::vector<Vec3> sample_points(const Surface& surface, std::size_t surface_coun
     return points;
 }
 
+/// One surface in so many is searched for, where the boxes of so many others hold its points that to look at all of
+/// them takes minutes: slivers with a common corner.
+std::size_t surfaces_per_search(const Scene& scene)
+{
+    constexpr std::size_t trials = 64;
+    constexpr double bearable = 1u << 28; // surfaces looked at: a second
+    const std::vector<Surface>& surfaces = scene.surfaces();
+    double looked_at = 0.0;
+    for (std::size_t k = 0; k < trials; ++k) {
+        const auto s = static_cast<std::uint32_t>(k * surfaces.size() / trials);
+        for (const Vec3 point : sample_points(surfaces[s], surfaces.size()))
+            looked_at += static_cast<double>(scene.intersector().surfaces_around(s, point));
+    }
+    return static_cast<std::size_t>(1.0 + looked_at / trials * static_cast<double>(surfaces.size()) / bearable);
+}
+
 } // namespace
 
-std::vector<CoincidentFaces> find_coincident_faces(const Scene& scene, std::size_t most)
+CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most)
 {
+    CoincidentPairs result;
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     const std::vector<Surface>& surfaces = scene.surfaces();
-    for (std::uint32_t s = 0; s < surfaces.size() && pairs.size() < most; ++s)
+    const std::size_t step = surfaces_per_search(scene);
+    result.complete = step == 1;
+    for (std::size_t k = 0; k < surfaces.size(); k += step) {
+        const auto s = static_cast<std::uint32_t>(k);
         for (const Vec3 point : sample_points(surfaces[s], surfaces.size()))
-            for (const std::uint32_t other : scene.intersector().coincident_surfaces(s, point))
+            for (const std::uint32_t other : scene.intersector().coincident_surfaces(s, point)) {
                 if (pairs.size() < most)
                     pairs.insert(std::minmax(s, other));
-
-    std::vector<CoincidentFaces> result;
+                else
+                    result.complete = result.complete && pairs.count(std::minmax(s, other)) > 0;
+            }
+        if (!result.complete && pairs.size() >= most)
+            break;
+    }
     for (const auto& [first, second] : pairs)
-        result.push_back({first, second, dot(surfaces[first].normal(), surfaces[second].normal()) > 0.0});
+        result.pairs.push_back({first, second, dot(surfaces[first].normal(), surfaces[second].normal()) > 0.0});
     return result;
 }
 

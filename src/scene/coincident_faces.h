@@ -16,7 +16,14 @@ struct CoincidentFaces
     bool same_side; ///< both face the same way, so that one hides the other at random; else they face each other
 };
 
-/// Pairs of surfaces that overlap at one of the points sampled on each, in order of the surfaces; at most `most` pairs.
-std::vector<CoincidentFaces> find_coincident_faces(const Scene& scene, std::size_t most);
+struct CoincidentPairs
+{
+    std::vector<CoincidentFaces> pairs; ///< in order of the surfaces
+    bool complete = true;               ///< false if there may be more
+};
+
+/// Pairs of surfaces that overlap at one of the points sampled on each; at most `most` pairs. Of very many surfaces
+/// close to each other only some are looked at.
+CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most);
 
 } // namespace multipath

@@ -15,9 +15,12 @@ TEST_CASE("coincident faces are found, whether they look at each other or the sa
     builder.triangle({0.1, 0, 0.1}, {0.1, 0, 0.4}, {0.4, 0, 0.1}, grey); // 2: a second floor, looks up
     builder.rectangle({1, 0, 0}, {0, 0, 1}, {1, 0, 0}, grey);            // 3: a neighbour that only touches
     builder.rectangle({0.1, 0.1, 0.1}, {0, 0, 0.1}, {0.1, 0, 0}, grey);  // 4: above
-    const std::vector<CoincidentFaces> pairs = find_coincident_faces(builder.scene(1.0), 100);
+    const CoincidentPairs found = find_coincident_faces(builder.scene(1.0), 100);
+    const std::vector<CoincidentFaces>& pairs = found.pairs;
+    CHECK(found.complete);
     REQUIRE(pairs.size() == 2);
     CHECK((pairs[0].first == 0 && pairs[0].second == 1 && !pairs[0].same_side));
     CHECK((pairs[1].first == 0 && pairs[1].second == 2 && pairs[1].same_side));
-    CHECK(find_coincident_faces(builder.scene(1.0), 1).size() == 1);
+    CHECK(find_coincident_faces(builder.scene(1.0), 1).pairs.size() == 1);
+    CHECK(!find_coincident_faces(builder.scene(1.0), 1).complete);
 }
