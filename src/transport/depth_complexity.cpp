@@ -46,7 +46,19 @@ double faces_on(const Scene& scene, std::uint32_t surface, Vec3 point)
            static_cast<double>(intersector.surfaces_around(surface, point)) / 16.0;
 }
 
-/// Mean number of other surfaces on the start of a ray from a source and on the point that it meets first.
+/// All that lies along the line of a ray which starts below another face, since this decides what it meets.
+double faces_along(const Scene& scene, std::uint32_t surface, const Line& ray)
+{
+    if (scene.intersector().coincident_surfaces(surface, ray.origin).empty())
+        return 0.0;
+    const double beyond_scene = 2.0 * scene.bounds().diagonal() / length(ray.direction);
+    std::vector<Hit> hits;
+    scene.intersector().all_hits({ray.at(-beyond_scene), ray.direction}, hits);
+    return static_cast<double>(hits.size());
+}
+
+/// Mean number of surfaces that a ray from a source is compared with: on its start, on the point that it meets first,
+/// and along its line if that is needed.
 double faces_on_source_rays(const Scene& scene)
 {
     std::vector<std::uint32_t> sources;
@@ -68,7 +80,7 @@ double faces_on_source_rays(const Scene& scene)
         const auto found = std::upper_bound(power_up_to.begin(), power_up_to.end() - 1, at) - power_up_to.begin();
         const std::uint32_t source = sources[static_cast<std::size_t>(found)];
         const Line ray = local_line({source, scene.surfaces()[source]}, {number(2), number(3), number(5), number(7)});
-        faces += faces_on(scene, source, ray.origin);
+        faces += faces_on(scene, source, ray.origin) + faces_along(scene, source, ray);
         const std::optional<Hit> hit = scene.intersector().closest_hit_from(source, ray);
         faces += hit ? faces_on(scene, hit->surface, scene.surfaces()[hit->surface].at(hit->u, hit->v)) : 0.0;
     }
