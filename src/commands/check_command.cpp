@@ -22,7 +22,7 @@ CommandTable check_table()
             {{"SCENE.obj", false, false, {".obj"}}},
             {{"Report",
               {{"json", 0, "", "", "Print the report as JSON on standard output."},
-               {"lines", 'n', "N", "2^20", "Lines for each measured figure."},
+               {"lines", 'n', "N", "2^20", "Lines for each measured figure; fewer where they meet very many surfaces."},
                threads_option()}},
              scene_option_group()},
             "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area. Less\n"

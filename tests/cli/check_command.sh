@@ -99,4 +99,24 @@ check "losses too small to matter are notes, and equal ones one row" next_to_sou
 
 unreadable() { ends 1 check nowhere.obj && lines_are err 1 && silent out; }
 check "a scene that cannot be read is one line and exit code 1" unreadable
+# A power that underflows would leave no source to begin with.
+denormal_lamp() {
+    sed 's/^Ke .*/Ke 1e-323 1e-323 1e-323/' "$root/scenes/cube.mtl" >cube.mtl
+    cp "$root/scenes/cube.obj" cube.obj
+    for command in check explain "solve -o dark.csv --method first-shot" "study -o dark.svg"; do
+        ends 1 $command cube.obj && lines_are err 1 && says err "no emitter" && says err "below 1e-30, which counts as 0" || return
+    done
+}
+check "a light too small to compute with is none, and that is said" denormal_lamp
+
+one_denormal_lamp() {
+    cp "$root/scenes/cube.obj" cube.obj
+    for light in 1e-323 0; do
+        sed "s/^Ke 1 1 1/Ke $light $light $light/" "$root/scenes/cube.mtl" >cube.mtl
+        ends 0 solve cube.obj --lines 1000 --patches 100 --method first-shot --quiet -o $light.csv || return
+        grep -v '^#' $light.csv >$light.rows
+    done
+    cmp 1e-323.rows 0.rows
+}
+check "and beside other lights it is dark" one_denormal_lamp
 finish
