@@ -281,8 +281,10 @@ bool ConvexHull::meets(const Line& line) const
             exit = std::min(exit, -height / climb);
         else if (height > 0.0)
             return false;
+        if (entry > exit)
+            return false;
     }
-    return !sides_.empty() && entry <= exit;
+    return !sides_.empty();
 }
 
 bool ConvexHull::holds(Vec3 point) const

@@ -15,7 +15,7 @@ constexpr std::uint64_t lines_per_block = 4096;
 /// Of the lines one in so many is compared with the hull, whose sides may be as many as surfaces.
 std::uint64_t lines_per_hull_test(const ConvexHull& hull)
 {
-    constexpr std::uint64_t few_sides = 256;
+    constexpr std::uint64_t few_sides = 2048;
     return 1 + hull.side_count() / few_sides;
 }
 
