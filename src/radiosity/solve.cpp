@@ -300,12 +300,12 @@ private:
 
 namespace {
 
-/// A table of all pairs is kept where it fits, and where lines do not cross so much that counting all pairs along them,
-/// which grows with the square of it, is the work.
+/// A table of all pairs is kept where it fits, unless there are so many pairs along lines, which are all counted, or so
+/// many faces on each other, of which each pair is tested for contact, that these are the work.
 bool wants_table(const Scene& scene, const SolveOptions& options)
 {
     constexpr double many_pairs = 4096.0;
-    return reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) &&
+    return reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
            pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs;
 }
 
