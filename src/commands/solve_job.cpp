@@ -11,6 +11,7 @@
 #include "commands/solution_page.h"
 #include "commands/solve_summary.h"
 #include "commands/solve_table.h"
+#include "radiosity/line_budget.h"
 #include "radiosity/line_survey.h"
 #include "radiosity/scene_lint.h"
 #include "sampling/sequence.h"
@@ -35,7 +36,7 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
     if (mean(balance.absorbed) > rounding)
         return;
     constexpr std::uint64_t lines_to_look = 1 << 16;
-    const bool inside_out = is_inside_out(scene, survey_lines(scene, lines_to_look, threads));
+    const bool inside_out = is_inside_out(scene, survey_lines(scene, scene_hull(scene), lines_to_look, threads));
     const std::string dark = scene.path() + ": no light reaches any surface: ";
     if (mean(balance.behind) > rounding)
         throw InputError(dark + "it meets all of them from behind; " +

@@ -116,7 +116,7 @@ TEST_CASE("a room whose faces look outward is inside out, a lamp above the ceili
     m.builder.box({0, 0, 0}, {2, 2, 2}, m.wall);
     m.builder.rectangle({0.5, 1.9, 0.5}, {0, 0, 1}, {1, 0, 0}, m.lamp); // looks up, as a lamp in a mirrored room
     const Scene outward = m.builder.scene(0.5);
-    CHECK(is_inside_out(outward, survey_lines(outward, 20000, 2)));
+    CHECK(is_inside_out(outward, survey_lines(outward, scene_hull(outward), 20000, 2)));
     CHECK(mentions(find(findings_of(outward), "behind"), "--flip"));
     CHECK(mentions(find(findings_of(outward), "emitter"), "--flip"));
 
@@ -125,11 +125,11 @@ TEST_CASE("a room whose faces look outward is inside out, a lamp above the ceili
     lamp_inside.builder.box({0, 0, 0}, {2, 2, 2}, lamp_inside.wall);
     lamp_inside.builder.box({0.5, 1.5, 0.5}, {1, 1.6, 1}, lamp_inside.lamp);
     const Scene solid_lamp = lamp_inside.builder.scene(0.5);
-    CHECK_FALSE(is_inside_out(solid_lamp, survey_lines(solid_lamp, 20000, 2)));
+    CHECK_FALSE(is_inside_out(solid_lamp, survey_lines(solid_lamp, scene_hull(solid_lamp), 20000, 2)));
     CHECK(mentions(find(findings_of(solid_lamp), "behind"), "--two-sided"));
 
     const Scene turned(flipped(m.builder.file()), 0.5);
-    CHECK_FALSE(is_inside_out(turned, survey_lines(turned, 20000, 2)));
+    CHECK_FALSE(is_inside_out(turned, survey_lines(turned, scene_hull(turned), 20000, 2)));
     CHECK(find(findings_of(turned), "emitter").kind.empty());
 }
 
