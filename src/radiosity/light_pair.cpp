@@ -1,5 +1,6 @@
 #include "radiosity/light_pair.h"
 
+#include "geometry/contour_integral.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -87,29 +88,18 @@ double radius(const Surface& piece)
     return 0.5 * std::max(length(piece.edge_u + piece.edge_v), length(piece.edge_u - piece.edge_v));
 }
 
+/// [radii of the piece] Between its circumscribed circle and the light; less than 0 where the light may touch it.
+double gap(const Surface& piece, const FlatPolygon& light)
+{
+    return distance(piece.centre(), light) / radius(piece) - 1.0;
+}
+
 /// Irradiance bends most near the light: points as dense as the distance asks for.
 template <class Function>
-double integral_near(const Surface& piece, const FlatPolygon& light, int splits, const Function& f)
+double integral_near(const Surface& piece, const FlatPolygon& light, const Function& f)
 {
-    const double reach = radius(piece);
-    const double gap = distance(piece.centre(), light) - reach;
-    if (gap > 6.0 * reach)
-        return integral(piece, two_points, f);
-    if (gap > reach)
-        return integral(piece, four_points, f);
-    if (gap > 0.0)
-        return integral(piece, eight_points, f);
-    if (splits == 0)
-        return integral(piece, four_points, f);
-    const Vec3 half_u = 0.5 * piece.edge_u;
-    const Vec3 half_v = 0.5 * piece.edge_v;
-    const Vec3 last = piece.shape == Shape::triangle ? piece.origin + half_u + half_v : piece.centre();
-    const bool turned = piece.shape == Shape::triangle; // the middle triangle points the other way
-    return integral_near({piece.shape, piece.origin, half_u, half_v}, light, splits - 1, f) +
-           integral_near({piece.shape, piece.origin + half_u, half_u, half_v}, light, splits - 1, f) +
-           integral_near({piece.shape, piece.origin + half_v, half_u, half_v}, light, splits - 1, f) +
-           integral_near({piece.shape, last, turned ? -half_u : half_u, turned ? -half_v : half_v}, light, splits - 1,
-                         f);
+    const double radii = gap(piece, light);
+    return integral(piece, radii > 6.0 ? two_points : radii > 1.0 ? four_points : eight_points, f);
 }
 
 FlatRegion region(const Surface& whole, const FlatPolygon& part)
@@ -137,10 +127,14 @@ LightPair::LightPair(const Surface& receiver, const Surface& light, double clamp
 
 double LightPair::exchange() const
 {
-    constexpr int most_splits = 5;
+    // Where they may touch, no points are dense enough. Rounding must not make the integral impossible.
+    if (std::any_of(receiver_.begin(), receiver_.end(),
+                    [this](const Surface& piece) { return gap(piece, light_outline_) <= 0.0; }))
+        return std::clamp(contour_integral(receiver_outline_, light_outline_), 0.0,
+                          std::min(receiver_.area(), light_.area()));
     double sum = 0.0;
     for (const Surface& piece : receiver_)
-        sum += integral_near(piece, light_outline_, most_splits,
+        sum += integral_near(piece, light_outline_,
                              [&](Vec3 x) { return irradiance_from(light_outline_, x, receiver_normal_); });
     return sum;
 }

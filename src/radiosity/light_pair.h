@@ -21,6 +21,8 @@ public:
 
     Vec3 uniform_point(double a, double b) const;
 
+    double area() const { return area_end_[count_ - 1]; } ///< [m^2]
+
     const Surface* begin() const { return pieces_.data(); }
     const Surface* end() const { return pieces_.data() + count_; }
 
