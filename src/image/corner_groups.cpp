@@ -47,7 +47,7 @@ public:
 
     const CornerLattice& lattice() const { return lattice_; }
 
-    void append_groups(std::uint32_t i, std::uint32_t j, std::vector<CornerGroup>& groups) const
+    void append_groups(std::uint32_t i, std::uint32_t j, bool with_points, std::vector<CornerGroup>& groups) const
     {
         const Vec3 corner = scene_.surfaces()[surface_].at(lattice_.u(i), lattice_.v(j));
         const std::size_t count = lattice_.most_around();
@@ -65,7 +65,7 @@ public:
             if (step == 0 || !turn.joined[(k + count - 1) % count])
                 groups.push_back({surface_, normal_, corner, {}, {}, 0.0, {}, !whole});
             add(turn, k, groups.back());
-            if (!whole)
+            if (!whole || with_points)
                 add_points(turn, k, groups.back());
         }
     }
@@ -188,13 +188,13 @@ private:
 } // namespace
 
 std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, std::uint32_t surface, bool front,
-                                       std::uint32_t first_row, std::uint32_t end_row)
+                                       std::uint32_t first_row, std::uint32_t end_row, bool with_points)
 {
     const Side side(patches, surface, front);
     std::vector<CornerGroup> groups;
     for (std::uint32_t j = first_row; j < end_row; ++j)
         for (std::uint32_t i = 0; i <= side.lattice().last_column(j); ++i)
-            side.append_groups(i, j, groups);
+            side.append_groups(i, j, with_points, groups);
     return groups;
 }
 

@@ -2,8 +2,10 @@
 
 #include "geometry/bounds.h"
 #include "geometry/flat_polygon.h"
+#include "sampling/random.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace multipath {
 
@@ -40,6 +42,17 @@ bool reaches_into(const Bounds& box, const Surface& surface)
 }
 
 } // namespace
+
+std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind)
+{
+    // On a grid that is shifted so that round numbers fall inside cells.
+    const double cell = 1e-6 * scene.bounds().diagonal();
+    const Vec3 from_low = point - scene.bounds().low;
+    std::uint64_t key = mix_bits(kind);
+    for (const double x : {from_low.x, from_low.y, from_low.z})
+        key = mix_bits(key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell + 0.382))));
+    return key;
+}
 
 bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
 {

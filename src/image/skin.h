@@ -21,6 +21,9 @@ struct OpenPoint
 /// Do two unit normals belong to one skin, or is there a crease between them?
 bool level(Vec3 a, Vec3 b);
 
+/// Names a point to within a millionth of the scene, and a kind of thing there.
+std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind);
+
 /// Does anything stand between two points of one skin, close to each other, such as a wall on a floor? What lies level
 /// with one of them does not count.
 bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b);

@@ -6,10 +6,10 @@
 
 #include "image/corner_groups.h"
 #include "image/corner_lattice.h"
+#include "image/flat_regions.h"
 #include "image/skin.h"
 #include "image/visible_patches.h"
 #include "parallel/ordered_blocks.h"
-#include "sampling/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +32,6 @@ struct BorderGroup
 bool is_source(const Scene& scene, std::uint32_t surface)
 {
     return scene.surface_material(surface).emittance != Rgb{};
-}
-
-/// Names a point to within a millionth of the scene, on a grid that is shifted so that round numbers fall inside cells.
-std::uint64_t corner_key(const Scene& scene, Vec3 point, std::uint64_t kind)
-{
-    const double cell = 1e-6 * scene.bounds().diagonal();
-    const Vec3 from_low = point - scene.bounds().low;
-    std::uint64_t key = mix_bits(kind);
-    for (const double x : {from_low.x, from_low.y, from_low.z})
-        key = mix_bits(key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell + 0.382))));
-    return key;
 }
 
 /// Rows of corners of one side of a surface.
@@ -78,6 +67,13 @@ std::vector<std::vector<Strip>> strips_of(const Scene& scene)
             }
         }
     return blocks;
+}
+
+Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool front)
+{
+    if (group.points.empty())
+        return group.value;
+    return regions.value(group.surface, front, group.corner, group.points.front()).value_or(group.value);
 }
 
 /// Is there a free way from one to the other?
@@ -185,16 +181,19 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
             corners_[place] = value;
     };
     const VisiblePatches patches(scene, values_per_patch, threads);
+    const FlatRegions regions(patches);
     const std::vector<std::vector<Strip>> blocks = strips_of(scene);
     std::vector<std::vector<BorderGroup>> borders(blocks.size());
     parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
         for (const Strip& strip : blocks[block]) {
             const std::uint64_t kind = 2 * std::uint64_t{scene.file().material[strip.surface]} + (strip.front ? 1 : 0);
-            for (CornerGroup& group :
-                 corner_groups(patches, strip.surface, strip.front, strip.first_row, strip.end_row)) {
+            for (CornerGroup& group : corner_groups(patches, strip.surface, strip.front, strip.first_row, strip.end_row,
+                                                    regions.hold(strip.surface))) {
+                if (regions.hold(strip.surface))
+                    group.value = value_in_region(regions, group, strip.front);
                 put(group, group.value);
                 if (group.on_border)
-                    borders[block].push_back({corner_key(scene, group.corner, kind), std::move(group)});
+                    borders[block].push_back({place_key(scene, group.corner, kind), std::move(group)});
             }
         }
     });
