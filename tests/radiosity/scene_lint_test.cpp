@@ -1,5 +1,6 @@
 #include "radiosity/scene_lint.h"
 
+#include "radiosity/line_budget.h"
 #include "radiosity/line_survey.h"
 #include "scene/patch_size.h"
 #include "test_scenes.h"
