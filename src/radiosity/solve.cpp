@@ -184,6 +184,7 @@ private:
             if (share_.of > 1)
                 throw SettingsError(scene_.path() + ": so few lines per patch are not reused, and cannot be shared; "
                                                     "expected more --lines, more --memory, or no --shard");
+            solution_.global_lines = solution_.global_lines_cast = 0;
             particles();
             return;
         }
