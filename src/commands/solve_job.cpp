@@ -24,6 +24,15 @@ namespace multipath {
 
 namespace {
 
+/// True if the scene consists of lamps alone: they look right whether or not they light each other.
+bool everything_shines(const Scene& scene)
+{
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (!(mean(scene.emittance(i)) > 0.0))
+            return false;
+    return true;
+}
+
 /// A black picture is no result.
 void require_light(const Scene& scene, const Solution& solution, int threads)
 {
@@ -33,7 +42,7 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
             scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
             (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "'multipath check' tells more"));
     const double rounding = 1e-9 * mean(balance.emitted); // of what line reuse finds by its balance
-    if (mean(balance.absorbed) > rounding)
+    if (mean(balance.absorbed) > rounding || everything_shines(scene))
         return;
     constexpr std::uint64_t lines_to_look = 1 << 16;
     const bool inside_out = is_inside_out(scene, survey_lines(scene, scene_hull(scene), lines_to_look, threads));

@@ -64,11 +64,15 @@ not_the_materials() {
 check "nor the materials, through whatever name" not_the_materials
 
 idle_lamp() {
-    printf 'mtllib idle.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >idle.obj
-    printf 'newmtl lamp\nKd 0.5 0.5 0.5\nKe 1 1 1\n' >idle.mtl
-    ends 1 solve idle.obj $quick -o idle.png && says err "no light reaches" && [ ! -e idle.png ]
+    printf 'mtllib idle.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >alone.obj
+    printf 'newmtl lamp\nKd 0.5 0.5 0.5\nKe 1 1 1\nnewmtl wall\nKd 0.5\n' >idle.mtl
+    { cat alone.obj && printf 'usemtl wall\nv 0 0 -1\nv 1 0 -1\nv 0 1 -1\nf 4 5 6\n'; } >idle.obj
+    for method in reuse extended; do
+        ends 1 solve idle.obj $quick --method $method -o idle.png && says err "no light reaches" && [ ! -e idle.png ] &&
+            ends 0 solve alone.obj $quick --method $method -o alone.png -o alone.csv || return
+    done
 }
-check "light that reaches nothing is no picture" idle_lamp
+check "light that reaches nothing is no picture, but a lamp alone is one" idle_lamp
 
 # A cube as a modeller makes it: all faces look outward, and its top is the lamp.
 inside_out() {
