@@ -94,6 +94,8 @@ Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             if (power[i] > 0.0)
                 places.emplace_back(dot(scene.patch(i).shape.centre(), axis), power[i]);
+        if (places.empty()) // no light anywhere
+            return std::pair<double, double>{0.0, 0.0};
         std::sort(places.begin(), places.end());
         std::pair<double, double> range{places.front().first, places.back().first};
         double passed = 0.0;
