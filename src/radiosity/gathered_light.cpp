@@ -194,6 +194,13 @@ void receive(const GatheredLight& light, const Scene& scene, PowerState& state)
     state.emitted += found + kept * source - source; // rounding errors
 }
 
+double gathered_share(const Scene& scene, std::uint64_t rays)
+{
+    std::vector<std::uint32_t> lights = lights_by_power(scene);
+    lights.resize(lights_to_gather(scene, lights.size(), rays));
+    return mean(emitted_power(scene, lights)) / mean(scene.source_power());
+}
+
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   std::uint64_t rays, const RunControl& run)
 {

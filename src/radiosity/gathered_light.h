@@ -24,6 +24,9 @@ struct GatheredLight
 /// keep.
 void receive(const GatheredLight& light, const Scene& scene, PowerState& state);
 
+/// [1] Share of the source power that gathering with up to so many rays would gather; the rest it would shoot.
+double gathered_share(const Scene& scene, std::uint64_t rays);
+
 /// Direct light found from the receiver's end: exact but for the share of each light that each patch sees, which shadow
 /// rays tell. Takes the items from first_item on, one for each of up to `rays` rays. Lights for which there is less
 /// than a ray for every other patch are shot (S1). A sixteenth of the rays leave the other lights to tell what is lost:

@@ -108,7 +108,25 @@ private:
             return {&Run::shots, &Run::reuse};
         if (!gathers())
             return {&Run::shots, &Run::reuse_counts};
+        if (!few_lines_gather_enough())
+            return {&Run::particles};
         return {&Run::gather, &Run::shoot_what_stands_out, &Run::reuse_counts};
+    }
+
+    /// Lines that are too few to be counted are spent on gathering only if most of the light is gathered by them, and
+    /// not shot: particles do that as well.
+    bool few_lines_gather_enough() const
+    {
+        const std::uint64_t rays = local_share(0.25);
+        const std::uint64_t surely_left = (options_.lines - rays) / 2; // what stands out is shot with the other half
+        return can_count(scene_, lines_, lines_.lines_to_cast(surely_left), counts_limit()) ||
+               gathered_share(scene_, rays) > 0.5;
+    }
+
+    /// [bytes]
+    std::size_t counts_limit() const
+    {
+        return count_bytes(scene_.patch_count(), bytes_for_pairs(options_.memory, scene_));
     }
 
     void visit(Archive& archive)
@@ -179,7 +197,7 @@ private:
     void reuse_counts()
     {
         plan_global_lines();
-        const std::size_t bytes = count_bytes(scene_.patch_count(), bytes_for_pairs(options_.memory, scene_));
+        const std::size_t bytes = counts_limit();
         if (!can_count(scene_, lines_, solution_.global_lines_cast, bytes)) {
             if (share_.of > 1)
                 throw SettingsError(scene_.path() + ": so few lines per patch are not reused, and cannot be shared; "

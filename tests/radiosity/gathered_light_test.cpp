@@ -225,6 +225,20 @@ TEST_CASE("with too few rays for all pairs, or for all lights, gathering is righ
     }
 }
 
+// Nine equal lamps: each is gathered that gets a ray for every other patch.
+TEST_CASE("the share of the light that is gathered grows with the rays")
+{
+    SceneBuilder builder;
+    const std::uint32_t lamp = builder.grey(0.1, 3.0);
+    builder.room({0, 0, 0}, {2, 2, 2}, builder.grey(0.5, 0.0));
+    for (int k = 0; k < 9; ++k)
+        builder.rectangle({0.1 + 0.2 * k, 1.9, 1.0}, {0.1, 0, 0}, {0, 0, 0.1}, lamp);
+    const Scene scene = builder.scene(0.2);
+    CHECK(gathered_share(scene, 0) == 0.0);
+    CHECK(gathered_share(scene, scene.patch_count()) == doctest::Approx(2.0 / 9.0));
+    CHECK(gathered_share(scene, 5 * scene.patch_count()) == doctest::Approx(1.0));
+}
+
 // Backs receive, but only fronts emit: a sheet in the middle of a room, its front bright. The room's own patches all
 // look inwards, so that what the sheet emits arrives.
 TEST_CASE("of a two-sided scene only fronts emit")
