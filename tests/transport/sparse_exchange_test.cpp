@@ -38,12 +38,12 @@ TEST_CASE(
     const Scene scene = open_room();
     const GlobalLines global_lines(scene.bounds(), Chords::box);
     // With 2^20 lines thousands cross every patch; with 2^9 three do, and some have none.
-    for (const std::uint64_t lines : {std::uint64_t{1} << 20, std::uint64_t{1} << 9})
+    for (const std::uint64_t lines_cast : {std::uint64_t{1} << 20, std::uint64_t{1} << 9})
         for (const double unseen_lines : {0.0, 1.0}) {
-            CAPTURE(lines);
+            CAPTURE(lines_cast);
             CAPTURE(unseen_lines);
-            const LineCounts counts = counted(scene, global_lines, lines).counts;
-            const double crossing_area = 1.0 / global_lines.expected_crossings(1.0, lines);
+            const LineCounts counts = counted(scene, global_lines, lines_cast).counts;
+            const double crossing_area = 1.0 / global_lines.expected_crossings(1.0, lines_cast);
             const SparseExchange exchange(counts, scene.areas(), crossing_area, unseen_lines, 2);
             std::vector<Rgb> x;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
