@@ -199,7 +199,7 @@ std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& ra
         return "";
 
     const double aspect = static_cast<double>(render.width) / render.height;
-    const ViewQuality view = view_quality(Sight(scene, radiosity), camera, aspect, std::min(render.height, 36));
+    const ViewQuality view = view_quality(LitScene(scene, radiosity), camera, aspect, std::min(render.height, 36));
     const auto percent = [](double part) { return std::lround(100.0 * part); };
     const std::string start = format("warning    %ld %% of the picture is black: ", percent(share));
     if (view.escaped_share + view.dark_share < 0.5)

@@ -176,7 +176,7 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
 }
 
 /// The `count` best of the cameras, the best first; of equals the earlier.
-std::vector<Camera> best_cameras(const Sight& sight, const std::vector<Camera>& cameras, double aspect, int rows,
+std::vector<Camera> best_cameras(const LitScene& sight, const std::vector<Camera>& cameras, double aspect, int rows,
                                  std::size_t count)
 {
     std::vector<std::pair<double, std::size_t>> ranking; // penalty, number
@@ -191,7 +191,7 @@ std::vector<Camera> best_cameras(const Sight& sight, const std::vector<Camera>& 
 
 /// Of cameras outside, those that look through no back and fill much of their picture: an open side, or an object, is
 /// meant to be seen from there.
-std::vector<Camera> unobstructed(const Sight& sight, const std::vector<Camera>& outside, double aspect)
+std::vector<Camera> unobstructed(const LitScene& sight, const std::vector<Camera>& outside, double aspect)
 {
     std::vector<Camera> result;
     for (const Camera& camera : outside) {
@@ -203,7 +203,7 @@ std::vector<Camera> unobstructed(const Sight& sight, const std::vector<Camera>& 
 }
 
 /// The best of all places in and around a room.
-Camera best_camera(const Sight& sight, const Room& room, double aspect, Vec3 up)
+Camera best_camera(const LitScene& sight, const Room& room, double aspect, Vec3 up)
 {
     const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
     const std::vector<Camera> open = unobstructed(sight, outside, aspect);
@@ -226,8 +226,8 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::v
         throw SettingsError("camera: the up direction must be a finite vector that is not zero");
     // Of light no more than needed: a good view is not to depend on the noise of the solution.
     const Room room = room_of(scene, up);
-    const Camera plain = best_camera(Sight(scene), room, aspect, up);
-    Sight sight(scene, radiosity);
+    const Camera plain = best_camera(LitScene(scene), room, aspect, up);
+    LitScene sight(scene, radiosity);
     if (view_quality(sight, plain, aspect, fine_rows).is_lit())
         return plain;
     const Camera camera = best_camera(sight, room, aspect, up);

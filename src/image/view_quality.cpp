@@ -42,7 +42,7 @@ std::uint64_t cell_of(const Bounds& box, Vec3 point)
     return cell;
 }
 
-void look(const Sight& sight, const Line& ray, Vec3 up, VisibleHits& visible, View& view)
+void look(const LitScene& sight, const Line& ray, Vec3 up, VisibleHits& visible, View& view)
 {
     const Scene& scene = sight.scene;
     const std::optional<Hit> nearest = scene.intersector().closest_hit(ray);
@@ -142,7 +142,7 @@ std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radios
 
 } // namespace
 
-Sight::Sight(const Scene& whole, const std::vector<Rgb>& radiosity)
+LitScene::LitScene(const Scene& whole, const std::vector<Rgb>& radiosity)
     : scene(whole), box(whole.bounds()), is_lit(radiosity.empty() ? std::vector<bool>() : lit_patches(whole, radiosity))
 {
     if (std::find(is_lit.begin(), is_lit.end(), true) == is_lit.end())
@@ -151,7 +151,7 @@ Sight::Sight(const Scene& whole, const std::vector<Rgb>& radiosity)
         weight += multipath::weight(surface);
 }
 
-ViewQuality view_quality(const Sight& sight, const Camera& camera, double aspect, int rows)
+ViewQuality view_quality(const LitScene& sight, const Camera& camera, double aspect, int rows)
 {
     const Scene& scene = sight.scene;
     const int columns = std::max(1, static_cast<int>(std::lround(aspect * rows)));

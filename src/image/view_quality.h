@@ -10,10 +10,10 @@
 namespace multipath {
 
 /// The part of a scene that is worth seeing: where the light is.
-struct Sight
+struct LitScene
 {
     /// `radiosity` [W/m^2] per patch; all patches count as lit if it is empty or zero.
-    explicit Sight(const Scene& scene, const std::vector<Rgb>& radiosity = {});
+    explicit LitScene(const Scene& scene, const std::vector<Rgb>& radiosity = {});
 
     const Scene& scene;
     Bounds box;               ///< what a picture should show: of the scene, unless it is set to a part
@@ -36,6 +36,6 @@ struct ViewQuality
 /// How good a picture of the scene the camera gives. Counts how much and how many different places of the scene are
 /// seen from the front and in light, and punishes rays that leave the scene, meet backs, end in the dark, or meet
 /// something right before the lens. `rows` rays judge the picture's height.
-ViewQuality view_quality(const Sight& sight, const Camera& camera, double aspect, int rows);
+ViewQuality view_quality(const LitScene& sight, const Camera& camera, double aspect, int rows);
 
 } // namespace multipath

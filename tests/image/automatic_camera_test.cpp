@@ -39,7 +39,7 @@ TEST_CASE("the camera of a closed room stands in it, looks down a little, and se
 {
     const Scene scene = furnished_room().scene(1.0);
     const Camera camera = automatic_camera(scene, aspect);
-    const ViewQuality quality = view_quality(Sight(scene), camera, aspect, 30);
+    const ViewQuality quality = view_quality(LitScene(scene), camera, aspect, 30);
     CHECK(quality.escaped_share == 0.0);
     CHECK(quality.back_share == 0.0);
     CHECK(camera.eye.y > camera.target.y);
@@ -71,8 +71,9 @@ TEST_CASE("the camera moves with the scene, in any unit, anywhere, and with any 
         CHECK(length(away.target - (offset + scale * plain.target)) < 1e-9 * scale);
 
         const Camera turned = automatic_camera(moved(furnished_room(), scale, offset, true), aspect, {0, 0, 1});
-        CHECK(view_quality(Sight(moved(furnished_room(), scale, offset, true)), turned, aspect, 18).score ==
-              doctest::Approx(view_quality(Sight(furnished_room().scene(1.0)), plain, aspect, 18).score).epsilon(0.02));
+        CHECK(view_quality(LitScene(moved(furnished_room(), scale, offset, true)), turned, aspect, 18).score ==
+              doctest::Approx(view_quality(LitScene(furnished_room().scene(1.0)), plain, aspect, 18).score)
+                  .epsilon(0.02));
     }
 }
 
@@ -115,7 +116,7 @@ TEST_CASE("what has no light is not shown where something else has")
         if (scene.patch(i).shape.centre().x > 9.0)
             radiosity[i] = {1.0, 1.0, 1.0};
     const Camera camera = automatic_camera(scene, aspect, {0, 1, 0}, radiosity);
-    CHECK(view_quality(Sight(scene, radiosity), camera, aspect, 30).dark_share < 0.05);
-    CHECK(view_quality(Sight(scene), automatic_camera(scene, aspect), aspect, 30).dark_share == 0.0);
-    CHECK(view_quality(Sight(scene, radiosity), automatic_camera(scene, aspect), aspect, 30).dark_share > 0.2);
+    CHECK(view_quality(LitScene(scene, radiosity), camera, aspect, 30).dark_share < 0.05);
+    CHECK(view_quality(LitScene(scene), automatic_camera(scene, aspect), aspect, 30).dark_share == 0.0);
+    CHECK(view_quality(LitScene(scene, radiosity), automatic_camera(scene, aspect), aspect, 30).dark_share > 0.2);
 }

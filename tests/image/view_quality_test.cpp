@@ -20,7 +20,7 @@ Scene pillar_room()
 
 ViewQuality quality(const Scene& scene, Vec3 eye, Vec3 target)
 {
-    return view_quality(Sight(scene), {eye, target, {0, 1, 0}, 60.0}, 4.0 / 3.0, 18);
+    return view_quality(LitScene(scene), {eye, target, {0, 1, 0}, 60.0}, 4.0 / 3.0, 18);
 }
 
 } // namespace
