@@ -211,9 +211,11 @@ GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, 
     const std::vector<std::uint32_t> gathered(lights.begin(), split);
     const std::vector<std::uint32_t> shot(split, lights.end());
     const Rgb gathered_power = emitted_power(scene, gathered);
-    const double gathered_share = mean(gathered_power) / mean(emitted_power(scene, lights));
-    const auto gathered_rays = static_cast<std::uint64_t>(gathered_share * static_cast<double>(rays) + 0.5);
-    const std::uint64_t rays_from_lights = gathered.empty() ? 0 : (gathered_rays + 15) / 16;
+    const auto gathered_rays =
+        static_cast<std::uint64_t>(gathered_share(scene, rays) * static_cast<double>(rays) + 0.5);
+    constexpr std::uint64_t enough_to_see_an_opening = 32;
+    const std::uint64_t rays_from_lights =
+        std::max(gathered_rays / 16, std::min(gathered_rays / 2, enough_to_see_an_opening));
 
     enum Step : std::uint64_t { gathering, closing, shooting };
     std::uint64_t next_step = gathering;

@@ -29,9 +29,10 @@ double gathered_share(const Scene& scene, std::uint64_t rays);
 
 /// Direct light found from the receiver's end: exact but for the share of each light that each patch sees, which shadow
 /// rays tell. Takes the items from first_item on, one for each of up to `rays` rays. Lights for which there is less
-/// than a ray for every other patch are shot (S1). A sixteenth of the rays leave the other lights to tell what is lost:
-/// if none is, the patches together get just what is emitted. The sequence is the only source of chance: the result is
-/// right on the average over its randomisations, but for the bias of a ratio of two sums of a pair's few rays.
+/// than a ray for every other patch are shot (S1). A sixteenth of the rays, or 32 if that is more, leave the other
+/// lights to tell what is lost: if none is, the patches together get just what is emitted. The sequence is the only
+/// source of chance: the result is right on the average over its randomisations, but for the bias of a ratio of two
+/// sums of a pair's few rays.
 GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   std::uint64_t rays, const RunControl& run);
 
