@@ -2,7 +2,6 @@
 
 #include "radiosity/distribution.h"
 #include "radiosity/exchange_solver.h"
-#include "scene/input_error.h"
 #include "transport/line_counts.h"
 #include "transport/sparse_exchange.h"
 
@@ -65,8 +64,7 @@ std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, 
         };
         // White patches that the lines join only with each other keep their light for ever: no solution exists.
         if (!solved(0.0) && !solved(1.0))
-            throw InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected "
-                                            "more --lines, or --method local");
+            throw no_solution(scene);
         done += counted.lines_cast;
     }
     return done;

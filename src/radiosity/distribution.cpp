@@ -4,6 +4,12 @@
 
 namespace multipath {
 
+InputError no_solution(const Scene& scene)
+{
+    return InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected more "
+                                     "--lines, or --method local");
+}
+
 std::vector<Rgb> reflectances(const Scene& scene)
 {
     std::vector<Rgb> rho(scene.patch_count());

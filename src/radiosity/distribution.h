@@ -1,11 +1,15 @@
 #pragma once
 
 #include "radiosity/power_state.h"
+#include "scene/input_error.h"
 #include "transport/exchange.h"
 
 #include <vector>
 
 namespace multipath {
+
+/// The one line for a solution of (R1) that does not exist, or that the steps did not reach.
+InputError no_solution(const Scene& scene);
 
 std::vector<Rgb> reflectances(const Scene& scene);
 

@@ -7,7 +7,6 @@
 
 #include "radiosity/distribution.h"
 #include "radiosity/exchange_solver.h"
-#include "scene/input_error.h"
 #include "transport/dense_exchange.h"
 #include "transport/exchange_estimate.h"
 #include "transport/pair_rays.h"
@@ -180,8 +179,7 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
         exchange = exchange_of_pairs();
         solution = solve_exchange(*exchange, rho, source, source, run.threads);
         if (!solution.converged)
-            throw InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected "
-                                            "more --lines, or --method local");
+            throw no_solution(scene);
     }
     distribute(scene, *exchange, solution.radiosity, 1.0, run.threads, state);
     return lines_cast;
