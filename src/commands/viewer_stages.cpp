@@ -28,7 +28,9 @@ std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparati
 
 std::vector<std::uint64_t> stage_lines(std::uint64_t lines, std::uint32_t patches)
 {
-    const std::uint64_t most = std::clamp<std::uint64_t>(most_values / patches, 1, 20);
+    const std::uint64_t most = std::min<std::uint64_t>(most_values / patches, 20);
+    if (most == 0)
+        return {};
     for (int step = 2;; step += 2) {
         std::vector<std::uint64_t> result;
         for (int power = first_power; power < 64 && std::uint64_t{1} << power < lines; power += step)

@@ -11,7 +11,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 20; ///< to reach the global lines within a second
+constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 16; ///< to reach the global lines within a second
 constexpr const char* of_reuse =
     " The method reuse only counts such lines and solves for the light afterwards: these are the lines of --method "
     "extended.";
