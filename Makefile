@@ -12,21 +12,38 @@
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
-# the commands.
+# the commands. Each folder of src and of tests is compiled as one file; UNITY=no compiles every file by itself, which
+# takes four times as long from scratch and less after a change.
 
-CXXFLAGS ?= -O3
+OPTIMISE  = -O3
+CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
-COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) -ffp-contract=off -fno-math-errno -pthread -MMD -MP -Isrc
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
+            -iquote . -Isrc -I$(BUILD)/generated
 
 Q         = $(if $(V),,@)
 
-sources      = $(wildcard src/*.cpp src/*/*.cpp)
-objects      = $(sources:%.cpp=$(BUILD)/%.o)
-test_sources = $(filter-out tests/bench/% tests/fuzz/%,$(wildcard tests/*.cpp tests/*/*.cpp))
-test_objects = $(test_sources:%.cpp=$(BUILD)/%.o)
+sources      = $(sort $(shell find src -name '*.cpp'))
+test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' ! -path 'tests/fuzz/*'))
+
+# Never joined: kernels, which have the same names for every instruction set, and the version, which any change changes.
+alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
+# Folders in which no line flies.
+cold  = src/cli src/commands src/exam src/export src/study src/viewer
+
+ifeq ($(UNITY),no)
+units      = $(sources:%.cpp=%)
+test_units = $(test_sources:%.cpp=%)
+else
+folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
+units      = $(alone:%.cpp=%) $(filter-out %.cpp,$(call folders,$(sources)))
+test_units = $(patsubst %.cpp,%,$(call folders,$(test_sources)))
+endif
+objects      = $(units:%=$(BUILD)/%.o)
+test_objects = $(test_units:%=$(BUILD)/%.o)
 
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
@@ -68,8 +85,7 @@ $(BUILD)/doctest.path: tests/find_doctest.sh
 # The files of the viewer's page as string literals: {"name", "line\n" "line\n" ...}, for each.
 page_files = $(wildcard src/viewer/page/*)
 
-$(BUILD)/src/viewer/page_files.o: COMPILE += -I$(BUILD)/generated
-$(BUILD)/src/viewer/page_files.o: $(BUILD)/generated/viewer/page_files.inc
+$(filter $(BUILD)/src/viewer%,$(objects)): $(BUILD)/generated/viewer/page_files.inc
 
 $(BUILD)/generated/viewer/page_files.inc: $(page_files)
 	@mkdir -p $(@D)
@@ -79,7 +95,6 @@ $(BUILD)/generated/viewer/page_files.inc: $(page_files)
 	@mv $@.new $@
 
 # The checksum of all sources, by which a program knows that kept results are those of another one.
-$(BUILD)/src/cli/version.o: COMPILE += -I$(BUILD)/generated
 $(BUILD)/src/cli/version.o: $(BUILD)/generated/cli/sources_checksum.inc
 
 $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
@@ -87,10 +102,26 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
+$(cold:%=$(BUILD)/%.o): OPTIMISE = -O1
+
+define compile
+@mkdir -p $(@D)
+@echo "  compile $(<:$(BUILD)/unity/%.cpp=%)"
+$(Q)$(COMPILE) -c $< -o $@
+endef
+
 $(BUILD)/%.o: %.cpp
+	$(compile)
+
+$(BUILD)/%.o: $(BUILD)/unity/%.cpp
+	$(compile)
+
+# Written again only when the folder's list of files has changed.
+.PRECIOUS: $(BUILD)/unity/%.cpp
+$(BUILD)/unity/%.cpp: always
 	@mkdir -p $(@D)
-	@echo "  compile $<"
-	$(Q)$(COMPILE) -c $< -o $@
+	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $*/%,$(sources) $(test_sources))) > $@.new
+	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 coverage:
 	+@BUILD="$(BUILD)" CXX="$(CXX)" sh tests/coverage.sh
@@ -155,5 +186,6 @@ dist:
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
 
-.PHONY: demo paper results pictures test coverage mutants bench install uninstall dist clean
+.PHONY: always demo paper results pictures test coverage mutants bench install uninstall dist clean
+$(BUILD)/%.d: ;
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

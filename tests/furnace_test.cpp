@@ -8,6 +8,8 @@
 #include <array>
 #include <doctest/doctest.h>
 
+namespace furnace_test {
+
 using namespace multipath;
 
 // A closed box whose walls all have emittance E and reflectance rho: every reflection returns the share rho of the
@@ -115,3 +117,5 @@ TEST_CASE("in a closed scene of equal radiosity every patch receives that radios
         }
     }
 }
+
+} // namespace furnace_test

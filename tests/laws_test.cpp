@@ -10,6 +10,8 @@
 #include <array>
 #include <doctest/doctest.h>
 
+namespace laws_test {
+
 using namespace multipath;
 
 namespace {
@@ -222,3 +224,5 @@ TEST_CASE("the result does not depend on the number of threads")
         }
     }
 }
+
+} // namespace laws_test

@@ -58,7 +58,7 @@ std::string operand_words(const Operand& operand, std::size_t number)
     return shell_word(place + (operand.optional ? "::" : ":") + std::string(operand.name) + ":" + action);
 }
 
-std::string command_case(const CommandTable& table)
+std::string zsh_case(const CommandTable& table)
 {
     std::string text = "(" + std::string(table.name) + ")\n    _arguments -s -S";
     for (const Option& option : shown_options(table))
@@ -76,7 +76,7 @@ std::string zsh_completion(const std::vector<CommandTable>& tables)
     std::string cases;
     for (const CommandTable& table : tables) {
         commands += "    " + shell_word(std::string(table.name) + ":" + std::string(table.summary)) + "\n";
-        cases += command_case(table);
+        cases += zsh_case(table);
     }
     return "#compdef multipath\n"
            "# zsh completion of multipath, written by 'multipath help --completion zsh'.\n\n"

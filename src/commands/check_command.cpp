@@ -113,9 +113,10 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
             ratio_text(r.ratio_extended) + " extended" +
             (r.ratio_first_shot ? "\n" : " (no light falls on what reflects: any ratio does)\n");
     text += format("  (4)    threshold                 %.6g W/m^2\n", r.threshold_radiosity);
-    text += format("  power  in a trial run            %.4g %% escapes, %.4g %% is lost behind surfaces\n",
-                   100.0 * mean(r.balance.escaped) / mean(r.balance.emitted),
-                   100.0 * mean(r.balance.behind) / mean(r.balance.emitted));
+    if (!r.trapped)
+        text += format("  power  in a trial run            %.4g %% escapes, %.4g %% is lost behind surfaces\n",
+                       100.0 * mean(r.balance.escaped) / mean(r.balance.emitted),
+                       100.0 * mean(r.balance.behind) / mean(r.balance.emitted));
     return text;
 }
 

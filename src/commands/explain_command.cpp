@@ -84,7 +84,7 @@ Stage read_stage(const CommandLine& line)
     return {StageKind::shot, static_cast<std::size_t>(read_count("--stage", text.substr(extended.size()), 1)) - 1};
 }
 
-ToldRange read_range(const CommandLine& line)
+ToldRange read_told_range(const CommandLine& line)
 {
     return {read_count("--first", line.text("first"), 1, std::uint64_t{1} << 48) - 1,
             read_count("--lines", line.text("lines"), 1, most_lines_told)};
@@ -129,7 +129,7 @@ int run_explain(const CommandLine& line)
 {
     require_options_with_effect(line);
     const Stage stage = read_stage(line);
-    const ToldRange range = read_range(line);
+    const ToldRange range = read_told_range(line);
     const Vec3 up = read_direction("--up", line.text("up"));
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);

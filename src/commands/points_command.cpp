@@ -77,7 +77,7 @@ struct PointRange
     std::uint64_t count;
 };
 
-PointRange read_range(const CommandLine& line)
+PointRange read_point_range(const CommandLine& line)
 {
     const std::uint64_t count = read_count("--count", line.text("count"), 1);
     const std::uint64_t first = read_count("--skip", line.text("skip"));
@@ -171,7 +171,7 @@ std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<Outpu
 
 int run_listing(const CommandLine& line)
 {
-    const PointRange range = read_range(line);
+    const PointRange range = read_point_range(line);
     const std::vector<std::string> paths = line.all("output");
     const std::vector<OutputFormat> formats = {OutputFormat::csv, OutputFormat::svg};
     const bool draws = std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
@@ -216,7 +216,7 @@ int run_figure(const CommandLine& line)
 int run_discrepancy(const CommandLine& line)
 {
     require_absent(line, {"pairs", "order"}, "has no effect on --discrepancy");
-    const PointRange range = read_range(line);
+    const PointRange range = read_point_range(line);
     if (range.count > most_points_measured)
         refuse("--count", "the discrepancy is computed for at most " + std::to_string(most_points_measured) +
                               " points, since the work grows with the square");

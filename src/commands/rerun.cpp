@@ -26,18 +26,18 @@ public:
     SilentOutput() : before_(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3))
     {
         std::fflush(stdout);
-        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
         if (before_ >= 0 && nowhere >= 0)
             dup2(nowhere, STDOUT_FILENO);
         if (nowhere >= 0)
-            close(nowhere);
+            ::close(nowhere);
     }
     ~SilentOutput()
     {
         std::fflush(stdout);
         if (before_ >= 0) {
             dup2(before_, STDOUT_FILENO);
-            close(before_);
+            ::close(before_);
         }
     }
     SilentOutput(const SilentOutput&) = delete;

@@ -5,6 +5,7 @@
 #include "radiosity/replicates.h"
 #include "scene/text_format.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace multipath {
@@ -18,6 +19,21 @@ Rgb mean_radiosity(const SolveSummary& s)
     for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i)
         power += s.scene.area(i) * s.solution.radiosity[i];
     return (1.0 / s.scene.total_area()) * power;
+}
+
+/// [1] Of the power of the result: what the unshot light would add if every surface saw only others of its colour.
+double growth_by_unshot_light(const SolveSummary& s)
+{
+    double growth = 0.0; // [W]
+    double power = 0.0;  // [W]
+    for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i) {
+        const Rgb rho = s.scene.reflectance(i);
+        const Rgb unshot = s.solution.unshot[i];
+        for (double Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b})
+            growth += s.scene.area(i) / 3.0 * unshot.*channel / std::max(1.0 - rho.*channel, 1e-9);
+        power += s.scene.area(i) * mean(s.solution.radiosity[i]);
+    }
+    return power > 0.0 ? growth / power : 0.0;
 }
 
 double lines_per_second(const SolveSummary& s)
@@ -78,6 +94,11 @@ std::string summary_text(const SolveSummary& s)
                        "lines help, or "
                        "larger patches\n",
                        percent(balance.unshot));
+    else if (const double more = growth_by_unshot_light(s); more > 0.1)
+        text += format("warning    the %.2g %% of the power that is not distributed yet is on surfaces that reflect "
+                       "nearly all of it, and may make the result brighter by %.2g %%; more lines help, or "
+                       "--method reuse\n",
+                       percent(balance.unshot), 100.0 * more);
     if (percent(balance.behind) > 0.01)
         text += format(
             "warning    %.2g %% of the power met surfaces from behind and is lost, which makes the result too dark; "

@@ -11,7 +11,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t page_width = 110;
+constexpr std::size_t story_width = 110;
 constexpr std::size_t widest_name = 41;
 
 /// Cut or filled to a number of columns.
@@ -35,7 +35,7 @@ std::string patch_number(std::uint32_t patch)
 
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others)
 {
-    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, page_width);
+    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, story_width);
     std::replace(result.begin(), result.end(), tied, ' ');
     return result;
 }

@@ -61,9 +61,9 @@ CommandTable study_table()
 
 std::vector<std::uint64_t> line_counts(const CommandLine& line)
 {
-    constexpr std::uint64_t most_lines = std::uint64_t{1} << 40; // months
-    const std::uint64_t from = read_count("--from", line.text("from"), 1, most_lines);
-    const std::uint64_t to = read_count("--to", line.text("to"), 1, most_lines);
+    constexpr std::uint64_t longest_study = std::uint64_t{1} << 40; // months
+    const std::uint64_t from = read_count("--from", line.text("from"), 1, longest_study);
+    const std::uint64_t to = read_count("--to", line.text("to"), 1, longest_study);
     if (to < from)
         throw UsageError("--to: expected at least the lines of --from, got fewer");
     std::vector<std::uint64_t> counts;

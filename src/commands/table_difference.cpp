@@ -25,7 +25,7 @@ std::vector<std::string> result_comments(const CsvTable& table)
 }
 
 /// "then `a`, now `b`"
-std::string then_and_now(const std::string& then, const std::string& now)
+std::string changed_text(const std::string& then, const std::string& now)
 {
     return "then " + in_quotes(then) + ", now " + in_quotes(now);
 }
@@ -38,7 +38,7 @@ std::string comment_difference(const CsvTable& then, const CsvTable& now)
     after.resize(before.size());
     for (std::size_t k = 0; k < before.size(); ++k)
         if (before[k] != after[k])
-            return "comments differ: " + then_and_now(before[k], after[k]);
+            return "comments differ: " + changed_text(before[k], after[k]);
     return "";
 }
 
@@ -62,7 +62,7 @@ struct CellDifferences
     void add(const std::string& place, const std::string& then, const std::string& now)
     {
         if (++count == 1)
-            first = place + ": " + then_and_now(then, now);
+            first = place + ": " + changed_text(then, now);
         largest = std::max(largest, relative_difference(then, now).value_or(0.0));
     }
     std::string text(std::uint64_t cells) const
@@ -81,7 +81,7 @@ std::string size_difference(const CsvTable& then, const CsvTable& now)
     std::vector<std::string> after = now.header.fields;
     const auto [a, b] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
     if (a != before.end() || b != after.end())
-        return "other columns: " + then_and_now(a == before.end() ? "" : *a, b == after.end() ? "" : *b);
+        return "other columns: " + changed_text(a == before.end() ? "" : *a, b == after.end() ? "" : *b);
     if (then.rows.size() != now.rows.size())
         return "other number of rows: then " + grouped(then.rows.size()) + ", now " + grouped(now.rows.size());
     return "";

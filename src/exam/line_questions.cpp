@@ -15,8 +15,8 @@ namespace multipath {
 namespace {
 
 constexpr double pi = 0.5 * two_pi;
-constexpr double whole_surfaces = 1e3; ///< patch size [m] above any edge
-constexpr double finest_miss = 0.05;   ///< [1]
+constexpr double uncut = 1e3;             ///< patch size [m] above any edge
+constexpr double finest_line_miss = 0.05; ///< [1]
 
 /// [m^2] A_0 of (G1): of the sphere around the scene's box, or of that box.
 double area_of_starts(const Scene& scene, Chords chords)
@@ -43,7 +43,7 @@ Scene room_with_box()
     SceneBuilder builder;
     const std::uint32_t wall = builder.grey(0.5, 1.0);
     builder.room({0, 0, 0}, {1, 2, 3}, wall).box({0.2, 0.6, 0.5}, {0.7, 1.4, 1.5}, wall);
-    return builder.scene(whole_surfaces);
+    return builder.scene(uncut);
 }
 constexpr double room_area = 22.0;
 constexpr double room_volume = 6.0;
@@ -124,7 +124,7 @@ std::vector<ExamRow> crossings(Chords chords, const ExamSettings& settings)
         }
         for (std::size_t k = 0; k < laws.size(); ++k) {
             ExamRow row = {"lines", method_name(chords), sequence, laws[k].quantity, laws[k].expected};
-            row.resolution = finest_miss * row.expected;
+            row.resolution = finest_line_miss * row.expected;
             rows.push_back(measured_by(row, samples[k]));
         }
     }
@@ -143,14 +143,14 @@ Pair unlike_rectangles()
     SceneBuilder builder;
     const std::uint32_t black = builder.grey(0.0, 1.0);
     builder.rectangle({0.5, 0, 0}, {0, 0, 0.5}, {0.5, 0, 0}, black).rectangle({0, 0.4, 0}, {2, 0, 0}, {0, 0, 1}, black);
-    return {builder.scene(whole_surfaces), parallel_rectangles({0.5, 1.0}, {0.0, 0.5}, {0.0, 2.0}, {0.0, 1.0}, 0.4)};
+    return {builder.scene(uncut), parallel_rectangles({0.5, 1.0}, {0.0, 0.5}, {0.0, 2.0}, {0.0, 1.0}, 0.4)};
 }
 
 ExamRow exchange_row(const std::string& method, const std::string& sequence, const Pair& pair,
                      const std::vector<double>& samples)
 {
     ExamRow row = {"pair", method, sequence, "A F [m^2]", pair.exchange};
-    row.resolution = finest_miss * pair.exchange;
+    row.resolution = finest_line_miss * pair.exchange;
     return measured_by(row, samples);
 }
 
@@ -210,7 +210,7 @@ ExamRow mean_cosine(const Pair& pair, const std::string& sequence, const ExamSet
         samples.push_back(sum / static_cast<double>(lines.size()));
     }
     ExamRow row = {"pair", "rays", sequence, "mean cosine [1]", 2.0 / 3.0};
-    row.resolution = finest_miss * row.expected;
+    row.resolution = finest_line_miss * row.expected;
     return measured_by(row, samples);
 }
 

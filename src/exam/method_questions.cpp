@@ -10,9 +10,9 @@ namespace multipath {
 
 namespace {
 
-constexpr double whole_surfaces = 1e3; ///< patch size [m] above any edge
-constexpr double rounding = 1e-6;      ///< [1] of what is kept in single precision
-constexpr double finest_miss = 0.05;   ///< [1] a method that is off by so much must be caught
+constexpr double whole_surfaces = 1e3;      ///< patch size [m] above any edge
+constexpr double rounding = 1e-6;           ///< [1] of what is kept in single precision
+constexpr double finest_method_miss = 0.05; ///< [1] a method that is off by so much must be caught
 
 SolveOptions run_options(Method method, const std::string& sequence, const ExamSettings& settings, const ExamRun& run)
 {
@@ -44,7 +44,7 @@ std::vector<ExamRow> examine(const KnownScene& known, const NamedMethod& named, 
             for (const Solution& solution : runs)
                 samples.push_back(answer.read(scene, solution));
             row.allowance = rounding * answer.value + unshot * answer.per_unshot_watt;
-            row.resolution = finest_miss * (answer.value > 0.0 ? answer.value : most_power);
+            row.resolution = finest_method_miss * (answer.value > 0.0 ? answer.value : most_power);
             rows.push_back(measured_by(row, samples));
         }
         all.insert(all.end(), runs.begin(), runs.end());

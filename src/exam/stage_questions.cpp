@@ -12,8 +12,8 @@ namespace multipath {
 
 namespace {
 
-constexpr double whole_surfaces = 1e3; ///< patch size [m] above any edge
-constexpr double finest_miss = 0.05;   ///< [1]
+constexpr double uncut_faces = 1e3;        ///< patch size [m] above any edge
+constexpr double finest_stage_miss = 0.05; ///< [1]
 constexpr std::uint32_t floor_patch = 0;
 constexpr std::uint32_t ceiling_patch = 1;
 constexpr std::uint32_t wall_patch = 4;
@@ -23,13 +23,13 @@ Scene unit_cube(double reflectance, double floor_emittance, double emittance)
     SceneBuilder builder;
     const std::uint32_t floor = builder.grey(reflectance, floor_emittance);
     const std::uint32_t wall = builder.grey(reflectance, emittance);
-    return builder.room({0, 0, 0}, {1, 1, 1}, {floor, wall, wall, wall, wall, wall}).scene(whole_surfaces);
+    return builder.room({0, 0, 0}, {1, 1, 1}, {floor, wall, wall, wall, wall, wall}).scene(uncut_faces);
 }
 
 ExamRow stage_row(const std::string& stage, const std::string& sequence, const std::string& quantity, double expected)
 {
     ExamRow row = {"stages", stage, sequence, quantity, expected};
-    row.resolution = finest_miss * expected;
+    row.resolution = finest_stage_miss * expected;
     return row;
 }
 

@@ -17,7 +17,7 @@ namespace multipath {
 namespace {
 
 constexpr std::size_t most_surfaces = 4;
-constexpr const char* sequence_name = "random";
+constexpr const char* plain_sequence = "random";
 
 /// The largest surfaces of a scene, and what a run found about the light between their fronts.
 struct Largest
@@ -83,7 +83,7 @@ void note(const Counts& counts, std::size_t from, double worth, Measured& measur
 template <class Result, class Find>
 std::vector<Result> for_all_runs(const ExamSettings& settings, const Find& find)
 {
-    const std::vector<ExamRun> runs = exam_runs(settings, sequence_name);
+    const std::vector<ExamRun> runs = exam_runs(settings, plain_sequence);
     std::vector<Result> results(runs.size());
     parallel_blocks(runs.size(), settings.threads, [&](std::uint64_t number) {
         const auto place = static_cast<std::size_t>(number);
@@ -100,7 +100,7 @@ Measured by_rays(const Scene& scene, const Largest& largest, const ExamSettings&
         const Surface& shape = scene.surfaces()[surface];
         const LocalRays rays({surface, shape});
         const auto cast = [&](const ExamRun& run) {
-            const auto items = items_of_rays(make_sequence(sequence_name, run.seed + from), settings.broken);
+            const auto items = items_of_rays(make_sequence(plain_sequence, run.seed + from), settings.broken);
             Counts counts;
             for (std::uint64_t n = 0; n < settings.lines; ++n) {
                 const std::uint32_t end = receiver(scene, surface, rays.line(items->item(n)));
@@ -150,7 +150,7 @@ Measured by_lines(const Scene& scene, const Largest& largest, const ExamSettings
     const double worth = 0.5 * global_lines.sphere_area() / static_cast<double>(lines); // (G1)
     Measured measured;
     for (const Counts& counts : for_all_runs<Counts>(settings, [&](const ExamRun& run) {
-             const auto items = items_of_lines(make_sequence(sequence_name, run.seed), settings.broken);
+             const auto items = items_of_lines(make_sequence(plain_sequence, run.seed), settings.broken);
              return cast_lines(scene, largest, global_lines, hull, *items, lines);
          })) {
         for (std::size_t from = 0; from < largest.surfaces.size(); ++from)
@@ -175,7 +175,7 @@ double resolution_of(const Scene& scene, std::uint32_t surface)
 ExamRow surface_row(const std::string& topic, const std::string& method, const std::string& quantity, double unit,
                     double resolution)
 {
-    ExamRow row = {topic, method, sequence_name, quantity};
+    ExamRow row = {topic, method, plain_sequence, quantity};
     row.allowance = 1e-6 * unit;
     row.resolution = resolution;
     return row;

@@ -18,10 +18,10 @@ namespace multipath {
 namespace {
 
 constexpr double view_size = 440.0; // [px]
-constexpr double margin = 30.0;
+constexpr double page_margin = 30.0;
 constexpr double head_height = 84.0;
 constexpr double foot_height = 66.0;
-constexpr double width = 3.0 * margin + 2.0 * view_size;
+constexpr double width = 3.0 * page_margin + 2.0 * view_size;
 constexpr double height = head_height + view_size + foot_height;
 constexpr std::size_t most_numbered_lines = 8;
 constexpr std::size_t most_in_legend = 8;
@@ -124,8 +124,8 @@ std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& line
     const double scale = 0.49 * view_size / reach(scene, lines, drawing);
     const Vec3 centre = scene.bounds().centre();
     const double y = head_height + 0.5 * view_size;
-    return {{{"from above", right, to_viewer, centre, scale, {margin + 0.5 * view_size, y}},
-             {"from the side", right, -up, centre, scale, {2.0 * margin + 1.5 * view_size, y}}}};
+    return {{{"from above", right, to_viewer, centre, scale, {page_margin + 0.5 * view_size, y}},
+             {"from the side", right, -up, centre, scale, {2.0 * page_margin + 1.5 * view_size, y}}}};
 }
 
 /// All around a surface: "M12.5 7.0L...Z".
@@ -147,7 +147,7 @@ std::string box_shape(const Bounds& box, const View& view)
 }
 
 /// The edges of all surfaces. Many fall on one place of the page; that is drawn once.
-std::string outlines(const Scene& scene, const View& view)
+std::string scene_outlines(const Scene& scene, const View& view)
 {
     std::set<std::string> edges;
     for (const Surface& surface : scene.surfaces()) {
@@ -231,7 +231,7 @@ std::string picture(const Scene& scene, const std::vector<DrawnLine>& lines, con
                        "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
     if (drawing.box)
         text += box_shape(*drawing.box, view);
-    text += outlines(scene, view) + sources(scene, view);
+    text += scene_outlines(scene, view) + sources(scene, view);
     for (std::size_t k = 0; k < lines.size(); ++k)
         text += stretches(lines[k], view, svg_series_colour(k));
     for (std::size_t k = 0; k < lines.size(); ++k)
@@ -247,8 +247,8 @@ std::string legend(const std::vector<DrawnLine>& lines, const LineDrawing& drawi
     if (lines.size() > most_in_legend)
         labels.back() = "and " + std::to_string(lines.size() - labels.size() + 1) + " more";
     const double y = head_height + view_size + 28.0;
-    return svg_legend(margin, y, labels) +
-           svg_text(margin, y + 22.0,
+    return svg_legend(page_margin, y, labels) +
+           svg_text(page_margin, y + 22.0,
                     std::string("ring: start; arrowhead: end; numbers: surfaces in the order met; solid: from patch to "
                                 "patch; dashed: no exchange; yellow: sources") +
                         (drawing.sphere ? "; disc: the sphere"
@@ -262,8 +262,8 @@ std::string legend(const std::vector<DrawnLine>& lines, const LineDrawing& drawi
 std::string draw_lines(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
 {
     std::string text = svg_head(width, height, drawing.title, drawing.comments) +
-                       svg_text(margin, 32.0, drawing.title, SvgAnchor::start, 19.0) +
-                       svg_text(margin, 52.0, drawing.subtitle, SvgAnchor::start, 12.0);
+                       svg_text(page_margin, 32.0, drawing.title, SvgAnchor::start, 19.0) +
+                       svg_text(page_margin, 52.0, drawing.subtitle, SvgAnchor::start, 12.0);
     for (const View& view : views(scene, lines, drawing))
         text += picture(scene, lines, drawing, view);
     return text + legend(lines, drawing) + svg_end();

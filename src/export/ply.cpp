@@ -14,7 +14,7 @@ std::string properties(const std::string& type, const std::vector<std::string>& 
     return lines;
 }
 
-std::string header(const PatchMesh& mesh, const std::vector<std::string>& comments)
+std::string ply_header(const PatchMesh& mesh, const std::vector<std::string>& comments)
 {
     const std::string radiosity = properties("float", {"radiosity_r", "radiosity_g", "radiosity_b"});
     std::string text = "ply\nformat binary_little_endian 1.0\n";
@@ -70,7 +70,7 @@ void append_face(std::string& bytes, const MeshFace& face, Rgb radiosity)
 std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_per_patch, const ScreenColour& colour,
                       const std::vector<std::string>& comments)
 {
-    std::string bytes = header(mesh, comments);
+    std::string bytes = ply_header(mesh, comments);
     const std::size_t vertex_size = mesh.error.empty() ? 39 : 51;
     constexpr std::size_t face_size = 33;
     bytes.reserve(bytes.size() + vertex_size * mesh.positions.size() + face_size * mesh.faces.size());

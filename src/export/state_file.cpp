@@ -14,7 +14,7 @@ namespace multipath {
 namespace {
 
 constexpr std::string_view kind = "multipath state ";
-constexpr std::string_view header = "multipath state 1      \n"; // three words; the number is that of the format
+constexpr std::string_view first_line = "multipath state 1      \n"; // three words; the number is that of the format
 constexpr std::size_t word_size = 8;
 
 std::uint64_t word_at(const char* bytes)
@@ -78,7 +78,7 @@ FileBytes bytes_of_state(const std::string& path)
 
 StateWriter::StateWriter(Sink sink) : Archive(false), sink_(std::move(sink))
 {
-    put(header);
+    put(first_line);
 }
 
 void StateWriter::put(std::string_view bytes)
@@ -163,10 +163,10 @@ std::uint64_t StateReader::word(std::size_t place) const
 
 void StateReader::require_version() const
 {
-    const std::string_view start(bytes_.data(), std::min(bytes_.size(), header.size()));
+    const std::string_view start(bytes_.data(), std::min(bytes_.size(), first_line.size()));
     if (start.substr(0, kind.size()) != kind)
         refuse("not a state of multipath; expected a file that --state or -o FILE.state wrote");
-    if (start.size() == header.size() && start != header)
+    if (start.size() == first_line.size() && start != first_line)
         refuse("written by a newer version of multipath (format " +
                std::string(start.substr(kind.size(), start.find_first_of(" \n", kind.size()) - kind.size())) +
                "); expected format 1");
@@ -175,13 +175,14 @@ void StateReader::require_version() const
 void StateReader::require_checksum() const
 {
     const std::size_t end = bytes_.size() - std::min(bytes_.size(), word_size);
-    if (end % word_size != 0 || end < header.size() || checksum(0, std::string_view(bytes_.data(), end)) != word(end))
+    if (end % word_size != 0 || end < first_line.size() ||
+        checksum(0, std::string_view(bytes_.data(), end)) != word(end))
         refuse("damaged: the checksum is wrong; expected a whole copy");
 }
 
 void StateReader::find_arrays()
 {
-    std::size_t place = header.size();
+    std::size_t place = first_line.size();
     while (const std::uint64_t head = word(place)) {
         const auto scalar = static_cast<Scalar>(head >> 32);
         const auto name_size = static_cast<std::size_t>(head & 0xffffffffu);

@@ -10,7 +10,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t lines_per_block = 4096;
+constexpr std::uint64_t surveyed_per_block = 4096;
 
 /// Of the lines one in so many is compared with the hull, whose sides may be as many as surfaces.
 std::uint64_t lines_per_hull_test(const ConvexHull& hull)
@@ -70,8 +70,8 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
     std::vector<LineSurvey> slots(static_cast<std::size_t>(slot_count(threads)), empty_survey(scene));
     const auto cast_block = [&](std::uint64_t block, int slot) {
         LineSurvey& survey = slots[static_cast<std::size_t>(slot)];
-        const std::uint64_t first = block * lines_per_block;
-        std::vector<Item> items(static_cast<std::size_t>(std::min(lines_per_block, lines - first)));
+        const std::uint64_t first = block * surveyed_per_block;
+        std::vector<Item> items(static_cast<std::size_t>(std::min(surveyed_per_block, lines - first)));
         sequence->generate(first, items);
         std::vector<Hit> hits;
         for (std::size_t k = 0; k < items.size(); ++k) {
@@ -84,7 +84,8 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
             }
         }
     };
-    ordered_blocks((lines + lines_per_block - 1) / lines_per_block, threads, cast_block, [](std::uint64_t, int) {});
+    ordered_blocks((lines + surveyed_per_block - 1) / surveyed_per_block, threads, cast_block,
+                   [](std::uint64_t, int) {});
 
     LineSurvey total = empty_survey(scene);
     for (const LineSurvey& survey : slots) { // counts: their order does not matter

@@ -10,8 +10,6 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t particles_per_block = 1024;
-
 void deposit(const Scene& scene, const ParticleStep& step, Estimator estimator, PowerState& state)
 {
     if (!Segment::is_patch(step.where)) {
@@ -80,6 +78,7 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         spend(scene, 0.0, shots, state);
     }
     const Particles particles(scene, shots, options.seed);
+    const std::uint64_t particles_per_block = particles_together(scene);
 
     struct Block
     {

@@ -113,13 +113,20 @@ void ParticlePaths::sort_by_particle()
         steps[first_step_[particle_[k]]++] = by_depth_[k];
 }
 
+std::uint64_t particles_together(const Scene& scene)
+{
+    constexpr double most_steps = 65536.0; // some 200 bytes each
+    const double absorption = 1.0 - mean(scene.average_reflectance());
+    return static_cast<std::uint64_t>(std::clamp(most_steps * absorption, 1.0, 1024.0));
+}
+
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads)
 {
     const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 4096);
     const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
     const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
-    constexpr std::uint64_t together = 1024;
+    const std::uint64_t together = particles_together(scene);
     const std::uint64_t blocks = (pilot.count() + together - 1) / together;
     std::vector<double> further_steps(static_cast<std::size_t>(blocks), 0.0);
     parallel_blocks(blocks, threads, [&](std::uint64_t block) {

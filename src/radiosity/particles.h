@@ -70,6 +70,9 @@ private:
     std::uint64_t key_;
 };
 
+/// As many as may be followed together: their paths must fit into memory, and get long in bright scenes.
+std::uint64_t particles_together(const Scene& scene);
+
 /// As many particles as make `lines` segments, to about 1 %: a pilot tells how long their paths are.
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads);

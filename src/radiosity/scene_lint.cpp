@@ -52,6 +52,7 @@ public:
 
     std::vector<Finding> findings()
     {
+        trapped_light();
         idle_emitters();
         lost_behind();
         escaping();
@@ -70,6 +71,16 @@ public:
     }
 
 private:
+    void trapped_light()
+    {
+        if (report_.trapped)
+            findings_.push_back({"trapped", true, place_of(scene_.surface_of(*report_.trapped)),
+                                 "light is trapped among surfaces that reflect all of it: it has no bound, and `solve` "
+                                 "refuses the scene; lower Kd of '" +
+                                     scene_.material_of(*report_.trapped).name + "'",
+                                 1.0});
+    }
+
     void add_note(const char* kind, const std::string& place, const std::string& message)
     {
         findings_.push_back({kind, false, place, message});
@@ -117,7 +128,7 @@ private:
         return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
     }
 
-    double share(Rgb part) const { return mean(part) / mean(report_.balance.emitted); }
+    double share(Rgb part) const { return report_.trapped ? 0.0 : mean(part) / mean(report_.balance.emitted); }
     double area(std::uint32_t surface) const { return scene_.surfaces()[surface].area(); }
     double power(std::uint32_t surface) const
     {

@@ -1,6 +1,7 @@
 #include "radiosity/scene_report.h"
 
 #include "radiosity/solve.h"
+#include "radiosity/trapped_light.h"
 #include "transport/depth_complexity.h"
 #include "transport/line_sampling.h"
 
@@ -41,7 +42,9 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
     report.trial_lines = trial.lines;
     trial.ratio = 1.0;
     trial.threads = threads;
-    report.balance = solve(scene, trial, [](double) {}).balance;
+    report.trapped = patch_of_trapped_light(scene);
+    if (!report.trapped)
+        report.balance = solve(scene, trial, [](double) {}).balance;
     return report;
 }
 

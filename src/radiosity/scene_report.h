@@ -32,6 +32,9 @@ struct SceneReport
     std::uint64_t wanted_lines = 0;
     std::uint64_t trial_lines = 0; ///< of a short run
     PowerBalance balance;          ///< of this run: what escapes and what is lost behind surfaces
+
+    /// A patch among surfaces that light never leaves (see patch_of_trapped_light); then there is no trial run.
+    std::optional<std::uint32_t> trapped;
 };
 
 /// The lines that `check` takes unless told otherwise. The paper's report takes as many, so that both print the same

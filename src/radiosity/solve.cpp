@@ -9,6 +9,7 @@
 #include "radiosity/line_reuse.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/multipath.h"
+#include "radiosity/trapped_light.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"
 #include "transport/depth_complexity.h"
@@ -332,6 +333,7 @@ bool wants_table(const Scene& scene, const SolveOptions& options)
 
 Preparation prepare(const Scene& scene, const SolveOptions& options)
 {
+    require_absorption(scene);
     Preparation preparation;
     const bool optimum = options.method == Method::first_shot || options.method == Method::extended;
     if (optimum && !options.power_by_line)

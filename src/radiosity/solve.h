@@ -21,6 +21,7 @@ struct Preparation
     std::shared_ptr<const UnoccludedExchange> unoccluded; ///< of `reuse`, if there is memory for a table of all pairs
 };
 
+/// Throws InputError if light is trapped among surfaces that reflect all of it.
 Preparation prepare(const Scene& scene, const SolveOptions& options);
 
 /// The radiosity of every patch. The result is a function of scene, options and seed; not of the threads. If the

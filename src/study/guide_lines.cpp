@@ -9,11 +9,11 @@ namespace multipath {
 
 namespace {
 
-constexpr double label_size = 11.0;    // [px]
-constexpr double character = 6.1;      // [px] width of one, at most, on average
-constexpr double step = 8.0;           // [px] between the points that stand for a line or a label
-constexpr double frame_distance = 9.0; // [px] least
-constexpr double enough = 15.0;        // [px] of clearance
+constexpr double label_size = 11.0;     // [px]
+constexpr double character_width = 6.1; // [px] width of one, at most, on average
+constexpr double step = 8.0;            // [px] between the points that stand for a line or a label
+constexpr double frame_distance = 9.0;  // [px] least
+constexpr double enough = 15.0;         // [px] of clearance
 constexpr const char* line_grey = "#808080";
 constexpr const char* label_grey = "#555555";
 constexpr std::array<double, 2> slopes = {1.0, 1.25}; // downwards
@@ -48,7 +48,7 @@ std::vector<SvgPoint> points_of(const Guides& guides)
         points.insert(points.end(), line.begin(), line.end());
         const auto [x, y] = guides.labels[k];
         const std::vector<SvgPoint> label =
-            points_of_box({x, y - 0.8 * label_size, x + longest_label * character, y + 0.2 * label_size}, step);
+            points_of_box({x, y - 0.8 * label_size, x + longest_label * character_width, y + 0.2 * label_size}, step);
         points.insert(points.end(), label.begin(), label.end());
     }
     return points;
@@ -86,7 +86,7 @@ LabelledLevel labelled_level(const Plot& plot, double level, const std::string& 
 {
     const double y = plot.at({0.0, level}).y;
     const double right = plot.left + plot.width;
-    const double length = character * static_cast<double>(label.size());
+    const double length = character_width * static_cast<double>(label.size());
     LabelledLevel best;
     double best_clearance = -1.0;
     for (const double base : {y - 5.0, y + 13.0})

@@ -20,8 +20,8 @@ void append(std::vector<double>& numbers, Vec3 point)
         numbers.push_back(six_digits(x));
 }
 
-/// One number where the channels agree.
-std::vector<double> channels(Rgb power)
+/// One number where the power_channels agree.
+std::vector<double> power_channels(Rgb power)
 {
     const Rgb p = {six_digits(power.r), six_digits(power.g), six_digits(power.b)};
     return p.r == p.g && p.g == p.b ? std::vector<double>{p.r} : std::vector<double>{p.r, p.g, p.b};
@@ -36,9 +36,9 @@ JsonObject transfer_json(const ViewerTransfer& transfer)
         json.null("to");
     else
         json.count("to", transfer.to);
-    json.numbers("forecast", channels(transfer.forecast));
-    json.numbers("held", channels(transfer.held));
-    json.numbers("counted", channels(transfer.counted));
+    json.numbers("forecast", power_channels(transfer.forecast));
+    json.numbers("held", power_channels(transfer.held));
+    json.numbers("counted", power_channels(transfer.counted));
     return json;
 }
 

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace choice_test {
+
 using namespace multipath;
 
 TEST_CASE("a misspelling is answered with the nearest word: one letter wrong, missing, added, or two swapped")
@@ -39,3 +41,5 @@ TEST_CASE("a word outside the choices is refused with all of them")
     CHECK_THROWS_WITH_AS(require_choice("--method", "photons", {"local", "global"}),
                          "--method: expected one of local, global, got 'photons'", UsageError);
 }
+
+} // namespace choice_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace command_line_test {
+
 using namespace multipath;
 
 namespace {
@@ -146,3 +148,5 @@ TEST_CASE("the number of operands is what the table says")
     CHECK(CommandLine(points, {}).operands().empty());
     CHECK_THROWS_WITH_AS(CommandLine(points, {"x"}), "unexpected argument 'x': 'points' takes none", UsageError);
 }
+
+} // namespace command_line_test

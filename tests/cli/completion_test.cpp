@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+namespace completion_test {
+
 using namespace multipath;
 
 TEST_CASE("a completion describes an option by the first phrase of its help")
@@ -33,3 +35,5 @@ TEST_CASE("completions offer what the help shows, and no hidden option")
     CHECK(zsh_completion({table}).find("'1:SCENE.obj:_files -g \"*.obj\"'") != std::string::npos);
     CHECK(zsh_completion({table}).find("_files -/") != std::string::npos);
 }
+
+} // namespace completion_test

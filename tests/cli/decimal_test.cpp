@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <locale>
 
+namespace decimal_test {
+
 using namespace multipath;
 
 namespace {
@@ -77,3 +79,5 @@ TEST_CASE("real values do not depend on the locale")
     std::locale::global(before);
     CHECK(value == 1234.5);
 }
+
+} // namespace decimal_test

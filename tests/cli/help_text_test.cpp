@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace help_text_test {
+
 using namespace multipath;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("the list of commands is aligned")
           "  solve     solve a scene\n"
           "  selftest  take an exam\n");
 }
+
+} // namespace help_text_test

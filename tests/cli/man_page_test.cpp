@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace man_page_test {
+
 using namespace multipath;
 
 namespace {
@@ -42,3 +44,5 @@ TEST_CASE("hidden options are not in the manual")
     CommandTable table = {"solve", "solve a scene", {}, {{"Tests", {{"secret", 0, "", "", "No.", false, {}, true}}}}};
     CHECK_FALSE(man_page({table}, {}).find("secret") != std::string::npos);
 }
+
+} // namespace man_page_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <initializer_list>
 
+namespace number_text_test {
+
 using namespace multipath;
 
 namespace {
@@ -148,3 +150,5 @@ TEST_CASE("a vector is three numbers of any sign, a picture's size two counts")
         [](auto option, auto text) { return read_pixel_size(option, text, 16384); },
         {"", "x", "800x", "x600", "800x600x3", "0x600", "800x-600", "800*600", "16385x1", "1x16385", "1x0", "1e9x1"});
 }
+
+} // namespace number_text_test

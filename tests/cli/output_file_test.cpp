@@ -12,6 +12,8 @@
 #include <unistd.h>
 #include <utility>
 
+namespace output_file_test {
+
 using namespace multipath;
 
 namespace {
@@ -212,3 +214,5 @@ TEST_CASE("a named pipe is written to its reader")
     CHECK_THROWS_WITH_AS(file.write("x"), ("cannot write " + (folder / "pipe") + ": Broken pipe").c_str(), OutputError);
     CHECK(std::filesystem::is_fifo(folder / "pipe"));
 }
+
+} // namespace output_file_test

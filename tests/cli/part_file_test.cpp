@@ -8,6 +8,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+namespace part_file_test {
+
 using namespace multipath;
 
 TEST_CASE("part files of one target stand side by side while their makers live")
@@ -57,3 +59,5 @@ TEST_CASE("the folder of a path ends in a slash")
     CHECK(folder_of("/a.csv") == "/");
     CHECK(folder_of("../b/a.csv") == "../b/");
 }
+
+} // namespace part_file_test

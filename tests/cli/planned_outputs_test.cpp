@@ -7,6 +7,8 @@
 
 #include <filesystem>
 
+namespace planned_outputs_test {
+
 using namespace multipath;
 
 TEST_CASE("files are the same by any of their names, also before they exist")
@@ -60,3 +62,5 @@ TEST_CASE("a commit puts all outputs into place")
     CHECK(std::filesystem::exists(folder.path("a.csv")));
     CHECK(std::filesystem::exists(folder.path("b.csv")));
 }
+
+} // namespace planned_outputs_test

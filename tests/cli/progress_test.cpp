@@ -12,6 +12,8 @@
 #include <thread>
 #include <unistd.h>
 
+namespace progress_test {
+
 using namespace multipath;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("who wants no progress sees none")
 {
     CHECK(printed_at_half(ProgressStyle::none).empty());
 }
+
+} // namespace progress_test

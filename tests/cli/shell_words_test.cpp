@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace shell_words_test {
+
 using namespace multipath;
 
 using Words = std::vector<std::string>;
@@ -88,3 +90,5 @@ TEST_CASE("a text is cut at separators outside quotes only")
         CHECK(split_outside_quotes("v; " + command + "; seed: 1", "; ") == Words{"v", command, "seed: 1"});
     }
 }
+
+} // namespace shell_words_test

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+namespace unfinished_test {
+
 using namespace multipath;
 
 TEST_CASE("what is unfinished is removed, files and then their folder; what is finished stays")
@@ -86,3 +88,5 @@ TEST_CASE("those beyond the number of slots are left alone, and slots are used a
     remove_unfinished();
     CHECK(std::filesystem::exists(folder.path("long")));
 }
+
+} // namespace unfinished_test

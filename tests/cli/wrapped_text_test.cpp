@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace wrapped_text_test {
+
 using namespace multipath;
 
 TEST_CASE("words are wrapped to a width, counted in characters")
@@ -22,3 +24,5 @@ TEST_CASE("a word that is wider than a line has one of its own")
 {
     CHECK(wrapped_text("a incomprehensible b", 0, 1, 10) == "a\n incomprehensible\n b\n");
 }
+
+} // namespace wrapped_text_test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace accuracy_test {
+
 using namespace multipath;
 
 namespace {
@@ -47,3 +49,5 @@ TEST_CASE("rounds end when the tolerance is reached by as many lines as make the
     CHECK(limit.go_on(round_of(4000, 0.011), 2.0));
     CHECK_FALSE(limit.go_on(round_of(4000, 0.01), 3.0));
 }
+
+} // namespace accuracy_test

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+namespace commands_test {
+
 using namespace multipath;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("everything that is printed as it is holds ASCII only, so that it is t
         all += topic.text;
     CHECK(std::all_of(all.begin(), all.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
 }
+
+} // namespace commands_test

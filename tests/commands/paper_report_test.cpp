@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 
+namespace paper_report_test {
+
 using namespace multipath;
 
 namespace {
@@ -105,3 +107,5 @@ TEST_CASE("the report's tables hold what was found, every row as many cells as i
     CHECK(reuse[2] == "528");
     CHECK(reuse[3].find("−1.500 ± ") == 0);
 }
+
+} // namespace paper_report_test

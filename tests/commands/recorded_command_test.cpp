@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace recorded_command_test {
+
 using namespace multipath;
 
 namespace {
@@ -192,3 +194,5 @@ TEST_CASE("options that do not change the result are not recorded")
         CHECK_FALSE(again.has(option));
     }
 }
+
+} // namespace recorded_command_test

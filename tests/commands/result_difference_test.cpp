@@ -14,6 +14,8 @@
 
 #include <doctest/doctest.h>
 
+namespace result_difference_test {
+
 using namespace multipath;
 
 namespace {
@@ -198,3 +200,5 @@ TEST_CASE("meshes differ where their vertices and faces do, not in their records
         CHECK_FALSE(glb_difference(glb_then, glb_then.substr(0, length)).text.empty());
     }
 }
+
+} // namespace result_difference_test

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace run_description_test {
+
 using namespace multipath;
 
 namespace {
@@ -65,3 +67,5 @@ TEST_CASE("a share goes on with its own lines alone")
     CHECK(says(difference(saved, run_of({"--lines", "1000"}, {1, 2})), "of another share"));
     CHECK(says(difference(saved, run_of({"--lines", "1000"}, {0, 3})), "of another share"));
 }
+
+} // namespace run_description_test

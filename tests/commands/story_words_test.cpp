@@ -6,6 +6,8 @@
 
 #include <sstream>
 
+namespace story_words_test {
+
 using namespace multipath;
 
 TEST_CASE("wrapped text has the same words in the same order on lines of at most 110 columns, indented as asked")
@@ -50,3 +52,5 @@ TEST_CASE("a surface without a name has its material's, and a back is called one
     CHECK(patch_name(scene, 0) == "patch 0 of material0 (line 1)");
     CHECK(patch_name(scene, 1) == "patch 1 of material0 (line 1), its back");
 }
+
+} // namespace story_words_test

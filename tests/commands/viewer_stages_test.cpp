@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 
+namespace viewer_stages_test {
+
 using namespace multipath;
 
 TEST_CASE("stages go from 2^8 lines in steps of four to below the lines asked for")
@@ -52,3 +54,5 @@ TEST_CASE("a stage is what solve gives for its lines, and one that cannot be is 
     REQUIRE(some.size() == 1);
     CHECK(some[0].lines == 4096);
 }
+
+} // namespace viewer_stages_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace viewer_story_test {
+
 using namespace multipath;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_CASE("a run with few lines has a shorter story")
     REQUIRE(chapters.size() == 1);
     CHECK(chapters[0].lines.size() == 10);
 }
+
+} // namespace viewer_story_test

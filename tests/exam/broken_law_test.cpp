@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+namespace broken_law_test {
+
 using namespace multipath;
 
 namespace {
@@ -75,3 +77,5 @@ TEST_CASE("the broken laws of scenes dim them and take screens away")
     CHECK(with_law_broken(builder.file(), BrokenLaw::reflectance).materials[wall].reflectance.g ==
           doctest::Approx(0.45));
 }
+
+} // namespace broken_law_test

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <limits>
 
+namespace exam_row_test {
+
 using namespace multipath;
 
 namespace {
@@ -104,3 +106,5 @@ TEST_CASE("the table ends with the count, and can be of failures only")
     CHECK(exam_text({rows[0]}, true) == "1 passed, 0 failed\n");
     CHECK(exam_csv({rows[1]}, {"version"}).substr(0, 15) == "# version\ncase,");
 }
+
+} // namespace exam_row_test

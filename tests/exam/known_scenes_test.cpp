@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <map>
 
+namespace known_scenes_test {
+
 using namespace multipath;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("the most accurate method finds every known answer")
         }
     }
 }
+
+} // namespace known_scenes_test

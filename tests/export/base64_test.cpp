@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <string>
 
+namespace base64_test {
+
 using namespace multipath;
 
 // The test vectors of RFC 4648, section 10.
@@ -17,3 +19,5 @@ TEST_CASE("base64 is that of RFC 4648")
     CHECK(base64("foobar") == "Zm9vYmFy");
     CHECK(base64(std::string("\xff\xfe\x00", 3)) == "//4A");
 }
+
+} // namespace base64_test

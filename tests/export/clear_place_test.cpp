@@ -3,6 +3,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace clear_place_test {
+
 using namespace multipath;
 
 TEST_CASE("the points of a line and of a box reach their ends and are no farther apart than the step")
@@ -43,3 +45,5 @@ TEST_CASE("a shape larger than the room stays at its left and top")
     CHECK(place.shift.x == 10.0);
     CHECK(place.shift.y == 20.0);
 }
+
+} // namespace clear_place_test

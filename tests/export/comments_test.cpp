@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace comments_test {
+
 using namespace multipath;
 
 TEST_CASE("a comment's value is what follows its name and a colon")
@@ -17,3 +19,5 @@ TEST_CASE("every comment is a line of its own")
     CHECK(comment_lines({"multipath 0.1.0", "seed: 1"}) == "# multipath 0.1.0\n# seed: 1\n");
     CHECK(comment_lines({}).empty());
 }
+
+} // namespace comments_test

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <optional>
 
+namespace covered_patches_test {
+
 using namespace multipath;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("meshes leave covered patches out, and have no cracks around the holes
     for (const MeshFace& face : mesh.faces)
         CHECK(is_seen(scene, face.patch, 1));
 }
+
+} // namespace covered_patches_test

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace csv_text_test {
+
 using namespace multipath;
 
 namespace {
@@ -159,3 +161,5 @@ TEST_CASE("a field is quoted where it must be, and is read back")
     for (const std::string text : {"a \"b\", c", "two\nlines", "two\r\nlines"})
         CHECK(parsed("name\n" + csv_field(text) + "\n").rows[0].fields == Words{text});
 }
+
+} // namespace csv_text_test

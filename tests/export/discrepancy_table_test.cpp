@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace discrepancy_table_test {
+
 using namespace multipath;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("the text is aligned, with a dash where there is no number")
                                           "        1   5.0000e-01   2.5000e-01   7.5000e-01\n"
                                           "        3   3.3333e-01   1.2500e-01            -\n");
 }
+
+} // namespace discrepancy_table_test

@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+namespace glb_test {
+
 using namespace multipath;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("a quadrilateral is cut where the light changes less")
               (along_first ? std::vector<double>{0, 1, 2, 0, 2, 3} : std::vector<double>{0, 1, 3, 1, 2, 3}));
     }
 }
+
+} // namespace glb_test

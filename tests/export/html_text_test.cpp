@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace html_text_test {
+
 using namespace multipath;
 
 TEST_CASE("text in HTML can neither open a tag nor end an attribute")
@@ -33,3 +35,5 @@ TEST_CASE("what is between two marks is replaced with them, as often as both are
     CHECK(replaced_between("{{a}} }}{{b", "{{", "}}", bold) == "<a> }}{{b");
     CHECK(replaced_between("", "*", "*", bold).empty());
 }
+
+} // namespace html_text_test

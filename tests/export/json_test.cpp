@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <limits>
 
+namespace json_test {
+
 using namespace multipath;
 
 TEST_CASE("a JSON document escapes text, keeps numbers exact and says null for what is not a number")
@@ -32,3 +34,5 @@ TEST_CASE("bytes that are no UTF-8 do not make a document that nobody reads")
     json.text("na\xefve", "caf\xe9");
     CHECK(json.document() == "{\n  \"na\xc3\xafve\": \"caf\xc3\xa9\"\n}\n");
 }
+
+} // namespace json_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace line_drawing_test {
+
 using namespace multipath;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("the title and the comments are in the file, escaped")
     CHECK(count(text, "made &amp; kept") == 1);
     CHECK(count(text, "</svg>") == 1);
 }
+
+} // namespace line_drawing_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace linear_scale_test {
+
 using namespace multipath;
 
 TEST_CASE("white is what is brightest beside lamps and the hundredth part next to them")
@@ -29,3 +31,5 @@ TEST_CASE("where everything shines, lamps count")
     const Scene scene = builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.5, 1.0)).scene(1.0);
     CHECK(linear_scale(scene, {{1, 2, 1}}) == 0.5);
 }
+
+} // namespace linear_scale_test

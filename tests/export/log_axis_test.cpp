@@ -4,6 +4,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace log_axis_test {
+
 using namespace multipath;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("an axis without data is one of numbers")
     CHECK(axis.low == doctest::Approx(-0.13));
     CHECK(axis.high == doctest::Approx(1.13));
 }
+
+} // namespace log_axis_test

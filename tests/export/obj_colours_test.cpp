@@ -8,6 +8,8 @@
 
 #include <sstream>
 
+namespace obj_colours_test {
+
 using namespace multipath;
 
 namespace {
@@ -58,3 +60,5 @@ TEST_CASE("the reader of scenes reads the mesh back, with all names")
     CHECK(lit.materials[lit.material[0]].name == "paint #1 (old)");
     CHECK(lit.groups == std::vector<std::string>{"", "one wall"});
 }
+
+} // namespace obj_colours_test

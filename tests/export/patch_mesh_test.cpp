@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+namespace patch_mesh_test {
+
 using namespace multipath;
 
 namespace {
@@ -187,3 +189,5 @@ TEST_CASE("sides follow each other, each front before its back")
     CHECK(vertices == mesh.positions.size());
     CHECK(faces == mesh.faces.size());
 }
+
+} // namespace patch_mesh_test

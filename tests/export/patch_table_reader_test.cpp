@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace patch_table_reader_test {
+
 using namespace multipath;
 
 namespace {
@@ -129,3 +131,5 @@ TEST_CASE("what is no table of patches is refused with its line")
           ":2: error_g is `-1e-9`, expected 0 or more");
     CHECK(problem(header + "\n0,0,a,0,0,0,1,1,1\n") == ":2: row has 9 fields, expected 10 as in the header");
 }
+
+} // namespace patch_table_reader_test

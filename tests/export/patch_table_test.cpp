@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <sstream>
 
+namespace patch_table_test {
+
 using namespace multipath;
 
 TEST_CASE("the table has the promised columns and numbers that read back exactly")
@@ -43,3 +45,5 @@ TEST_CASE("standard errors, where there are any, are the last columns")
     std::getline(table, row);
     CHECK(row.substr(row.size() - 21) == ",1,2,3,0.5,0.25,0.125");
 }
+
+} // namespace patch_table_test

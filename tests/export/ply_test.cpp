@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace ply_test {
+
 using namespace multipath;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("areas and powers add up to those of the scene")
     CHECK(power.g == doctest::Approx(expected.g).epsilon(1e-6));
     CHECK(power.b == doctest::Approx(expected.b).epsilon(1e-6));
 }
+
+} // namespace ply_test

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <sstream>
 
+namespace point_plots_test {
+
 using namespace multipath;
 
 namespace {
@@ -142,3 +144,5 @@ TEST_CASE("in the paper's failing arrangement the dots of the first coordinate f
     }
     CHECK(dots == 1000);
 }
+
+} // namespace point_plots_test

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace state_file_test {
+
 using namespace multipath;
 
 namespace {
@@ -204,3 +206,5 @@ TEST_CASE("a scene comes back from a state as it was")
     other.file = std::make_shared<const SceneFile>(changed);
     CHECK_THROWS_AS(written(other), ArchiveError);
 }
+
+} // namespace state_file_test

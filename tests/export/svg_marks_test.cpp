@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <set>
 
+namespace svg_marks_test {
+
 using namespace multipath;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("nothing to draw is no element")
     CHECK(svg_polyline({{1, 2}}, {"#000000", 1.0}).empty());
     CHECK(svg_bars({}, {"#000000", 1.0}).empty());
 }
+
+} // namespace svg_marks_test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace svg_plot_test {
+
 using namespace multipath;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("the head gives the size, the title and the comments, and paints the b
                              "fill=\"#ffffff\""})
         CHECK_MESSAGE(contains(head, part), part);
 }
+
+} // namespace svg_plot_test

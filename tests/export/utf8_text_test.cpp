@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace utf8_text_test {
+
 using namespace multipath;
 
 TEST_CASE("what is UTF-8 stays as it is")
@@ -24,3 +26,5 @@ TEST_CASE("other bytes become the Latin-1 characters of their values")
     CHECK(utf8_text("\xf4\x90\x80\x80") == "\xc3\xb4\xc2\x90\xc2\x80\xc2\x80");
     CHECK(utf8_text("\xff") == "\xc3\xbf");
 }
+
+} // namespace utf8_text_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace contour_integral_test {
+
 using namespace multipath;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("plates that are almost in one plane or almost parallel keep their dig
         CHECK(std::abs(exchange(a, b) / straight - 1.0) < tilt + 3e-6);
     }
 }
+
+} // namespace contour_integral_test

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace convex_hull_test {
+
 using namespace multipath;
 
 TEST_CASE("the hull of a box, whatever lies inside or on its faces, is the box")
@@ -142,3 +144,5 @@ TEST_CASE("lines meet the hull of a box when they meet its faces")
     CHECK(met > 100);
     CHECK(met < 1400);
 }
+
+} // namespace convex_hull_test

@@ -10,6 +10,8 @@
 #include <doctest/doctest.h>
 #include <vector>
 
+namespace exchange_area_test {
+
 using namespace multipath;
 
 namespace {
@@ -252,3 +254,5 @@ TEST_CASE("in closed convex rooms every patch exchanges its whole area")
         CHECK(worst_row_sum(walls, 5) < 1e-5);
     }
 }
+
+} // namespace exchange_area_test

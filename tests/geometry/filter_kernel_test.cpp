@@ -9,6 +9,8 @@
 #include <doctest/doctest.h>
 #include <string>
 
+namespace filter_kernel_test {
+
 using namespace multipath;
 
 namespace {
@@ -232,3 +234,5 @@ TEST_CASE("no hit is lost among a million triangles")
 }
 
 TEST_SUITE_END();
+
+} // namespace filter_kernel_test

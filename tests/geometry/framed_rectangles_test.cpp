@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <numeric>
 
+namespace framed_rectangles_test {
+
 using namespace multipath;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_CASE("a point of a rectangle has the coordinates along the axes that the fr
             }
     }
 }
+
+} // namespace framed_rectangles_test

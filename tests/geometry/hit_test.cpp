@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <string>
 
+namespace hit_test {
+
 using namespace multipath;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("no hit is lost when coincident faces do not alternate")
     CHECK(ordered("A=A") == "01");
     CHECK(ordered("D=D=D") == "210"); // of several departures the last of the list comes first
 }
+
+} // namespace hit_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace intersector_test {
+
 using namespace multipath;
 
 namespace {
@@ -199,3 +201,5 @@ TEST_CASE("the hierarchy does not lose faces that lie beside their shared plane"
         REQUIRE(below->surface == count + 2); // not the upper side
     }
 }
+
+} // namespace intersector_test

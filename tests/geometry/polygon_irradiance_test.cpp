@@ -3,6 +3,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace polygon_irradiance_test {
+
 using namespace multipath;
 
 namespace {
@@ -69,3 +71,5 @@ TEST_CASE("the distance from a polygon is that from its inside, an edge or a cor
     CHECK(distance({0.3, 0, -4}, square) == doctest::Approx(4.0));
     CHECK(distance({4, 12, -3}, square) == doctest::Approx(std::sqrt(9.0 + 144.0 + 9.0)));
 }
+
+} // namespace polygon_irradiance_test

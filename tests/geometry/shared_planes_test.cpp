@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace shared_planes_test {
+
 using namespace multipath;
 
 namespace {
@@ -45,3 +47,5 @@ TEST_CASE("surfaces in one plane get one equation if some of them face the other
     }
     CHECK(dot(touching.plane_of_surface[2].normal, bottom.normal()) > 0.0);
 }
+
+} // namespace shared_planes_test

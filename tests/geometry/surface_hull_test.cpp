@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <vector>
 
+namespace surface_hull_test {
+
 using namespace multipath;
 
 namespace {
@@ -70,3 +72,5 @@ TEST_CASE("the hull of thousands of surfaces in one plane has two sides")
             surfaces.push_back({Shape::parallelogram, {0.1 * i, 0.1 * j, 0.1 * i}, {0.1, 0, 0.1}, {0, 0.1, 0}});
     CHECK(hull_of(surfaces).area() == doctest::Approx(2.0 * 8.0 * std::sqrt(2.0) * 6.0));
 }
+
+} // namespace surface_hull_test

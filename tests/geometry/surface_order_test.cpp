@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace surface_order_test {
+
 using namespace multipath;
 
 TEST_CASE("surfaces are ordered by area, equal ones by number, and ranked the other way round")
@@ -43,3 +45,5 @@ TEST_CASE("boxes leave room on all sides for a shared plane")
     CHECK(boxes[0].high.y > room);
     CHECK(boxes[0].high.y < 10.0 * room);
 }
+
+} // namespace surface_order_test

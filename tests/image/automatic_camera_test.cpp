@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace automatic_camera_test {
+
 using namespace multipath;
 
 namespace {
@@ -120,3 +122,5 @@ TEST_CASE("what has no light is not shown where something else has")
     CHECK(view_quality(LitScene(scene), automatic_camera(scene, aspect), aspect, 30).dark_share == 0.0);
     CHECK(view_quality(LitScene(scene, radiosity), automatic_camera(scene, aspect), aspect, 30).dark_share > 0.2);
 }
+
+} // namespace automatic_camera_test

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+namespace bitmap_font_test {
+
 using namespace multipath;
 
 namespace {
@@ -72,3 +74,5 @@ TEST_CASE("what does not fit into the picture is cut off")
         for (int x = 0; x < small.width; ++x)
             CHECK(red(small, x, y) == red(roomy, x + 40, y + 20));
 }
+
+} // namespace bitmap_font_test

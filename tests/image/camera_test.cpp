@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace camera_test {
+
 using namespace multipath;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("a cropped picture shows the middle rows of the whole one")
             CHECK(length(difference) < 1e-14); // rounding
         }
 }
+
+} // namespace camera_test

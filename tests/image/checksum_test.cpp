@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace checksum_test {
+
 using namespace multipath;
 
 // "check" of CRC-32/ISO-HDLC in the catalogue of parametrised CRC algorithms.
@@ -35,3 +37,5 @@ TEST_CASE("Adler-32 stays exact over lengths at which its sums would overflow 32
     }
     CHECK(adler32(bytes) == (b << 16 | a));
 }
+
+} // namespace checksum_test

@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+namespace clear_sight_test {
+
 using namespace multipath;
 
 namespace {
@@ -86,3 +88,5 @@ TEST_CASE("no ray between a patch and a lamp in clear sight of it meets anything
         CHECK(hidden == 0);
     }
 }
+
+} // namespace clear_sight_test

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+namespace colour_map_test {
+
 using namespace multipath;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("beyond its ends the map stays what it is there")
     CHECK(map_colour(-3.0) == map_colour(0.0));
     CHECK(map_colour(1e300) == map_colour(1.0));
 }
+
+} // namespace colour_map_test

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+namespace corner_lattice_test {
+
 using namespace multipath;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("the cells beside a cell are those of its row and column, and none bey
     CHECK_FALSE(lattice.cell_beside(9, 0, 1));
     CHECK_FALSE(lattice.cell_beside(9, 2, 0));
 }
+
+} // namespace corner_lattice_test

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+namespace deflate_test {
+
 using namespace multipath;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("a zlib stream has a valid header and ends with the Adler-32 of its co
     const std::size_t end = stream.size();
     CHECK((byte(end - 4) << 24 | byte(end - 3) << 16 | byte(end - 2) << 8 | byte(end - 1)) == adler32(bytes));
 }
+
+} // namespace deflate_test

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace false_colour_test {
+
 using namespace multipath;
 
 namespace {
@@ -135,3 +137,5 @@ TEST_CASE("the scale ends at twice what nine tenths of the picture stay below")
     REQUIRE(lamp < 64 * 48 / 10);
     CHECK(count_of(image, map_colour(0.5)) > 64 * 48 * 8 / 10); // twice 0.5 is the end
 }
+
+} // namespace false_colour_test

@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace final_gather_test {
+
 using namespace multipath;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("without indirect light the furnace shows E (1 + rho)")
         CHECK(pixel.b == doctest::Approx(0.5 * 1.75).epsilon(1e-9));
     }
 }
+
+} // namespace final_gather_test

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace flat_regions_test {
+
 using namespace multipath;
 
 namespace {
@@ -97,3 +99,5 @@ TEST_CASE("a wall that stands on needles parts their light")
         CHECK(shading.at(*scene.intersector().closest_hit({{2.3, y, 0.5}, {0, 0, -1}})).r < 0.1);
     }
 }
+
+} // namespace flat_regions_test

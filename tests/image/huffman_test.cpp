@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <queue>
 
+namespace huffman_test {
+
 using namespace multipath;
 
 namespace {
@@ -103,3 +105,5 @@ TEST_CASE("code words are those of the RFC's example, first bit lowest")
     const std::vector<std::uint16_t> expected = {0b010, 0b110, 0b001, 0b101, 0b011, 0b00, 0b0111, 0b1111};
     CHECK(code_words({3, 3, 3, 3, 3, 2, 4, 4}) == expected);
 }
+
+} // namespace huffman_test

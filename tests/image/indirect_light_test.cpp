@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+namespace indirect_light_test {
+
 using namespace multipath;
 
 namespace {
@@ -108,3 +110,5 @@ TEST_CASE("samples in every second row and column are enough where nothing is cl
         CHECK((grid.irradiance(place(9, 9), 9, 9)->r > 2.0 + 1e-9) == !is_open);
     }
 }
+
+} // namespace indirect_light_test

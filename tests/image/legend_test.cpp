@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace legend_test {
+
 using namespace multipath;
 
 namespace {
@@ -104,3 +106,5 @@ TEST_CASE("a plus after the last number says that there are values beyond")
         CHECK(std::equal(row(closed), row(closed) + 3 * 480, row(open)));
     }
 }
+
+} // namespace legend_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace lz77_test {
+
 using namespace multipath;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("a copy waits when the next place offers a longer one")
     CHECK(tokens.back().length == 5);
     CHECK(tokens.back().value == 7);
 }
+
+} // namespace lz77_test

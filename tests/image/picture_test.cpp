@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace picture_test {
+
 using namespace multipath;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_CASE("the scale of a picture is the one it is shown with")
           picture(scene, values, camera, options, {ToneOperator::reinhard, 0.0, scale}).bytes);
     CHECK(picture_scale(scene, values, camera, options, {ToneOperator::reinhard, 1.0, 3.0}) == 6.0);
 }
+
+} // namespace picture_test

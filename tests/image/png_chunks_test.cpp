@@ -6,6 +6,8 @@
 
 #include <string>
 
+namespace png_chunks_test {
+
 using namespace multipath;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("ASCII is in the chunk that every reader knows, the rest in that for U
     CHECK(chunk.type == "iTXt");
     CHECK(chunk.data == std::string("Comment\0\0\0\0\0\xc3\xa4", 14)); // ISO/IEC 15948, 11.3.4.5
 }
+
+} // namespace png_chunks_test

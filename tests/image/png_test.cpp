@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <map>
 
+namespace png_test {
+
 using namespace multipath;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("filters make a smooth ramp nearly free")
             image.bytes.insert(image.bytes.end(), 3, static_cast<std::uint8_t>(x + y));
     CHECK(png_bytes(image).size() < image.bytes.size() / 200);
 }
+
+} // namespace png_test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace ppm_test {
+
 using namespace multipath;
 
 TEST_CASE("a picture of 2 x 1 pixels is these bytes of PPM")
@@ -16,3 +18,5 @@ TEST_CASE("a comment of several lines stays one comment line")
     const ScreenImage image{1, 1, {1, 2, 3}};
     CHECK(ppm_bytes(image, "room.obj\n640 480\r") == "P6\n# room.obj 640 480 \n1 1\n255\n\x01\x02\x03");
 }
+
+} // namespace ppm_test

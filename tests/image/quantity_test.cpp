@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace quantity_test {
+
 using namespace multipath;
 
 // B = E + rho H, for an H that is made up. A rounding of B is a share of 1e-16 of E + rho H, so of H at most
@@ -83,3 +85,5 @@ TEST_CASE("magnitudes have no sign")
 {
     CHECK(magnitudes({{-1.0, 2.0, -0.0}}) == std::vector<Rgb>{{1.0, 2.0, 0.0}});
 }
+
+} // namespace quantity_test

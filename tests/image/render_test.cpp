@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace render_test {
+
 using namespace multipath;
 
 namespace {
@@ -168,3 +170,5 @@ TEST_CASE("an edge that is almost level has a shade for every sample")
     REQUIRE(shades > 200);
     CHECK(between > shades / 2);
 }
+
+} // namespace render_test

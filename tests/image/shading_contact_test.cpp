@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace shading_contact_test {
+
 using namespace multipath;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("what a box covers does not darken the floor around it")
             }
     }
 }
+
+} // namespace shading_contact_test

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+namespace skin_test {
+
 using namespace multipath;
 
 TEST_CASE("what stands between points near each other is found as among all surfaces")
@@ -42,3 +44,5 @@ TEST_CASE("what stands between points near each other is found as among all surf
             CHECK(parted_pairs > 100);
     }
 }
+
+} // namespace skin_test

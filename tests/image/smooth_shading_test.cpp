@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+namespace smooth_shading_test {
+
 using namespace multipath;
 
 TEST_CASE("a ramp runs through the seam between two rectangles of one wall")
@@ -207,3 +209,5 @@ TEST_CASE("the border continues the smaller slope, and none where slopes disagre
     CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).r == doctest::Approx(5.05));
     CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).g == doctest::Approx(2.0));
 }
+
+} // namespace smooth_shading_test

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace source_light_test {
+
 using namespace multipath;
 
 namespace {
@@ -126,3 +128,5 @@ TEST_CASE("a hidden source takes nothing from another one's colour")
     CHECK(irradiance.r == 0.0);
     CHECK(irradiance.g == doctest::Approx(corner_factor(1.0, 1.0)).epsilon(1e-12)); // rounding
 }
+
+} // namespace source_light_test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace srgb_test {
+
 using namespace multipath;
 
 // Values published with the standard and in colour science handbooks, to the digits that are printed there.
@@ -30,3 +32,5 @@ TEST_CASE("linear light becomes the nearest byte of sRGB")
     CHECK(screen_byte(0.501) == 188);
     CHECK(screen_byte(1.0) == 255);
 }
+
+} // namespace srgb_test

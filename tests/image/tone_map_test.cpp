@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace tone_map_test {
+
 using namespace multipath;
 
 namespace {
@@ -160,3 +162,5 @@ TEST_CASE("the light of a screen is what pictures encode")
     }
     CHECK(screen_light({2.0, 0.25, -1.0}, ToneOperator::linear, 1.0) == Rgb{1.0, 0.25, 0.0});
 }
+
+} // namespace tone_map_test

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace view_quality_test {
+
 using namespace multipath;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("a floor in the picture is worth more than a ceiling")
     const double up = quality(scene, {2, 1.5, 0.2}, {2, 3, 2.2}).score;
     CHECK(std::abs(down - up - 0.3) < 0.05); // the cells of the scene are not those of its mirror image
 }
+
+} // namespace view_quality_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace visible_hits_test {
+
 using namespace multipath;
 
 // Along z the walls of a room from -2 to 2 and of a box from -1 to 1 are met at these parameters.
@@ -26,3 +28,5 @@ TEST_CASE("the first front along a ray is seen, whatever backs come before it")
     CHECK(VisibleHits(two_sided).first(from_outside)->t == doctest::Approx(3.0));
     CHECK(!VisibleHits(two_sided).first(from_outside)->front);
 }
+
+} // namespace visible_hits_test

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <thread>
 
+namespace crew_test {
+
 using namespace multipath;
 
 TEST_CASE("a crew works through one work after another, with as many threads as each may have")
@@ -59,3 +61,5 @@ TEST_CASE("work within work, and works of different threads, do not disturb each
     other.join();
     CHECK(done == 2000);
 }
+
+} // namespace crew_test

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+namespace huge_pages_test {
+
 using namespace multipath;
 
 // Large enough for pages of 2 MB, with and without an alignment of their own.
@@ -35,3 +37,5 @@ TEST_CASE("to ask for huge pages changes nothing that is in memory")
     ask_for_huge_pages(nullptr, 0);
     CHECK(numbers == std::vector<std::uint64_t>(std::size_t{1} << 20, 7));
 }
+
+} // namespace huge_pages_test

@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+namespace ordered_blocks_test {
+
 using namespace multipath;
 
 TEST_CASE("every block is produced once and consumed in order, one at a time")
@@ -76,3 +78,5 @@ TEST_CASE("ranges cover all numbers once, and only the last one is shorter than 
                 CHECK(number == 1);
         }
 }
+
+} // namespace ordered_blocks_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace chord_agreement_test {
+
 using namespace multipath;
 
 namespace {
@@ -131,3 +133,5 @@ TEST_CASE("without a choice the methods of the paper draw their lines from the s
     options.chords = Chords::box;
     CHECK(solve(scene, options, [](double) {}).radiosity != sphere);
 }
+
+} // namespace chord_agreement_test

@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace colour_bleed_test {
+
 using namespace multipath;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("the ceiling of the Cornell box is redder than the lamp at the red wal
         CHECK(at_green.mean + 4.0 * at_green.standard_error < 100.0 / 85.0);
     }
 }
+
+} // namespace colour_bleed_test

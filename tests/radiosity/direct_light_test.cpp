@@ -2,7 +2,10 @@
 
 #include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
+
+namespace direct_light_test {
 
 using namespace multipath;
 
@@ -27,3 +30,24 @@ TEST_CASE("of an open field all is lit, also where some patches stand for many o
     const double lit = 1.1 * columns * rows;
     CHECK(measure_direct_light(scene, 1000, 1).lit_fraction == doctest::Approx(lit / (lit + 1.0)).epsilon(1e-3));
 }
+
+// 32,768 squares face the lamp and turn their back to it by turns. A choice at equal distances, here 4 squares, meets
+// only the ones or only the others.
+TEST_CASE("the patches that stand for others are not chosen in step with them")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    for (int i = 0; i < 128; ++i)
+        for (int j = 0; j < 256; ++j) {
+            const Vec3 x = {1, 0, 0};
+            const Vec3 z = {0, 0, 1};
+            builder.rectangle({1.0 * i, 0, 1.0 * j}, j % 2 == 0 ? z : x, j % 2 == 0 ? x : z, grey);
+        }
+    builder.rectangle({64, 200, 128}, {0.1, 0, 0}, {0, 0, 0.1}, builder.grey(0.5, 1.0)); // looks down
+    const Scene scene = builder.scene(1.0);
+    REQUIRE(scene.patch_count() == 32769);
+    const double five_sigma = 5.0 * 0.5 / std::sqrt(8192.0);
+    CHECK(std::abs(measure_direct_light(scene, 4096, 1).lit_fraction - 0.5) < five_sigma);
+}
+
+} // namespace direct_light_test

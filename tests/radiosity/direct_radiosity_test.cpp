@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace direct_radiosity_test {
+
 using namespace multipath;
 
 // Two facing unit squares of one patch each, F = 0.199825 (see the scene file): the lamp keeps its emittance of 1,
@@ -28,3 +30,5 @@ TEST_CASE("in the furnace the direct radiosity is E (1 + rho)")
         CHECK(b.b == doctest::Approx(0.5 * 1.75).epsilon(1e-3));
     }
 }
+
+} // namespace direct_radiosity_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace distribution_test {
+
 using namespace multipath;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("irradiance that is nowhere negative stays as it is, bit for bit")
     remove_negative_light(scene, state);
     CHECK(state.incident == before);
 }
+
+} // namespace distribution_test

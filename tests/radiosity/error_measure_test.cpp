@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace error_measure_test {
+
 using namespace multipath;
 
 // Areas 1 and 3, errors 2 and 1 in every channel: MSE = (1 * 4 + 3 * 1) / 4; mean radiosity (1 * 8 + 3 * 4) / 4 = 5.
@@ -17,3 +19,5 @@ TEST_CASE("in colour it is the mean over the channels")
     const ErrorMeasure error = measure_error({2}, {{3, 1, 1}}, {{0, 1, 1}});
     CHECK(error.mean_square == doctest::Approx(3.0));
 }
+
+} // namespace error_measure_test

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <utility>
 
+namespace exchange_solver_test {
+
 using namespace multipath;
 
 namespace {
@@ -266,3 +268,5 @@ TEST_CASE("a good first guess takes fewer steps, and the solution itself none")
     CHECK(steps_from(good) < from_source);
     CHECK(steps_from(exact) == 0);
 }
+
+} // namespace exchange_solver_test

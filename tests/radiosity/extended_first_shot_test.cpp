@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <numeric>
 
+namespace extended_first_shot_test {
+
 using namespace multipath;
 
 namespace {
@@ -150,3 +152,5 @@ TEST_CASE("few rays and no threshold end after a few passes without bias")
     CHECK(mean_incident < 2.0 + 4.0 * estimate(incident).standard_error);
     CHECK(mean_incident > 1.9 - 4.0 * estimate(incident).standard_error);
 }
+
+} // namespace extended_first_shot_test

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+namespace first_shot_test {
+
 using namespace multipath;
 
 namespace {
@@ -103,3 +105,5 @@ TEST_CASE("a covered floor lights only what covers it")
     CHECK(reached(7, {0.5, 0.5, 0.5}, {0, 1, 0}) ==
           12); // from the box's top: the sheet's lower face, which looks at it
 }
+
+} // namespace first_shot_test

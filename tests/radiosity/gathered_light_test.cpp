@@ -9,6 +9,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace gathered_light_test {
+
 using namespace multipath;
 
 namespace {
@@ -338,3 +340,5 @@ TEST_CASE("every shadow ray takes an item of its own")
     CHECK(taken.back() < first + rays);
     CHECK(light.lines == taken.size());
 }
+
+} // namespace gathered_light_test

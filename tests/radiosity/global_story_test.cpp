@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+namespace global_story_test {
+
 using namespace multipath;
 
 namespace {
@@ -189,3 +191,5 @@ TEST_CASE("lines that the pass does not cast are refused")
     CHECK_THROWS_AS(tell_global_pass(scene, options, {cast, 1}), InputError);
     CHECK_THROWS_AS(tell_global_pass(scene, options, {cast - 1, 2}), InputError);
 }
+
+} // namespace global_story_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace item_plan_test {
+
 using namespace multipath;
 
 TEST_CASE("the stages take successive items of the sequence, and none twice")
@@ -25,3 +27,5 @@ TEST_CASE("a sequence that is too short is refused before it ends")
     const auto sobol = make_sequence("sobol", 0);
     CHECK_THROWS_AS(plan_items(*sobol, ~0ull, 1, 1), InputError);
 }
+
+} // namespace item_plan_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace light_pair_test {
+
 using namespace multipath;
 
 namespace {
@@ -46,3 +48,5 @@ TEST_CASE("a light that cuts through a patch gives no more than either can")
     CHECK(cut > 0.0);
     CHECK(cut < 0.5);
 }
+
+} // namespace light_pair_test

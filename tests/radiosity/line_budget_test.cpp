@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+namespace line_budget_test {
+
 using namespace multipath;
 
 // The paper's section 4.2 prints these three; 0.005 is half a unit of its last digit.
@@ -125,3 +127,5 @@ TEST_CASE("a patch of which the light reaches no more than the border counts as 
     const double dark = 1.0 * 0.5; // the first column; the second, from 0.51 to 1.01, is the partly lit one
     CHECK(measure_direct_light(scene, 1u << 18, 2).lit_fraction == doctest::Approx((4.0 - 1.0 - dark) / 4.0));
 }
+
+} // namespace line_budget_test

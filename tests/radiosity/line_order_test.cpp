@@ -10,6 +10,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace line_order_test {
+
 using namespace multipath;
 
 namespace {
@@ -56,3 +58,5 @@ TEST_CASE("walks along shuffled quasi-random lines converge to the solution, alo
         CHECK(in_order > 0.01);
     }
 }
+
+} // namespace line_order_test

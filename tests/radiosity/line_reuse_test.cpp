@@ -1,6 +1,8 @@
 // The lines of `reuse` are counted, and the light is solved for. What can be known exactly must come out exactly, up to
 // the quadrature of the form factors (1e-5), and what the lines leave open must shrink with their number.
 
+#include "radiosity/counted_reuse.h"
+#include "radiosity/distribution.h"
 #include "radiosity/error_measure.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/solve.h"
@@ -14,6 +16,8 @@
 #include <doctest/doctest.h>
 #include <memory>
 #include <utility>
+
+namespace line_reuse_test {
 
 using namespace multipath;
 
@@ -295,6 +299,44 @@ TEST_CASE("the result of reuse does not depend on the number of threads")
     }
 }
 
+// The bias of counts grows as 1 / ((1 - R) lines per patch).
+TEST_CASE("without a table of pairs, lines are counted from ten for each patch of a black scene on")
+{
+    for (const double rho : {0.0, 0.5, 0.9}) {
+        SceneBuilder builder;
+        const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(rho, 1.0)).scene(0.05);
+        const GlobalLines lines(scene.bounds());
+        const double ends_per_line = 2.0 * 6.0 / (3.0 * std::acos(-1.0)); // (G1) area of the cube, and of its sphere
+        const auto fewest = static_cast<std::uint64_t>(10.0 / (1.0 - rho) * scene.patch_count() / ends_per_line);
+        CAPTURE(rho);
+        CHECK(can_count(scene, lines, fewest + fewest / 50, std::size_t{1} << 30));
+        CHECK(!can_count(scene, lines, fewest - fewest / 50, std::size_t{1} << 30));
+        CHECK(!can_count(scene, lines, 2 * fewest, 8 * fewest)); // memory for fewer of them at a time
+    }
+}
+
+// White walls that few lines join only with each other keep all light: (R1) has no solution, and its iteration comes to
+// none. What was not seen is then exchanged with all patches alike, and no light is made or lost.
+TEST_CASE("counts too few for a solution are completed, not taken")
+{
+    SceneBuilder builder;
+    const std::uint32_t white = builder.grey(1.0, 0.0);
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    const Scene scene =
+        builder.room({0, 0, 0}, {1, 1, 1}, {grey, builder.grey(0.5, 1.0), white, white, white, white}).scene(0.05);
+    const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
+    for (const std::uint64_t lines : {50u, 500u, 2000u}) {
+        CAPTURE(lines);
+        PowerState state(scene);
+        reuse_counted_lines(scene, GlobalLines(scene.bounds()), *sequence, 0, lines, std::size_t{1} << 28, {1}, state);
+        remove_negative_light(scene, state);
+        CHECK(mean(power_balance(scene, state).absorbed) == doctest::Approx(1.0).epsilon(1e-6)); // [W]
+        for (const Rgb h : state.incident)
+            CHECK(std::isfinite(h.g));
+        CHECK(std::abs(mean(power_balance(scene, state).unshot)) < 1e-6);
+    }
+}
+
 TEST_CASE("more lines than can be counted are refused before the first")
 {
     SceneBuilder builder;
@@ -315,3 +357,5 @@ TEST_CASE("a handful of lines gives a finite result")
         CHECK(mean(solution.balance.absorbed) == doctest::Approx(100.0).epsilon(0.05));
     }
 }
+
+} // namespace line_reuse_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace line_survey_test {
+
 using namespace multipath;
 
 // Counts of binomial variables: 4 standard deviations are below 4 sqrt(count).
@@ -48,3 +50,5 @@ TEST_CASE("every departure of a closed scene arrives, half of an open pair's do 
     CHECK(open.met_behind[1] + open.escapes[0] == open.departures[0]);
     CHECK(open.met_behind[1] > 100);
 }
+
+} // namespace line_survey_test

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+namespace memory_estimate_test {
+
 using namespace multipath;
 
 TEST_CASE("pairs get what scene and light leave of the memory, and the table is made where it fits")
@@ -58,3 +60,5 @@ TEST_CASE("no table is made where lines cross very many surfaces, or faces lie o
         pile.rectangle({4, 4, 4}, {0, 0, k % 2 == 0 ? 1.0 : 0.5}, {k % 2 == 0 ? 0.5 : 1.0, 0, 0}, 0);
     CHECK((prepare(pile.scene(9.0), options).unoccluded == nullptr));
 }
+
+} // namespace memory_estimate_test

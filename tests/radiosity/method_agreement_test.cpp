@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace method_agreement_test {
+
 using namespace multipath;
 
 namespace {
@@ -256,3 +258,5 @@ TEST_CASE("what is left unshot is less than 2 / (lines per patch)")
             }
     }
 }
+
+} // namespace method_agreement_test

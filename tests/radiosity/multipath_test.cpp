@@ -11,6 +11,8 @@
 #include <sstream>
 #include <tuple>
 
+namespace multipath_test {
+
 using namespace multipath;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("4-D Sobol items converge, pairs of 2-D items do not" * doctest::test_
     CHECK(few_pairs / many_pairs < 2.0);
     CHECK(many_pairs > 100.0 * many);
 }
+
+} // namespace multipath_test

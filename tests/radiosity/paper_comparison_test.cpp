@@ -9,6 +9,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace paper_comparison_test {
+
 using namespace multipath;
 
 namespace {
@@ -65,3 +67,5 @@ TEST_CASE("lit towards the floor, neither is worse than local Monte Carlo, and b
     CHECK(error.extended < error.local);
     CHECK(std::abs(error.first_shot - error.extended) < 0.3 * error.first_shot);
 }
+
+} // namespace paper_comparison_test

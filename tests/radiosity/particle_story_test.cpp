@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+namespace particle_story_test {
+
 using namespace multipath;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("particles that the run does not have are refused")
 {
     CHECK_THROWS_AS(tell_particles(coloured_room(), short_run(Estimator::collision), {100000, 1}), InputError);
 }
+
+} // namespace particle_story_test

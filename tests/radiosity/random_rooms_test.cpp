@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace random_rooms_test {
+
 using namespace multipath;
 
 namespace {
@@ -169,3 +171,5 @@ TEST_CASE("in random closed rooms the mean radiosity is that of particles, by ev
         }
     }
 }
+
+} // namespace random_rooms_test

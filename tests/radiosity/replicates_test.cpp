@@ -11,6 +11,8 @@
 #include <doctest/doctest.h>
 #include <stdexcept>
 
+namespace replicates_test {
+
 using namespace multipath;
 
 namespace {
@@ -147,3 +149,5 @@ TEST_CASE("the standard error is that of the mean of independent runs")
         }
     }
 }
+
+} // namespace replicates_test

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace resume_test {
+
 using namespace multipath;
 
 namespace {
@@ -272,3 +274,5 @@ TEST_CASE("a run that goes on to more lines draws other random numbers")
         CHECK(many.local_lines != 2 * few.local_lines);
     }
 }
+
+} // namespace resume_test

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 
+namespace scene_lint_test {
+
 using namespace multipath;
 
 namespace {
@@ -226,3 +228,5 @@ TEST_CASE("hundreds of copies of a face are measured with fewer lines, and a not
     CHECK(mentions(find(findings, "depth"), "instead of 20,000"));
     CHECK(mentions(find(findings, "copy"), "at least 10000 pairs"));
 }
+
+} // namespace scene_lint_test

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace share_sum_test {
+
 using namespace multipath;
 
 namespace {
@@ -90,3 +92,5 @@ TEST_CASE("shares of a run add up to the bits of one run, after each stage that 
         CHECK(rest->finished());
     }
 }
+
+} // namespace share_sum_test

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+namespace shot_story_test {
+
 using namespace multipath;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("a pass or a ray that the run does not have is refused, and so is a ru
     nothing.ratio = 0.0;
     CHECK_THROWS_AS(tell_shot_pass(scene, nothing, 0, {0, 1}), InputError);
 }
+
+} // namespace shot_story_test

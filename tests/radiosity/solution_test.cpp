@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace solution_test {
+
 using namespace multipath;
 
 namespace {
@@ -65,3 +67,5 @@ TEST_CASE("one part without an error leaves the sum without")
     CHECK_FALSE(sum.relative_standard_error.has_value());
     CHECK(sum.radiosity[0].r == doctest::Approx(4.0));
 }
+
+} // namespace solution_test

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <initializer_list>
 
+namespace student_t_test {
+
 using namespace multipath;
 
 // Two-sided points as every table prints them.
@@ -39,3 +41,5 @@ TEST_CASE("the quantile has the tail that it was asked for")
         for (const double tail : {0.9, 0.05, 1e-6})
             CHECK(student_tail(student_quantile(tail, degrees), degrees) == doctest::Approx(tail).epsilon(1e-6));
 }
+
+} // namespace student_t_test

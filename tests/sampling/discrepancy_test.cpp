@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace discrepancy_test {
+
 using namespace multipath;
 
 namespace {
@@ -142,3 +144,5 @@ TEST_CASE("the discrepancy of Sobol's points falls faster than that of random po
     CHECK(random_l2_star_discrepancy(64, 2) ==
           doctest::Approx(4.0 * random_l2_star_discrepancy(1024, 2)).epsilon(1e-12));
 }
+
+} // namespace discrepancy_test

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace radical_inverse_test {
+
 using namespace multipath;
 
 TEST_CASE("radical inverses of small numbers are those found by hand")
@@ -37,3 +39,5 @@ TEST_CASE("the table of low digits changes no value by more than one unit in the
         }
     }
 }
+
+} // namespace radical_inverse_test

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+namespace scramble_test {
+
 using namespace multipath;
 
 TEST_CASE("reversing bits is its own inverse and moves each bit to its mirror place")
@@ -84,3 +86,5 @@ TEST_CASE("scrambling gives known answers")
     CHECK(scramble_reversed(1, 0x243f6a8885a308d3u) == 0x9ef2cb6b9afc445bu);
     CHECK(scramble_reversed(0x0123456789abcdefu, 0x13198a2e03707344u) == 0x47daad79504af281u);
 }
+
+} // namespace scramble_test

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace sequence_test {
+
 using namespace multipath;
 
 namespace {
@@ -298,3 +300,5 @@ TEST_CASE("numbers of points may be powers of two, up to where doubles count")
     CHECK(make_sequence("hammersley:2^10:3,5,7", 0)->name() == "hammersley:1024:3,5,7");
     CHECK_THROWS_AS(make_sequence("hammersley:2^53", 0), std::invalid_argument);
 }
+
+} // namespace sequence_test

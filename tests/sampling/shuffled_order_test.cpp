@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <set>
 
+namespace shuffled_order_test {
+
 using namespace multipath;
 
 TEST_CASE("a shuffled stretch holds the same items, each once, and every block its own")
@@ -59,3 +61,5 @@ TEST_CASE("a shuffled stretch gives the same items in blocks and one by one")
             CHECK(items[k] == order.item(from + k));
     }
 }
+
+} // namespace shuffled_order_test

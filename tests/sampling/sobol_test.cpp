@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+namespace sobol_test {
+
 using namespace multipath;
 
 // Numerical Recipes in C, 2nd edition, section 7.7 tabulates the odd starting numbers m_1 ... m_4 of all six
@@ -98,3 +100,5 @@ TEST_CASE("point 0 is the origin, point 1 the centre")
     CHECK(sequence->item(2)[0] == 0.25); // the order of Antonov and Saleev: gray code 11 = 1/2 xor 3/4
     CHECK(sequence->item(3)[0] == 0.75);
 }
+
+} // namespace sobol_test

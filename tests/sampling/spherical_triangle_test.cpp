@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace spherical_triangle_test {
+
 using namespace multipath;
 
 namespace {
@@ -45,3 +47,5 @@ TEST_CASE("directions are uniform in the triangle and never leave it")
     const double deviation = std::sqrt(count * share * (1.0 - share));
     CHECK(std::abs(on_the_side_of_b - count * share) < 4.0 * deviation);
 }
+
+} // namespace spherical_triangle_test

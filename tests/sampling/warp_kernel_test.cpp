@@ -9,6 +9,8 @@
 #include <memory>
 #include <string>
 
+namespace warp_kernel_test {
+
 using namespace multipath;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("the maps of every instruction set are those for one point, bit for bi
     CHECK(names.back() == "plain");
     CHECK(warp_kernel().name == names.front());
 }
+
+} // namespace warp_kernel_test

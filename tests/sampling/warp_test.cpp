@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace warp_test {
+
 using namespace multipath;
 
 TEST_CASE("sine and cosine agree with the C library to 2e-16")
@@ -56,3 +58,5 @@ TEST_CASE("the maps have the moments of their targets")
     CHECK(v_mean / count == doctest::Approx(1.0 / 3).epsilon(1e-4));
     CHECK(uv_mean / count == doctest::Approx(1.0 / 12).epsilon(1e-4)); // 2 * integral of u v over the triangle
 }
+
+} // namespace warp_test

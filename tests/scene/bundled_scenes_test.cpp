@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+namespace bundled_scenes_test {
+
 using namespace multipath;
 
 namespace {
@@ -282,3 +284,5 @@ TEST_CASE("the bundled squares lose the power that their comment tells")
               return s.balance.escaped.g;
           }).agrees_with(0.922414));
 }
+
+} // namespace bundled_scenes_test

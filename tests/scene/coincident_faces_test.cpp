@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace coincident_faces_test {
+
 using namespace multipath;
 
 TEST_CASE("coincident faces are found, whether they look at each other or the same way")
@@ -24,3 +26,5 @@ TEST_CASE("coincident faces are found, whether they look at each other or the sa
     CHECK(find_coincident_faces(builder.scene(1.0), 1).pairs.size() == 1);
     CHECK(!find_coincident_faces(builder.scene(1.0), 1).complete);
 }
+
+} // namespace coincident_faces_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+namespace mesh_pieces_test {
+
 using namespace multipath;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("a convex polygon may have any number of corners, a concave one not so
     CHECK(area == doctest::Approx(count / 2.0 * std::sin(2 * pi / count)).epsilon(1e-9));
     CHECK(contains(problem_of([&] { cut(polygon(gear)); }), "a.obj:9: concave polygon of 100000 corners"));
 }
+
+} // namespace mesh_pieces_test

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace mtl_path_test {
+
 using namespace multipath;
 
 namespace {
@@ -60,3 +62,5 @@ TEST_CASE("a material file that does not exist is named, with the place of the s
         many += "a.mtl ";
     CHECK(contains(problem(many), "more than 32 words"));
 }
+
+} // namespace mtl_path_test

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace mtl_reader_test {
+
 using namespace multipath;
 
 namespace {
@@ -106,3 +108,5 @@ TEST_CASE("emission comes from Ke or from Ka, never from both")
     CHECK(contains(read(text, EmissionFrom::ka).warnings.at(0), "a.mtl:3: ignored, since only Kd and Ka count: `Ke`"));
     CHECK(read("newmtl a\nKa spectral x.rfl\n").materials[0].ambient == Rgb{});
 }
+
+} // namespace mtl_reader_test

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace obj_fixtures_test {
+
 using namespace multipath;
 
 namespace {
@@ -171,3 +173,5 @@ TEST_CASE("flaws of the fixtures are counted or warned of")
     CHECK(contains(warnings[0], "34_nonplanar.obj:5: polygon is not planar"));
     CHECK(contains(parse_obj(fixture("25_w")).warnings.at(0), "25_w.obj:2: the weight of a vertex"));
 }
+
+} // namespace obj_fixtures_test

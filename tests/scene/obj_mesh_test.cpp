@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace obj_mesh_test {
+
 using namespace multipath;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("a file without faces is refused")
     CHECK(contains(problem("hello world\n"), "no faces found"));
     CHECK(contains(problem(triangle + "f 1 2\n"), "every face has fewer than three vertices"));
 }
+
+} // namespace obj_mesh_test

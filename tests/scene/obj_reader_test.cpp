@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace obj_reader_test {
+
 using namespace multipath;
 
 namespace {
@@ -172,3 +174,5 @@ TEST_CASE("groups come in order of appearance, and the same name is the same gro
     CHECK(scene.groups == std::vector<std::string>{"", "a", "b c"});
     CHECK(scene.group == std::vector<std::uint32_t>{0, 1, 2, 1});
 }
+
+} // namespace obj_reader_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace open_edges_test {
+
 using namespace multipath;
 
 TEST_CASE("a closed room has no open edge, a room without one wall has four")
@@ -25,3 +27,5 @@ TEST_CASE("triangles are closed by triangles that run along their edges the othe
     CHECK(surfaces_with_open_edges({face(p, r, q), face(p, q, s), face(q, r, s), face(p, s, r)}).empty());
     CHECK(surfaces_with_open_edges({face(p, r, q), face(p, q, s), face(q, r, s), face(p, r, s)}).size() == 4);
 }
+
+} // namespace open_edges_test

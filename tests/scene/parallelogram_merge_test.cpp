@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+namespace parallelogram_merge_test {
+
 using namespace multipath;
 
 namespace {
@@ -136,3 +138,5 @@ TEST_CASE("zero and minus zero are the same position")
 {
     CHECK(Triangles().add(p0, p1, p2).add({-0.0, 0, -0.0}, {2, 1, -0.0}, p3).merged().size() == 1);
 }
+
+} // namespace parallelogram_merge_test

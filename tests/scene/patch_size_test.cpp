@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace patch_size_test {
+
 using namespace multipath;
 
 TEST_CASE("the default patch size is a round number that gives some thousand patches")
@@ -68,3 +70,5 @@ TEST_CASE("the default patch size leaves thousands of slivers almost whole")
     }
     CHECK(cell_count(slivers, default_patch_size(slivers)) <= 131072.0 + 8.0 * n);
 }
+
+} // namespace patch_size_test

@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+namespace polygon_test {
+
 using namespace multipath;
 
 namespace {
@@ -148,3 +150,5 @@ TEST_CASE("the area vector is area times normal, and the distance from the plane
     const std::vector<Vec3> saddle = {{0, 0, 0.1}, {1, 0, -0.1}, {1, 1, 0.1}, {0, 1, -0.1}};
     CHECK(distance_from_plane(saddle, area_vector(saddle)) == doctest::Approx(0.1));
 }
+
+} // namespace polygon_test

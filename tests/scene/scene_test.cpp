@@ -9,6 +9,8 @@
 #include <functional>
 #include <set>
 
+namespace scene_test {
+
 using namespace multipath;
 
 TEST_CASE("a scene's patches cover its surfaces on the sides that exist")
@@ -104,3 +106,5 @@ TEST_CASE("the scene's hash changes with every number of a surface and its mater
     CHECK(cells(5, 4) != cells(4, 4));
     CHECK(cells(5, 4) != cells(4, 5));
 }
+
+} // namespace scene_test

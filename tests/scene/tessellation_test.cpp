@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace tessellation_test {
+
 using namespace multipath;
 
 TEST_CASE("cells along an edge are edge / patch size rounded up, but not for rounding errors")
@@ -86,3 +88,5 @@ TEST_CASE("points on or just beyond the border fall into cells at the border")
     CHECK(triangles.cell_at(1.0, 0.0) == 8);
     CHECK(triangles.cell_at(0.0, 1.0) == 4);
 }
+
+} // namespace tessellation_test

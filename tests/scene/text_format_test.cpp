@@ -4,6 +4,8 @@
 
 #include <string>
 
+namespace text_format_test {
+
 using namespace multipath;
 
 TEST_CASE("a formatted text may have any length")
@@ -22,3 +24,5 @@ TEST_CASE("large counts are written in groups of three digits")
     CHECK(grouped(1000) == "1,000");
     CHECK(grouped(4194304) == "4,194,304");
 }
+
+} // namespace text_format_test

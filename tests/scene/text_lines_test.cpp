@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace text_lines_test {
+
 using namespace multipath;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("words in messages are short and printable")
     CHECK(in_quotes("a\x1b\n") == "`a??`");
     CHECK(in_quotes(std::string(1000, 'x')).size() == 65);
 }
+
+} // namespace text_lines_test

@@ -10,6 +10,8 @@
 #include <random>
 #include <string>
 
+namespace text_words_test {
+
 using namespace multipath;
 
 // The C library rounds correctly, so the results must be the same bits.
@@ -66,3 +68,5 @@ TEST_CASE("the message about a bad number says what it is instead")
     CHECK(problem("1,5") == "a.mtl:7: Kd: `1,5` has a decimal comma, expected a decimal point");
     CHECK(problem("1x") == "a.mtl:7: Kd: `1x` is not a number");
 }
+
+} // namespace text_words_test

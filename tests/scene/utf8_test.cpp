@@ -4,6 +4,8 @@
 
 #include <string>
 
+namespace utf8_test {
+
 using namespace multipath;
 
 namespace {
@@ -46,3 +48,5 @@ TEST_CASE("a character takes one column, of however many bytes it is")
     CHECK(column_count("plain") == 5);
     CHECK(column_count("caf\xc3\xa9, 3 \xe2\x82\xac, \xf0\x9f\x92\xa1") == 12);
 }
+
+} // namespace utf8_test

@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+namespace vertex_weld_test {
+
 using namespace multipath;
 
 namespace {
@@ -50,3 +52,5 @@ TEST_CASE("round coordinates, which differ in few bits, do not crowd the table")
         pole.push_back(pole[i]);
     CHECK(weld(pole) == welded_one_by_one(pole));
 }
+
+} // namespace vertex_weld_test

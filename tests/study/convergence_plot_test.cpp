@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <doctest/doctest.h>
 
+namespace convergence_plot_test {
+
 using namespace multipath;
 
 namespace {
@@ -284,3 +286,5 @@ TEST_CASE("points without a place on logarithmic axes are left out, also if none
         CHECK(contains(svg, "</svg>"));
     }
 }
+
+} // namespace convergence_plot_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace convergence_test {
+
 using namespace multipath;
 
 namespace {
@@ -159,3 +161,5 @@ TEST_CASE("a point less than ten times above the error of the reference is left 
     CHECK(found.law->points == 3);
     CHECK(found.law->exponent == doctest::Approx(-1.0));
 }
+
+} // namespace convergence_test

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <set>
 
+namespace curve_legend_test {
+
 using namespace multipath;
 
 namespace {
@@ -59,3 +61,5 @@ TEST_CASE("the legend lies between its left edge and its width, below its top")
         CHECK(drawn.height >= 12.0);
     }
 }
+
+} // namespace curve_legend_test

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <doctest/doctest.h>
 
+namespace guide_lines_test {
+
 using namespace multipath;
 
 namespace {
@@ -99,3 +101,5 @@ TEST_CASE("a level goes from edge to edge, and its label stands at the end that 
     CHECK(text_places(lowest.text).at(0).y < 515.0);     // below the line there is no room
     CHECK(clearance(lowest.points, {{300, 515}}) < 5.0); // the line is an obstacle
 }
+
+} // namespace guide_lines_test

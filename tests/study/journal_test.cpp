@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <sys/resource.h>
 
+namespace journal_test {
+
 using namespace multipath;
 
 namespace {
@@ -122,3 +124,5 @@ TEST_CASE("a disk that is full is an error with its reason")
                          std::runtime_error);
     setrlimit(RLIMIT_FSIZE, &before);
 }
+
+} // namespace journal_test

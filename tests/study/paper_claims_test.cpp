@@ -7,6 +7,8 @@
 #include <functional>
 #include <stdexcept>
 
+namespace paper_claims_test {
+
 using namespace multipath;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("Sobol's slopes are judged against -1 and against the printed ones")
     findings.studies["figure3"] = sequences_study(-1.004); // neither below -1 nor within 0.1 for sure
     CHECK(claims_that_hold(findings) == all - 2);
 }
+
+} // namespace paper_claims_test

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace power_law_test {
+
 using namespace multipath;
 
 TEST_CASE("points on a power law give it back, without an error")
@@ -59,3 +61,5 @@ TEST_CASE("intervals of 95 % hold the true slope in 95 % of cases")
     }
     CHECK(held / static_cast<double>(trials) == doctest::Approx(0.95).epsilon(0.025));
 }
+
+} // namespace power_law_test

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+namespace report_test {
+
 using namespace multipath;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("the same report as Markdown")
                                                                                "---\n\n"
                                                                                "    command: multipath paper\n");
 }
+
+} // namespace report_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace study_table_test {
+
 using namespace multipath;
 
 namespace {
@@ -86,3 +88,5 @@ TEST_CASE("the report marks the points left out of the fit and tells every slope
         ++marks;
     CHECK(marks == 2); // the last point of each curve
 }
+
+} // namespace study_table_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace contact_test {
+
 using namespace multipath;
 
 TEST_CASE("a box and the floor below it are in contact, the two faces of a sheet are not")
@@ -36,3 +38,5 @@ TEST_CASE("slivers of an overlap are found, and patches that only share a border
     CHECK(in_contact(scene, 0, 1));
     CHECK(!in_contact(scene, 0, 7));
 }
+
+} // namespace contact_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace dense_exchange_test {
+
 using namespace multipath;
 
 namespace {
@@ -77,3 +79,5 @@ TEST_CASE("with the self-exchange and the losses every row adds up to its area")
     }
     CHECK((negative > 0 && negative < static_cast<int>(size)));
 }
+
+} // namespace dense_exchange_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace exchange_estimate_test {
+
 using namespace multipath;
 
 namespace {
@@ -300,3 +302,5 @@ TEST_CASE("what patches found that few lines cross counts in part")
     CHECK(static_cast<double>(estimate.exchange.at(1, 0)) ==
           doctest::Approx((g - 0.25 * crossing_area) / 8.0).epsilon(1e-6).scale(0.0)); // of single precision
 }
+
+} // namespace exchange_estimate_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace fill_level_test {
+
 using namespace multipath;
 
 namespace {
@@ -130,3 +132,5 @@ TEST_CASE("vessels added in parts are all there")
     sum.add(filled({vessels.begin() + 37, vessels.end()}));
     CHECK(sum.level(50.0) == doctest::Approx(filled(vessels).level(50.0)).epsilon(1e-12));
 }
+
+} // namespace fill_level_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace intersection_list_test {
+
 using namespace multipath;
 
 TEST_CASE("segments join departures and arrivals and name what has no patch")
@@ -32,3 +34,5 @@ TEST_CASE("segments join departures and arrivals and name what has no patch")
     CHECK((two_sided[2].from == 1 && two_sided[2].to == 2));
     CHECK((two_sided[3].from == 5 && two_sided[3].to == Segment::outside));
 }
+
+} // namespace intersection_list_test

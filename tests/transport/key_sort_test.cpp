@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 
+namespace key_sort_test {
+
 using namespace multipath;
 
 TEST_CASE("keys of any width are sorted, few and many")
@@ -22,3 +24,5 @@ TEST_CASE("keys of any width are sorted, few and many")
             CHECK(keys == expected);
         }
 }
+
+} // namespace key_sort_test

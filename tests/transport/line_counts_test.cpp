@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+namespace line_counts_test {
+
 using namespace multipath;
 
 namespace {
@@ -140,3 +142,5 @@ TEST_CASE("counting that is stopped has the counts of the lines that it tells")
         CHECK(contents(part.counts) == contents(counted(scene, 0, part.lines_cast, 1).counts));
     }
 }
+
+} // namespace line_counts_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace line_sampling_test {
+
 using namespace multipath;
 
 namespace {
@@ -256,3 +258,5 @@ TEST_CASE("many lines at a time are those of one item each, bit for bit")
         }
     }
 }
+
+} // namespace line_sampling_test

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <optional>
 
+namespace pair_counts_test {
+
 using namespace multipath;
 
 namespace {
@@ -276,3 +278,5 @@ TEST_CASE("every number of threads counts the same, and tells how many lines it 
                 {2, [&](std::uint64_t lines) { done += lines; }});
     CHECK(done == 20000);
 }
+
+} // namespace pair_counts_test

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <utility>
 
+namespace pair_rays_test {
+
 using namespace multipath;
 
 namespace {
@@ -298,3 +300,5 @@ TEST_CASE("every number of threads refines to the same bits")
         CHECK(same(more.estimate.variance, one.estimate.variance));
     }
 }
+
+} // namespace pair_rays_test

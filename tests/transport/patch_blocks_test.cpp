@@ -9,6 +9,8 @@
 #include <map>
 #include <set>
 
+namespace patch_blocks_test {
+
 using namespace multipath;
 
 namespace {
@@ -128,3 +130,5 @@ TEST_CASE("blocks and sides of surfaces are numbered in the order of their patch
         }
     }
 }
+
+} // namespace patch_blocks_test

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 
+namespace ray_pair_test {
+
 using namespace multipath;
 
 namespace {
@@ -72,3 +74,5 @@ TEST_CASE("patches that are turned away from each other have no ray of any weigh
     const Surface behind = {Shape::parallelogram, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
     CHECK(weights(two_patches(unit_square, behind)).largest == 0.0);
 }
+
+} // namespace ray_pair_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace reconciliation_test {
+
 using namespace multipath;
 
 namespace {
@@ -211,3 +213,5 @@ TEST_CASE("every number of threads reconciles to the same bits")
         CHECK(std::equal(one.row(0), one.row(n), more.row(0)));
     }
 }
+
+} // namespace reconciliation_test

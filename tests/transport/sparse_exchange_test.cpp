@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace sparse_exchange_test {
+
 using namespace multipath;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("patches that few lines join only with each other still exchange light
     for (const Rgb y : exchange.apply(one, 2))
         CHECK(y.r > 0.0);
 }
+
+} // namespace sparse_exchange_test

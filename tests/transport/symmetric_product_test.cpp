@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace symmetric_product_test {
+
 using namespace multipath;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("no vectors have no products, and no rows an empty one")
     CHECK(symmetric_product(some_matrix(5), {}, 2).empty());
     CHECK(symmetric_product(PairMatrix<float>(0), {{}}, 2) == Vectors{{}});
 }
+
+} // namespace symmetric_product_test

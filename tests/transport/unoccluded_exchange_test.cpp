@@ -11,6 +11,8 @@
 #include <cstring>
 #include <doctest/doctest.h>
 
+namespace unoccluded_exchange_test {
+
 using namespace multipath;
 
 namespace {
@@ -119,3 +121,5 @@ TEST_CASE("both sides of a sheet exchange with the room and not with each other"
         }
     CHECK(sheets > 20);
 }
+
+} // namespace unoccluded_exchange_test

@@ -8,6 +8,8 @@
 
 #include <map>
 
+namespace corner_values_test {
+
 using namespace multipath;
 
 namespace {
@@ -90,3 +92,5 @@ TEST_CASE("shared and own values together are those of smooth shading")
         CHECK(corners.places.size() < scene.patch_count());
     }
 }
+
+} // namespace corner_values_test

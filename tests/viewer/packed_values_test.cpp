@@ -5,6 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace packed_values_test {
+
 using namespace multipath;
 
 TEST_CASE("lists of numbers can be read back as typed arrays")
@@ -31,3 +33,5 @@ TEST_CASE("light of any brightness fits into colours with a shared exponent")
         CHECK(words[1] == 0);
     }
 }
+
+} // namespace packed_values_test

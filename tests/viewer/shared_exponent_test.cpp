@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <limits>
 
+namespace shared_exponent_test {
+
 using namespace multipath;
 
 namespace {
@@ -55,3 +57,5 @@ TEST_CASE("what no colour can be is clipped")
     CHECK(decoded(shared_exponent({-1, infinity, std::nan("")})) == Rgb{0, largest_shared, 0});
     CHECK(shared_exponent({1e-12, 0, 0}) == 0);
 }
+
+} // namespace shared_exponent_test

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace story_json_test {
+
 using namespace multipath;
 
 TEST_CASE("a told line becomes a chain of points with the power along it")
@@ -19,3 +21,5 @@ TEST_CASE("a told line becomes a chain of points with the power along it")
           "\"counted\": [1.5, 2.5, 3.5]}, \n    {\"stretch\": 1, \"from\": 9, \"to\": null, \"forecast\": [0], "
           "\"held\": [4], \"counted\": [4]}]}]\n}\n");
 }
+
+} // namespace story_json_test

@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace viewer_page_test {
+
 using namespace multipath;
 
 namespace {
@@ -160,3 +162,5 @@ TEST_CASE("a legend reaches to the 99th percentile, and says where there is more
     values.assign(values.size(), {std::nan(""), 0, 0});
     CHECK(last_number().find('+') == std::string::npos);
 }
+
+} // namespace viewer_page_test

@@ -1,0 +1,115 @@
+#include "radiosity/trapped_light.h"
+
+#include "sampling/random.h"
+#include "scene/input_error.h"
+#include "transport/intersection_list.h"
+#include "transport/ray_block.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t key = 0x3f84d5b5b5470917u;
+
+/// One bit for each channel of `colour` that is at least `least`.
+unsigned channels_of(Rgb colour, double least)
+{
+    return (colour.r >= least ? 1u : 0u) | (colour.g >= least ? 2u : 0u) | (colour.b >= least ? 4u : 0u);
+}
+
+unsigned white_channels(const Scene& scene, std::uint32_t patch)
+{
+    return channels_of(scene.reflectance(patch), 1.0);
+}
+
+/// As many patches of the sources as there are particles, spread evenly over all of them.
+std::vector<std::uint32_t> starting_patches(const Scene& scene)
+{
+    constexpr std::size_t particles = 4096;
+    std::vector<std::uint32_t> sources;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (scene.emittance(i) != Rgb{})
+            sources.push_back(i);
+    std::vector<std::uint32_t> starts(sources.empty() ? 0 : particles);
+    for (std::size_t k = 0; k < starts.size(); ++k)
+        starts[k] = sources[k * sources.size() / particles];
+    return starts;
+}
+
+struct Particle
+{
+    std::uint64_t number;
+    std::uint32_t at;  ///< patch
+    unsigned channels; ///< bits of those in which nothing has been absorbed yet
+};
+
+/// Takes every particle through one more reflection, and leaves out those that have lost light in all channels.
+void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vector<Particle>& particles)
+{
+    rays.patches.clear();
+    rays.items.clear();
+    for (const Particle& particle : particles) {
+        Item item;
+        for (std::uint64_t i = 0; i < item.size(); ++i)
+            item[i] = bits_to_unit(random_bits(random_bits(key, particle.number), item.size() * depth + i));
+        rays.patches.push_back(particle.at);
+        rays.items.push_back(item);
+    }
+    rays.trace(scene);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+        const std::uint32_t where = rays.receivers[k];
+        const unsigned channels = Segment::is_patch(where) ? particles[k].channels & white_channels(scene, where) : 0u;
+        if (channels != 0u)
+            particles[left++] = {particles[k].number, where, channels};
+    }
+    particles.resize(left);
+}
+
+/// Keeps at most `most`, evenly spread.
+void thin_out(std::vector<Particle>& particles, std::size_t most)
+{
+    if (particles.size() <= most)
+        return;
+    for (std::size_t k = 0; k < most; ++k)
+        particles[k] = particles[k * particles.size() / most];
+    particles.resize(most);
+}
+
+} // namespace
+
+std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene)
+{
+    const auto reflects_all = [](const Material& material) { return channels_of(material.reflectance, 1.0) != 0u; };
+    if (std::none_of(scene.materials().begin(), scene.materials().end(), reflects_all))
+        return std::nullopt;
+    std::vector<Particle> particles;
+    for (const std::uint32_t start : starting_patches(scene))
+        particles.push_back({particles.size(), start, channels_of(scene.emittance(start), 1e-300)});
+    RayBlock rays;
+    for (std::uint64_t depth = 0; depth < endless_reflections && !particles.empty(); ++depth) {
+        reflect(scene, depth, rays, particles);
+        if (depth == 64) // open spaces have lost most by now
+            thin_out(particles, 256);
+        if (depth == 4096)
+            thin_out(particles, 4);
+    }
+    if (particles.empty())
+        return std::nullopt;
+    return particles.front().at;
+}
+
+void require_absorption(const Scene& scene)
+{
+    const std::optional<std::uint32_t> patch = patch_of_trapped_light(scene);
+    if (!patch)
+        return;
+    throw InputError(scene.path() + ": light is trapped among surfaces that reflect all of it, such as `" +
+                     scene.material_of(*patch).name + "`, and has no bound; expected Kd below 1 there");
+}
+
+} // namespace multipath
