@@ -127,7 +127,7 @@ coverage:
 	+@BUILD="$(BUILD)" CXX="$(CXX)" sh tests/coverage.sh
 
 mutants: $(BUILD)/unit_tests $(PROGRAM)
-	+@sh tests/mutants.sh $(BUILD) $(PROGRAM)
+	+@UNITY=no sh tests/mutants.sh $(BUILD) $(PROGRAM)
 
 bench: $(BUILD)/bench
 	./$(BUILD)/bench

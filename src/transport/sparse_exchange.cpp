@@ -37,8 +37,8 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         const double lines = sums[i] / crossing_area_;
         wanted[i] *= unseen_lines > 0.0 ? lines / (lines + unseen_lines) : 1.0;
     }
-    // Noise is halved by each step. What is left leaks out of closed spaces, where bright surfaces multiply it; groups of
-    // patches that exchange with each other alone, like two that face each other, never converge.
+    // Noise is halved by each step. What is left leaks out of closed spaces, where bright surfaces multiply it; groups
+    // of patches that exchange with each other alone, like two that face each other, never converge.
     constexpr int most_steps = 32;
     constexpr double small_leak = 1e-7;
     double leak = 1.0; // [1] share of the area
