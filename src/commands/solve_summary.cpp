@@ -21,7 +21,8 @@ Rgb mean_radiosity(const SolveSummary& s)
     return (1.0 / s.scene.total_area()) * power;
 }
 
-/// [1] Of the power of the result: what the unshot light would add if every surface saw only others of its colour.
+/// [1] Of the power of the result: what the unshot light would add if every surface saw only others of its colour, and
+/// none reflected more than all but 1e-4.
 double growth_by_unshot_light(const SolveSummary& s)
 {
     double growth = 0.0; // [W]
@@ -30,7 +31,7 @@ double growth_by_unshot_light(const SolveSummary& s)
         const Rgb rho = s.scene.reflectance(i);
         const Rgb unshot = s.solution.unshot[i];
         for (double Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b})
-            growth += s.scene.area(i) / 3.0 * unshot.*channel / std::max(1.0 - rho.*channel, 1e-9);
+            growth += s.scene.area(i) / 3.0 * unshot.*channel / std::max(1.0 - rho.*channel, 1e-4);
         power += s.scene.area(i) * mean(s.solution.radiosity[i]);
     }
     return power > 0.0 ? growth / power : 0.0;
