@@ -2,7 +2,7 @@
 
 #include "cli/number_text.h"
 #include "cli/usage_error.h"
-#include "radiosity/stretches.h"
+#include "radiosity/runs/replicates.h"
 #include "sampling/sequence.h"
 
 #include <algorithm>

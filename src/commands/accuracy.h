@@ -2,7 +2,7 @@
 
 #include "cli/command_line.h"
 #include "cli/option_table.h"
-#include "radiosity/replicates.h"
+#include "radiosity/runs/replicates.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,10 +1,10 @@
+#include "check/scene_check.h"
+#include "check/scene_report.h"
 #include "cli/number_text.h"
 #include "cli/standard_streams.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
 #include "export/json.h"
-#include "radiosity/scene_lint.h"
-#include "radiosity/scene_report.h"
 #include "scene/text_format.h"
 
 #include <algorithm>

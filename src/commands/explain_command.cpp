@@ -9,7 +9,7 @@
 #include "commands/story_drawing.h"
 #include "commands/story_text.h"
 #include "scene/text_format.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,8 +2,8 @@
 
 #include "cli/number_text.h"
 #include "commands/machine.h"
-#include "radiosity/line_reuse.h"
 #include "radiosity/memory_estimate.h"
+#include "radiosity/reuse/line_reuse.h"
 #include "radiosity/solve_options.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"

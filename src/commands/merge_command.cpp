@@ -3,10 +3,10 @@
 #include "commands/forwarded_options.h"
 #include "commands/scene_options.h"
 #include "commands/solve_job.h"
-#include "radiosity/counted_reuse.h"
 #include "radiosity/memory_estimate.h"
-#include "radiosity/run_record.h"
-#include "radiosity/share_sum.h"
+#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/runs/share_sum.h"
+#include "radiosity/solution.h"
 #include "scene/input_error.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "commands/saved_run.h"
 
-#include "radiosity/run_record.h"
+#include "radiosity/solution.h"
 #include "scene/input_error.h"
 
 #include <utility>

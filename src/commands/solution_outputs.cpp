@@ -9,7 +9,7 @@
 #include "image/ppm.h"
 #include "image/quantity.h"
 #include "image/srgb.h"
-#include "radiosity/direct_radiosity.h"
+#include "radiosity/reuse/gathered_light.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "commands/viewer_stages.h"
 #include "commands/viewer_story.h"
 #include "image/quantity.h"
-#include "radiosity/direct_radiosity.h"
+#include "radiosity/reuse/gathered_light.h"
 #include "viewer/viewer_page.h"
 
 namespace multipath {

@@ -1,5 +1,7 @@
 #include "commands/solve_job.h"
 
+#include "check/scene_check.h"
+#include "check/scene_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
@@ -12,8 +14,6 @@
 #include "commands/solve_summary.h"
 #include "commands/solve_table.h"
 #include "radiosity/line_budget.h"
-#include "radiosity/line_survey.h"
-#include "radiosity/scene_lint.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"

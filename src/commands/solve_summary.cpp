@@ -1,8 +1,8 @@
 #include "commands/solve_summary.h"
 
 #include "commands/method_options.h"
-#include "radiosity/counted_reuse.h"
-#include "radiosity/replicates.h"
+#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/runs/replicates.h"
 #include "scene/text_format.h"
 
 #include <algorithm>

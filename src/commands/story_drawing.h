@@ -1,9 +1,7 @@
 #pragma once
 
+#include "explain/line_trace.h"
 #include "export/line_drawing.h"
-#include "radiosity/global_story.h"
-#include "radiosity/particle_story.h"
-#include "radiosity/shot_story.h"
 
 #include <vector>
 

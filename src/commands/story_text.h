@@ -1,8 +1,6 @@
 #pragma once
 
-#include "radiosity/global_story.h"
-#include "radiosity/particle_story.h"
-#include "radiosity/shot_story.h"
+#include "explain/line_trace.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/line_story.h"
+#include "explain/line_trace.h"
 
 #include <string>
 #include <vector>

@@ -2,10 +2,9 @@
 
 #include "exam/rectangle_exchange.h"
 #include "scene/scene_builder.h"
-#include "transport/line_block.h"
-#include "transport/local_ray.h"
-#include "transport/pair_counts.h"
-#include "transport/ray_block.h"
+#include "transport/exchange/pair_counts.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <array>
 #include <memory>

@@ -2,8 +2,8 @@
 
 #include "exam/known_scenes.h"
 #include "radiosity/first_shot.h"
-#include "radiosity/item_plan.h"
 #include "radiosity/multipath.h"
+#include "radiosity/solve_options.h"
 #include "scene/scene_builder.h"
 
 #include <memory>

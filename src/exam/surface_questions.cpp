@@ -3,9 +3,9 @@
 #include "parallel/ordered_blocks.h"
 #include "radiosity/line_budget.h"
 #include "scene/text_format.h"
-#include "transport/intersection_list.h"
-#include "transport/line_sampling.h"
-#include "transport/local_ray.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #include "sampling/radical_inverse.h"
 #include "sampling/random.h"
 #include "transport/depth_complexity.h"
-#include "transport/intersection_list.h"
-#include "transport/local_ray.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <cmath>

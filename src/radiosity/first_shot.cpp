@@ -1,9 +1,182 @@
 #include "radiosity/first_shot.h"
 
+#include "parallel/ordered_blocks.h"
+#include "parallel/prefetch.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t rays_per_block = 4096;
+constexpr std::size_t rays_ahead = 24; // as in the global pass
+
+/// Cumulative number of rays before each shot; one entry more than shots.
+std::vector<std::uint64_t> rays_before(const std::vector<Shot>& shots)
+{
+    std::vector<std::uint64_t> before = {0};
+    for (const Shot& shot : shots)
+        before.push_back(before.back() + shot.rays);
+    return before;
+}
+
+std::size_t shot_of_ray(const std::vector<std::uint64_t>& before, std::uint64_t ray)
+{
+    return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), ray) - before.begin()) - 1;
+}
+
+/// Rays of one shot that each receiver got. Equal powers are counted and multiplied, since adding the same number 10^8
+/// times would drift.
+class ReceivedRays
+{
+public:
+    explicit ReceivedRays(const Scene& scene) : scene_(scene), counts_(scene.patch_count(), 0) {}
+
+    /// Has the memory bring what a ray that comes later will need.
+    void fetch(std::uint32_t receiver, const PowerState& state) const
+    {
+        if (!Segment::is_patch(receiver))
+            return;
+        prefetch(&counts_[receiver]);
+        prefetch(&state.incident[receiver]);
+        prefetch(&state.unshot[receiver]);
+    }
+
+    void add(std::uint32_t receiver)
+    {
+        if (receiver == Segment::behind)
+            ++behind_;
+        else if (receiver == Segment::outside)
+            ++outside_;
+        else if (counts_[receiver]++ == 0)
+            touched_.push_back(receiver);
+    }
+
+    /// For a checkpoint.
+    void visit(Archive& archive)
+    {
+        archive.list<std::uint64_t>("receivers", counts_);
+        archive.value<std::uint64_t>("behind", behind_);
+        archive.value<std::uint64_t>("outside", outside_);
+        if (archive.reads())
+            for (std::uint32_t i = 0; i < counts_.size(); ++i)
+                if (counts_[i] > 0)
+                    touched_.push_back(i);
+    }
+
+    /// Moves the power of the counted rays, all from `shot`, and forgets them.
+    void deposit(const Shot& shot, PowerState& state)
+    {
+        for (const std::uint32_t receiver : touched_) {
+            const Rgb power = static_cast<double>(counts_[receiver]) * shot.power_per_ray;
+            state.incident[receiver] += power;
+            state.unshot[receiver] += scene_.reflectance(receiver) * power;
+            counts_[receiver] = 0;
+        }
+        state.behind += static_cast<double>(behind_) * shot.power_per_ray;
+        state.escaped += static_cast<double>(outside_) * shot.power_per_ray;
+        touched_.clear();
+        behind_ = outside_ = 0;
+    }
+
+private:
+    const Scene& scene_;
+    std::vector<std::uint64_t> counts_;  ///< per patch
+    std::vector<std::uint32_t> touched_; ///< patches with a count
+    std::uint64_t behind_ = 0;
+    std::uint64_t outside_ = 0;
+};
+
+} // namespace
+
+void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state)
+{
+    std::uint64_t before = 0;
+    for (const Shot& shot : shots) {
+        const std::uint64_t sent = std::min(shot.rays, rays_sent - std::min(rays_sent, before));
+        if (sent < shot.rays)
+            state.unshot[shot.patch] += static_cast<double>(shot.rays - sent) * shot.power_per_ray;
+        before += shot.rays;
+    }
+}
+
+void visit(Archive& archive, const Scene& scene, std::vector<Shot>& shots)
+{
+    std::vector<std::uint32_t> patches;
+    std::vector<std::uint64_t> rays;
+    std::vector<Rgb> power;
+    for (const Shot& shot : shots) {
+        patches.push_back(shot.patch);
+        rays.push_back(shot.rays);
+        power.push_back(shot.power_per_ray);
+    }
+    archive.growing_list<std::uint32_t>("shooters", patches);
+    rays.resize(patches.size());
+    power.resize(patches.size());
+    archive.list<std::uint64_t>("rays", rays);
+    archive.list<double>("power per ray", power);
+    shots.clear();
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        if (patches[k] >= scene.patch_count())
+            throw ArchiveError("the state is damaged: no such patch");
+        shots.push_back({patches[k], rays[k], power[k]});
+    }
+}
+
+void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
+           const RunControl& run, PowerState& state)
+{
+    const std::vector<std::uint64_t> before = rays_before(shots);
+    const std::uint64_t ray_count = before.back();
+    const std::uint64_t block_count = (ray_count + rays_per_block - 1) / rays_per_block;
+    std::vector<RayBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+
+    const auto trace = [&](std::uint64_t number, int slot) {
+        RayBlock& block = blocks[static_cast<std::size_t>(slot)];
+        const std::uint64_t first = number * rays_per_block;
+        block.items.resize(static_cast<std::size_t>(std::min(rays_per_block, ray_count - first)));
+        sequence.generate(first_item + first, block.items);
+        block.patches.clear();
+        for (std::size_t shot = shot_of_ray(before, first); block.patches.size() < block.items.size(); ++shot) {
+            const std::uint64_t end = std::min(before[shot + 1] - first, std::uint64_t{block.items.size()});
+            block.patches.resize(static_cast<std::size_t>(end), shots[shot].patch);
+        }
+        block.trace(scene);
+    };
+    ReceivedRays received(scene);
+    std::uint64_t current_shot = 0;
+    std::uint64_t next_block = 0;
+    const Checkpoint::Part part(run.checkpoint, "shots", [&](Archive& archive) {
+        archive.value<std::uint64_t>("next block", next_block);
+        archive.value<std::uint64_t>("current shot", current_shot);
+        received.visit(archive);
+        if (next_block > block_count || (ray_count > 0 && current_shot >= shots.size()))
+            throw ArchiveError("the state is damaged: no such rays");
+    });
+    const auto count_receivers = [&](std::uint64_t number, int slot) {
+        const RayBlock& block = blocks[static_cast<std::size_t>(slot)];
+        std::uint64_t ray = number * rays_per_block;
+        const std::size_t count = block.receivers.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            if (ray++ >= before[current_shot + 1]) {
+                received.deposit(shots[current_shot], state);
+                current_shot = shot_of_ray(before, ray - 1);
+            }
+            if (k + rays_ahead < count)
+                received.fetch(block.receivers[k + rays_ahead], state);
+            received.add(block.receivers[k]);
+        }
+        run.count_lines(block.receivers.size());
+    };
+    resumable_blocks(next_block, block_count, run, trace, count_receivers);
+    if (ray_count > 0)
+        received.deposit(shots[current_shot], state);
+    keep_unsent(shots, std::min(ray_count, next_block * rays_per_block), state);
+}
 
 namespace {
 

@@ -1,12 +1,157 @@
+// A particle that meets a patch survives with the mean of the channels of rho and is then coloured by rho over that
+// mean: the expectation of what goes on is rho times what arrived, channel by channel, and in a grey scene every
+// particle keeps its power.
+
 #include "radiosity/local_monte_carlo.h"
 
 #include "parallel/ordered_blocks.h"
-#include "radiosity/shooting.h"
-#include "transport/intersection_list.h"
+#include "radiosity/first_shot.h"
+#include "sampling/random.h"
+#include "transport/lines/line_segments.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace multipath {
+
+Particles::Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t seed)
+    : scene_(scene), shots_(std::move(shots)), key_(mix_bits(seed ^ 0x1f83d9abfb41bd6bu))
+{
+    for (const Shot& shot : shots_)
+        before_.push_back(before_.back() + shot.rays);
+}
+
+const Shot& Particles::shot_of(std::uint64_t particle) const
+{
+    const auto above = std::upper_bound(before_.begin(), before_.end(), particle);
+    return shots_[static_cast<std::size_t>(above - before_.begin()) - 1];
+}
+
+namespace {
+
+constexpr std::uint64_t numbers_per_step = 5; // one decides whether a particle goes on, four where to
+
+double random_number(std::uint64_t key, std::uint64_t particle, std::uint64_t counter)
+{
+    return bits_to_unit(random_bits(random_bits(key, particle), counter));
+}
+
+/// The chance that a particle goes on from where it arrives.
+double survival(const Scene& scene, std::uint32_t where)
+{
+    return Segment::is_patch(where) ? mean(scene.reflectance(where)) : 0.0;
+}
+
+} // namespace
+
+Item Particles::next_item(std::uint64_t particle, std::uint32_t depth) const
+{
+    const std::uint64_t counter = numbers_per_step * depth + 1;
+    Item item;
+    for (std::uint64_t i = 0; i < item.size(); ++i)
+        item[i] = random_number(key_, particle, counter + i);
+    return item;
+}
+
+ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::uint32_t from, const Item& item,
+                             std::uint32_t where, Rgb power) const
+{
+    const double chance = survival(scene_, where);
+    const double drawn = random_number(key_, particle, numbers_per_step * depth);
+    const bool goes_on = drawn < chance;
+    return {from, item, where, power, drawn, goes_on ? (1.0 / chance) * (scene_.reflectance(where) * power) : Rgb{}};
+}
+
+// All particles take their first step, then all that are left their second, and so on: rays are traced faster together.
+void Particles::follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const
+{
+    RayBlock& rays = paths.rays_;
+    paths.by_depth_.clear();
+    paths.particle_.clear();
+    paths.first_step_.assign(items.size() + 1, 0);
+    paths.going_on_.resize(items.size());
+    paths.power_.resize(items.size());
+    rays.patches.resize(items.size());
+    rays.items = items;
+    for (std::uint32_t k = 0; k < items.size(); ++k) {
+        const Shot& shot = shot_of(first + k);
+        paths.going_on_[k] = k;
+        paths.power_[k] = shot.power_per_ray;
+        rays.patches[k] = shot.patch;
+    }
+    for (std::uint32_t depth = 0; !paths.going_on_.empty(); ++depth) {
+        rays.trace(scene_);
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < paths.going_on_.size(); ++k) {
+            const std::uint32_t number = paths.going_on_[k];
+            const ParticleStep taken =
+                step(first + number, depth, rays.patches[k], rays.items[k], rays.receivers[k], paths.power_[k]);
+            paths.by_depth_.push_back(taken);
+            paths.particle_.push_back(number);
+            ++paths.first_step_[number + 1];
+            if (taken.ends())
+                continue;
+            paths.going_on_[left] = number;
+            paths.power_[left] = taken.goes_on;
+            rays.patches[left] = taken.where;
+            rays.items[left] = next_item(first + number, depth);
+            ++left;
+        }
+        paths.going_on_.resize(left);
+        rays.patches.resize(left);
+        rays.items.resize(left);
+    }
+    paths.sort_by_particle();
+}
+
+/// Each particle's steps are already in order.
+void ParticlePaths::sort_by_particle()
+{
+    std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
+    steps.resize(by_depth_.size());
+    for (std::size_t k = 0; k < by_depth_.size(); ++k)
+        steps[first_step_[particle_[k]]++] = by_depth_[k];
+}
+
+std::uint64_t particles_together(const Scene& scene)
+{
+    constexpr double most_steps = 65536.0; // some 200 bytes each
+    const double absorption = 1.0 - mean(scene.average_reflectance());
+    return static_cast<std::uint64_t>(std::clamp(most_steps * absorption, 1.0, 1024.0));
+}
+
+Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
+                         int threads)
+{
+    const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 4096);
+    const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
+    const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
+    const std::uint64_t together = particles_together(scene);
+    const std::uint64_t blocks = (pilot.count() + together - 1) / together;
+    std::vector<double> further_steps(static_cast<std::size_t>(blocks), 0.0);
+    parallel_blocks(blocks, threads, [&](std::uint64_t block) {
+        const std::uint64_t first = block * together;
+        std::vector<Item> items(static_cast<std::size_t>(std::min(together, pilot.count() - first)));
+        random->generate(first, items);
+        ParticlePaths paths;
+        pilot.follow(first, items, paths);
+        for (const ParticleStep& step : paths.steps) // the chance of a further step is steadier than what was drawn
+            further_steps[static_cast<std::size_t>(block)] += survival(scene, step.where);
+    });
+    const double segments =
+        1.0 + std::accumulate(further_steps.begin(), further_steps.end(), 0.0) / static_cast<double>(pilot.count());
+    const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) / segments));
+    return Particles(scene, plan_first_shot(scene, state, 0.0, std::max<std::uint64_t>(1, wanted)), seed);
+}
+
+Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator)
+{
+    const double absorption = 1.0 - mean(scene.reflectance(step.where));
+    if (estimator == Estimator::collision || !(absorption > 0.0)) // nothing ever ends on perfect white
+        return step.power;
+    return step.goes_on == Rgb{} ? (1.0 / absorption) * step.power : Rgb{};
+}
 
 namespace {
 

@@ -1,14 +1,133 @@
 #pragma once
 
+#include "parallel/prefetch.h"
 #include "parallel/run_control.h"
+#include "radiosity/first_shot.h"
 #include "radiosity/power_state.h"
-#include "radiosity/shooting.h"
 #include "sampling/sequence.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/line_segments.h"
 
 #include <cstdint>
+#include <vector>
+
+// The multi-path method. A global line crosses the whole scene and meets many patches. Every pair of patches that face
+// each other along it exchanges power, in both directions at once, so that one line carries a piece of many light
+// paths.
+//
+// A patch sends two things along each line that leaves its front: everything that it received and reflected since it
+// sent last, which it then no longer holds (M1), and an equal share of what was unshot when the pass began, the
+// forecast (G3). No cosine and no 1/r^2 appear anywhere: the density of the lines contains both (G1).
 
 namespace multipath {
+
+/// What an exchange touches of a patch, side by side in memory.
+struct WalkingPower
+{
+    Rgb reflectance;
+    Rgb forecast; ///< [W] sent by every line (G3)
+    Rgb held;     ///< [W] reflected, to be sent by the next line
+    Rgb incident; ///< [W] arrived in this pass
+
+    Rgb to_send() const { return forecast + held; }
+    void receive(Rgb power)
+    {
+        incident += power;
+        held = reflectance * power;
+    }
+};
+
+/// Power that some lines sent, and what of it no patch received [W].
+struct WalkTally
+{
+    Rgb forecast_sent;
+    Rgb escaped;
+    Rgb behind;
+
+    WalkTally& operator+=(const WalkTally& other)
+    {
+        forecast_sent += other.forecast_sent;
+        escaped += other.escaped;
+        behind += other.behind;
+        return *this;
+    }
+};
+
+/// The walk of power from patch to patch that global lines carry. Its result is defined by the order of the segments.
+class PowerWalk
+{
+public:
+    /// Starts a pass in which `crossings_per_area` [1/m^2] lines cross every patch in expectation, both directions
+    /// counted (G1), and distribute what is unshot in `state`. `bidirectional`: power flows both ways along each (M2).
+    PowerWalk(const Scene& scene, double crossings_per_area, bool bidirectional, const PowerState& state);
+
+    void follow(const Segment& segment, WalkTally& tally);
+
+    /// Has the memory bring what follow() will need of this segment, while others are followed.
+    void fetch(const Segment& segment) const
+    {
+        fetch(segment.from);
+        fetch(segment.to);
+    }
+
+    const WalkingPower& at(std::uint32_t patch) const { return patches_[patch]; }
+
+    void visit(Archive& archive); ///< for a checkpoint
+
+    /// Adds what the pass distributed; what the patches hold is what is left unshot. `scale` [1]: how many times more
+    /// lines the pass was planned with than were followed.
+    void finish(const WalkTally& total, double scale, PowerState& state) const;
+
+private:
+    void fetch(std::uint32_t end) const
+    {
+        if (!Segment::is_patch(end))
+            return;
+        const char* first = reinterpret_cast<const char*>(&patches_[end]);
+        prefetch(first);
+        prefetch(first + sizeof(WalkingPower) - 1); // an entry lies in two cache lines, or in three of small ones
+    }
+    void exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const;
+    void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
+
+    bool bidirectional_;
+    std::vector<WalkingPower> patches_;
+};
+
+// Inline: this is the innermost loop of the program.
+
+inline void PowerWalk::follow(const Segment& segment, WalkTally& tally)
+{
+    if (segment.joins_patches())
+        exchange(patches_[segment.from], patches_[segment.to], tally);
+    else if (Segment::is_patch(segment.from))
+        lose(patches_[segment.from], segment.to, tally);
+    else if (bidirectional_)
+        lose(patches_[segment.to], segment.from, tally);
+}
+
+inline void PowerWalk::exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const
+{
+    const Rgb sent_by_i = i.to_send(); // (M1)
+    tally.forecast_sent += i.forecast;
+    if (!bidirectional_) {
+        i.held = {};
+        j.incident += sent_by_i;
+        j.held += j.reflectance * sent_by_i;
+        return;
+    }
+    const Rgb sent_by_j = j.to_send(); // (M2): both from before the exchange
+    tally.forecast_sent += j.forecast;
+    i.receive(sent_by_j);
+    j.receive(sent_by_i);
+}
+
+inline void PowerWalk::lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const
+{
+    (where == Segment::behind ? tally.behind : tally.escaped) += i.to_send();
+    tally.forecast_sent += i.forecast;
+    i.held = {};
+}
 
 /// Which lines a global pass casts.
 struct GlobalPass

@@ -3,6 +3,7 @@
 #include "radiosity/error_measure.h"
 
 #include <cmath>
+#include <utility>
 
 namespace multipath {
 
@@ -76,6 +77,23 @@ Solution combined(const Scene& scene, const std::vector<Solution>& parts)
         sum.relative_standard_error =
             std::sqrt(expected_relative_square(scene.areas(), sum.radiosity, sum.standard_error));
     return sum;
+}
+
+void RunRecord::finish_piece(Solution found)
+{
+    solution = std::move(found);
+    lines = goal;
+    goal = 0;
+    ++pieces;
+}
+
+void RunRecord::visit(Archive& archive, std::uint32_t patches)
+{
+    archive.value<std::uint64_t>("pieces", pieces);
+    archive.value<std::uint64_t>("lines", lines);
+    archive.value<std::uint64_t>("goal", goal);
+    if (pieces > 0)
+        solution.visit(archive, patches);
 }
 
 } // namespace multipath

@@ -1,20 +1,20 @@
 #include "radiosity/solve.h"
 
-#include "radiosity/counted_reuse.h"
-#include "radiosity/distribution.h"
 #include "radiosity/first_stage.h"
-#include "radiosity/gathered_light.h"
-#include "radiosity/item_plan.h"
 #include "radiosity/line_budget.h"
-#include "radiosity/line_reuse.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/multipath.h"
+#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/reuse/exchange_solver.h"
+#include "radiosity/reuse/gathered_light.h"
+#include "radiosity/reuse/line_reuse.h"
+#include "radiosity/solve_options.h"
 #include "radiosity/trapped_light.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"
 #include "transport/depth_complexity.h"
-#include "transport/line_sampling.h"
-#include "transport/unoccluded_exchange.h"
+#include "transport/exchange/unoccluded_exchange.h"
+#include "transport/lines/global_lines.h"
 
 #include <algorithm>
 #include <cmath>

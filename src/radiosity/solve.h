@@ -3,7 +3,7 @@
 #include "parallel/run_control.h"
 #include "radiosity/solution.h"
 #include "radiosity/solve_options.h"
-#include "transport/unoccluded_exchange.h"
+#include "transport/exchange/unoccluded_exchange.h"
 
 #include <functional>
 #include <memory>

@@ -2,8 +2,8 @@
 
 #include "sampling/random.h"
 #include "scene/input_error.h"
-#include "transport/intersection_list.h"
-#include "transport/ray_block.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <string>

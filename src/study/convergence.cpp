@@ -4,7 +4,7 @@
 #include "radiosity/error_measure.h"
 #include "sampling/random.h"
 #include "study/processor_time.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/scene_report.h"
+#include "check/scene_report.h"
 #include "study/curve.h"
 
 #include <cstdint>

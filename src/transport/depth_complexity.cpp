@@ -1,7 +1,7 @@
 #include "transport/depth_complexity.h"
 
 #include "sampling/radical_inverse.h"
-#include "transport/local_ray.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <cstdint>

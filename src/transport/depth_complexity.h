@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
 
 namespace multipath {
 

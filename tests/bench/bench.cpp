@@ -12,7 +12,7 @@
 #include "radiosity/solve.h"
 #include "sampling/sequence.h"
 #include "sampling/warp_kernel.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
 
 #include <algorithm>
 #include <chrono>

@@ -6,8 +6,8 @@
 #include "embree_scene.h"
 #include "geometry/intersector.h"
 #include "geometry/surface_boxes.h"
-#include "transport/line_sampling.h"
-#include "transport/local_ray.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <functional>

@@ -5,7 +5,7 @@
 #include "geometry/surface_boxes.h"
 #include "random_surfaces.h"
 #include "sampling/sequence.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "radiosity/first_shot.h"
 
 #include "test_scenes.h"
-#include "transport/intersection_list.h"
-#include "transport/local_ray.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <doctest/doctest.h>
 

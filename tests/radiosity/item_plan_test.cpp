@@ -1,4 +1,4 @@
-#include "radiosity/item_plan.h"
+#include "radiosity/solve_options.h"
 
 #include "scene/input_error.h"
 

@@ -1,6 +1,6 @@
 #include "radiosity/memory_estimate.h"
 
-#include "radiosity/line_reuse.h"
+#include "radiosity/reuse/line_reuse.h"
 #include "radiosity/solve.h"
 #include "test_scenes.h"
 

@@ -9,7 +9,7 @@
 #include "radiosity/solve.h"
 #include "scene/obj_reader.h"
 #include "statistics.h"
-#include "transport/line_sampling.h"
+#include "transport/lines/global_lines.h"
 
 #include <doctest/doctest.h>
 

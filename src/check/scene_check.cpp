@@ -1,0 +1,403 @@
+#include "check/scene_check.h"
+
+#include "scene/coincident_faces.h"
+#include "scene/open_edges.h"
+#include "scene/patch_size.h"
+#include "scene/tessellation.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t most_named = 4;
+constexpr std::size_t most_coincident_pairs = 10000;
+constexpr double least_told = 1e-5; ///< [1] share of the power below which a loss is not worth a line
+
+bool emits(const Scene& scene, std::uint32_t surface)
+{
+    return mean(scene.surface_material(surface).emittance) > 0.0;
+}
+
+/// "14 emitters", "1 emitter"
+std::string counted(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// "'a', 'b' and 7 more"
+std::string list_of(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most_named, names.size()); ++i)
+        text += (i == 0 ? "'" : ", '") + names[i] + "'";
+    return text + (names.size() > most_named ? format(" and %zu more", names.size() - most_named) : "");
+}
+
+/// Rounded down to a number with one digit that is not 0.
+double one_digit(double value)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(value)));
+    return std::floor(value / unit) * unit;
+}
+
+class Lint
+{
+public:
+    Lint(const Scene& scene, const SceneReport& report) : scene_(scene), file_(scene.file()), report_(report) {}
+
+    std::vector<Finding> findings()
+    {
+        trapped_light();
+        idle_emitters();
+        lost_behind();
+        escaping();
+        coincident_faces();
+        materials();
+        depth();
+        reader_flaws();
+        scale();
+        coarse_patches();
+        std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
+            if (a.makes_wrong_result != b.makes_wrong_result)
+                return a.makes_wrong_result;
+            return a.power_share != b.power_share ? a.power_share > b.power_share : a.area_share > b.area_share;
+        });
+        return std::move(findings_);
+    }
+
+private:
+    void trapped_light()
+    {
+        if (report_.trapped)
+            findings_.push_back({"trapped", true, place_of(scene_.surface_of(*report_.trapped)),
+                                 "light is trapped among surfaces that reflect all of it: it has no bound, and `solve` "
+                                 "refuses the scene; lower Kd of '" +
+                                     scene_.material_of(*report_.trapped).name + "'",
+                                 1.0});
+    }
+
+    void add_note(const char* kind, const std::string& place, const std::string& message)
+    {
+        findings_.push_back({kind, false, place, message});
+    }
+
+    /// Wrong if a share is large enough for that.
+    void add_weighed(const char* kind, const std::string& place, const std::string& message, double power_share,
+                     double area_share)
+    {
+        const bool wrong = std::max(power_share, area_share) >= share_that_matters;
+        findings_.push_back({kind, wrong, place, message, power_share, area_share});
+    }
+
+    std::string place_of(std::uint32_t surface) const { return file_.path + ":" + std::to_string(file_.line[surface]); }
+
+    /// "table_top (line 12)"
+    std::string name_of(std::uint32_t surface) const
+    {
+        const std::string& group = file_.groups[file_.group[surface]];
+        return (group.empty() ? "a face" : group) + " (line " + std::to_string(file_.line[surface]) + ")";
+    }
+
+    /// The surfaces with the largest counts, named with their share of the whole.
+    std::string largest(const std::vector<std::uint64_t>& counts) const
+    {
+        std::vector<std::uint32_t> order(counts.size());
+        std::iota(order.begin(), order.end(), 0u);
+        const auto shown = std::min(most_named, order.size());
+        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
+                          [&](std::uint32_t a, std::uint32_t b) {
+                              return counts[a] > counts[b] || (counts[a] == counts[b] && a < b);
+                          });
+        const auto whole = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+        std::string text;
+        for (std::size_t i = 0; i < shown; ++i) {
+            const double percent = 100.0 * static_cast<double>(counts[order[i]]) / whole;
+            if (i == 0 || percent >= 1.0)
+                text += (i == 0 ? "" : ", ") + name_of(order[i]) + format(" %.0f %%", percent);
+        }
+        return text;
+    }
+
+    std::uint32_t first_of(const std::vector<std::uint64_t>& counts) const
+    {
+        return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+    }
+
+    double share(Rgb part) const { return report_.trapped ? 0.0 : mean(part) / mean(report_.balance.emitted); }
+    double area(std::uint32_t surface) const { return scene_.surfaces()[surface].area(); }
+    double power(std::uint32_t surface) const
+    {
+        return area(surface) * mean(scene_.surface_material(surface).emittance);
+    }
+    double area_of_surfaces() const { return scene_.total_area() / (scene_.two_sided() ? 2.0 : 1.0); }
+
+    void idle_emitters()
+    {
+        std::vector<std::uint32_t> idle;
+        double idle_power = 0.0;
+        for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s)
+            if (emits(scene_, s) && report_.survey.departures[s] > 0 && report_.survey.arrivals[s] == 0) {
+                idle.push_back(s);
+                idle_power += power(s);
+            }
+        if (idle.empty())
+            return;
+        const bool one = idle.size() == 1;
+        const double part = idle_power / mean(scene_.source_power());
+        const bool inside_out = is_inside_out(scene_, report_.survey);
+        add_weighed("emitter", place_of(idle[0]),
+                    (one ? "the emitter " + name_of(idle[0]) + " lights nothing"
+                         : counted(idle.size(), "emitter") + " light nothing, first " + name_of(idle[0])) +
+                        format(" (%.3g %% of the source power): ", 100.0 * part) + (one ? "it faces" : "they face") +
+                        " away from everything; " +
+                        (inside_out ? "the scene is inside out, --flip turns all its faces over"
+                         : one      ? "reverse the order of its corners"
+                                    : "reverse the order of their corners"),
+                    part, 0.0);
+    }
+
+    void lost_behind()
+    {
+        const double lost = share(report_.balance.behind);
+        if (!(lost > least_told))
+            return;
+        const std::string surfaces =
+            format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost) +
+            largest(report_.survey.met_behind);
+        const std::string advice =
+            "; reverse these faces if they look the wrong way" +
+            std::string(is_inside_out(scene_, report_.survey) ? " (--flip turns all faces over)" : "") +
+            ", close the solids that they belong to (a box on the floor needs its bottom, a lamp its back), or use "
+            "--two-sided";
+        add_weighed("behind", place_of(first_of(report_.survey.met_behind)),
+                    surfaces + (lost < share_that_matters ? ", too little to matter" : advice), lost, 0.0);
+    }
+
+    void escaping()
+    {
+        const double lost = share(report_.balance.escaped);
+        if (!(lost > least_told))
+            return;
+        const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
+        std::string edges;
+        for (std::size_t i = 0; i < std::min(most_named, open.size()); ++i)
+            edges += (i == 0 ? "; open edges: " : ", ") + name_of(open[i]);
+        if (open.size() > most_named)
+            edges += format(" and %zu more", open.size() - most_named);
+        const std::string place = open.empty() ? file_.path : place_of(open[0]);
+        const std::string escapes = format("%.3g %% of the power escapes", 100.0 * lost);
+        if (lost >= 0.01)
+            findings_.push_back({"open", false, place, escapes + ": the scene is open" + edges, lost, 0.0});
+        else if (lost >= share_that_matters)
+            add_weighed("leak", place, escapes + ": the scene looks closed but leaks; close the gaps" + edges, lost,
+                        0.0);
+        else
+            add_weighed("leak", place, escapes + " through gaps, too little to matter" + edges, lost, 0.0);
+    }
+
+    /// True if two surfaces are the same but for the order of their corners and do the same with light.
+    bool are_equal(std::uint32_t first, std::uint32_t second) const
+    {
+        if (file_.material[first] != file_.material[second] || emits(scene_, first))
+            return false;
+        const Surface& a = scene_.surfaces()[first];
+        const Surface& b = scene_.surfaces()[second];
+        const Bounds box_a = a.bounds();
+        const Bounds box_b = b.bounds();
+        const double tolerance = 1e-6 * box_a.diagonal();
+        const auto near = [&](Vec3 p, Vec3 q) { return length(p - q) <= tolerance; };
+        return near(box_a.low, box_b.low) && near(box_a.high, box_b.high) && near(a.centre(), b.centre());
+    }
+
+    /// A row for pairs of one kind, with the area and power of what is hidden at most: the smaller of each pair, once.
+    void add_pairs(const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& at_least,
+                   const std::string& what, const std::string& advice, bool harmful)
+    {
+        if (pairs.empty())
+            return;
+        std::vector<bool> counted_already(file_.surfaces.size(), false);
+        double hidden_area = 0.0;
+        double hidden_power = 0.0;
+        for (const CoincidentFaces& pair : pairs) {
+            const std::uint32_t smaller = area(pair.second) < area(pair.first) ? pair.second : pair.first;
+            if (harmful && !counted_already[smaller]) {
+                hidden_area += area(smaller);
+                hidden_power += power(smaller);
+            }
+            counted_already[smaller] = true;
+        }
+        const CoincidentFaces& first = pairs.front();
+        add_weighed(kind, place_of(first.second),
+                    at_least + counted(pairs.size(), "pair") + " of faces " + what + ": " + name_of(first.first) +
+                        " and " + name_of(first.second) + advice,
+                    hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
+    }
+
+    void coincident_faces()
+    {
+        std::vector<CoincidentFaces> hiding;
+        std::vector<CoincidentFaces> equal;
+        std::vector<CoincidentFaces> touching;
+        const CoincidentPairs found = find_coincident_faces(scene_, most_coincident_pairs);
+        for (const CoincidentFaces& pair : found.pairs)
+            (!pair.same_side ? touching : are_equal(pair.first, pair.second) ? equal : hiding).push_back(pair);
+        const std::string at_least = found.complete ? "" : "at least ";
+        add_pairs("duplicate", hiding, at_least,
+                  "lie in one place and face the same way, so the smaller hides the larger where they overlap",
+                  "; remove one or move it", true);
+        add_pairs("copy", equal, at_least, "are the same twice, of which one counts", "", false);
+        add_pairs("coincident", touching, at_least, "touch with their fronts or backs, which is handled", "", false);
+    }
+
+    void materials()
+    {
+        std::vector<double> area_of(file_.materials.size(), 0.0);
+        for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s)
+            area_of[file_.material[s]] += area(s);
+
+        double unknown_area = 0.0;
+        double bright_area = 0.0;
+        double brightest = 0.0;
+        std::vector<std::string> bright;
+        std::string first_bright;
+        std::string first_unknown = file_.path;
+        for (std::size_t m = 0; m < file_.materials.size(); ++m) {
+            const Material& material = file_.materials[m];
+            const auto& unknown = file_.unknown_materials;
+            if (std::find(unknown.begin(), unknown.end(), material.name) != unknown.end()) {
+                first_unknown = unknown_area > 0.0 ? first_unknown : material.source;
+                unknown_area += area_of[m];
+            }
+            const double largest_channel =
+                std::max({material.reflectance.r, material.reflectance.g, material.reflectance.b});
+            if (largest_channel < 0.95)
+                continue;
+            first_bright = bright.empty() ? material.source : first_bright;
+            bright.push_back(material.name);
+            bright_area += area_of[m];
+            brightest = std::max(brightest, largest_channel);
+        }
+        if (!file_.unknown_materials.empty())
+            add_weighed("unknown-material", first_unknown,
+                        counted(file_.unknown_materials.size(), "material") + " of " +
+                            format("%.3g %% of the area", 100.0 * unknown_area / area_of_surfaces()) +
+                            (file_.unknown_materials.size() == 1 ? " is" : " are") +
+                            " not defined, grey 0.5 stands in: " + list_of(file_.unknown_materials) + "; define " +
+                            (file_.unknown_materials.size() == 1 ? "it" : "them") + " in " + material_files(),
+                        0.0, unknown_area / area_of_surfaces());
+        if (!bright.empty())
+            findings_.push_back(
+                {"reflectance", false, first_bright,
+                 counted(bright.size(), "material") + (bright.size() == 1 ? " reflects " : " reflect ") +
+                     (bright.size() == 1 ? "" : "up to ") +
+                     format("%.0f %% of the light, more than any paint: ", 100.0 * brightest) + list_of(bright) +
+                     "; multiplied over many reflections this decides the brightness, so lower Kd if it is not meant",
+                 0.0, bright_area / area_of_surfaces()});
+    }
+
+    /// "the MTL file", by name if there is one
+    std::string material_files() const
+    {
+        if (file_.material_files.empty())
+            return "an MTL file that `mtllib` names";
+        std::string names;
+        for (const std::string& file : file_.material_files)
+            names += (names.empty() ? "" : " or ") + file;
+        return names;
+    }
+
+    void depth()
+    {
+        if (report_.trial_lines < report_.wanted_lines)
+            add_note("depth", file_.path,
+                     "very many faces lie on or behind each other, so " + grouped(report_.trial_lines) +
+                         " lines were cast for the figures instead of " + grouped(report_.wanted_lines) +
+                         "; every line takes as much longer");
+    }
+
+    void reader_flaws()
+    {
+        if (!file_.unused_materials.empty()) {
+            std::vector<std::string> names;
+            for (const std::string& unused : file_.unused_materials)
+                names.push_back(unused.substr(unused.rfind(": ") + 2));
+            const std::string& first = file_.unused_materials[0];
+            add_note("unused-material", first.substr(0, first.rfind(": ")),
+                     counted(names.size(), "material") + (names.size() == 1 ? " is" : " are") +
+                         " used by no face: " + list_of(names));
+        }
+        if (file_.dropped_faces > 0)
+            add_note("zero-area", file_.path, counted(file_.dropped_faces, "face") + " without an area dropped");
+        for (const std::string& warning : file_.warnings) {
+            const std::size_t colon = warning.find(": ");
+            add_note("reader", warning.substr(0, colon),
+                     colon == std::string::npos ? warning : warning.substr(colon + 2));
+        }
+    }
+
+    void scale()
+    {
+        const double diagonal = scene_.bounds().diagonal();
+        if (diagonal < 0.1 || diagonal > 500.0)
+            add_note("scale", file_.path,
+                     format("the scene measures %.3g m across if its unit is the metre; the radiosity does not depend "
+                            "on it, but powers in watts do",
+                            diagonal));
+    }
+
+    /// The default size follows from the area and the number of all surfaces, so that thousands of small triangles
+    /// leave large walls nearly uncut.
+    void coarse_patches()
+    {
+        if (scene_.patch_size() != default_patch_size(scene_.surfaces()))
+            return;
+        double longest = 0.0;
+        for (std::uint32_t s = 0; s < scene_.surfaces().size(); ++s) {
+            const Surface cell = scene_.tessellation(s).cell(scene_.surfaces()[s], 0);
+            longest = std::max({longest, length(cell.edge_u), length(cell.edge_v)});
+        }
+        const double diagonal = scene_.bounds().diagonal();
+        if (longest <= diagonal / 15.0)
+            return;
+        const double finer = one_digit(diagonal / 50.0);
+        const double sides = scene_.two_sided() ? 2.0 : 1.0;
+        add_note("coarse-patches", file_.path,
+                 format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows; "
+                        "--patch-size %g gives %s patches instead of %s",
+                        longest, 100.0 * longest / diagonal, finer,
+                        grouped(static_cast<std::uint64_t>(sides * cell_count(scene_.surfaces(), finer))).c_str(),
+                        grouped(scene_.patch_count()).c_str()));
+    }
+
+    const Scene& scene_;
+    const SceneFile& file_;
+    const SceneReport& report_;
+    std::vector<Finding> findings_;
+};
+
+} // namespace
+
+std::vector<Finding> lint(const Scene& scene, const SceneReport& report)
+{
+    return Lint(scene, report).findings();
+}
+
+bool is_inside_out(const Scene& scene, const LineSurvey& survey)
+{
+    bool sees_backs = false;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
+        if (!emits(scene, s))
+            continue;
+        if (survey.arrivals[s] > 0)
+            return false;
+        sees_backs = sees_backs || survey.back_to_back[s] > 0;
+    }
+    return sees_backs;
+}
+
+} // namespace multipath

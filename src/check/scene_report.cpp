@@ -1,0 +1,147 @@
+#include "check/scene_report.h"
+
+#include "parallel/ordered_blocks.h"
+#include "radiosity/solve.h"
+#include "radiosity/trapped_light.h"
+#include "transport/depth_complexity.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t surveyed_per_block = 4096;
+
+/// Of the lines one in so many is compared with the hull, whose sides may be as many as surfaces.
+std::uint64_t lines_per_hull_test(const ConvexHull& hull)
+{
+    constexpr std::uint64_t few_sides = 2048;
+    return 1 + hull.side_count() / few_sides;
+}
+
+LineSurvey empty_survey(const Scene& scene)
+{
+    const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
+    return {0, 0, 0, 0, zeros, zeros, zeros, zeros, zeros};
+}
+
+/// Counts what light finds that leaves hit `from` towards hit `to`; `to` is nullptr when nothing is there.
+/// `forward`: along the line's direction.
+void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool forward, LineSurvey& survey)
+{
+    const bool leaves_front = from.front != forward;
+    if (!leaves_front && !scene.two_sided()) {
+        if (to != nullptr && to->front != forward && scene.surface_material(to->surface).emittance == Rgb{})
+            ++survey.back_to_back[from.surface];
+        return;
+    }
+    ++survey.departures[from.surface];
+    if (to == nullptr)
+        ++survey.escapes[from.surface];
+    else if (to->front == forward || scene.two_sided())
+        ++survey.arrivals[from.surface];
+    else
+        ++survey.met_behind[to->surface];
+}
+
+void count_line(const Scene& scene, const std::vector<Hit>& hits, LineSurvey& survey)
+{
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        count_departure(scene, hits[i], i + 1 < hits.size() ? &hits[i + 1] : nullptr, true, survey);
+        count_departure(scene, hits[i], i > 0 ? &hits[i - 1] : nullptr, false, survey);
+    }
+    survey.crossings += hits.size();
+    ++survey.lines;
+}
+
+void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& counts)
+{
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += counts[i];
+}
+
+} // namespace
+
+LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads)
+{
+    const GlobalLines global_lines(scene.bounds());
+    const std::uint64_t per_test = lines_per_hull_test(hull);
+    const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
+    std::vector<LineSurvey> slots(static_cast<std::size_t>(slot_count(threads)), empty_survey(scene));
+    const auto cast_block = [&](std::uint64_t block, int slot) {
+        LineSurvey& survey = slots[static_cast<std::size_t>(slot)];
+        const std::uint64_t first = block * surveyed_per_block;
+        std::vector<Item> items(static_cast<std::size_t>(std::min(surveyed_per_block, lines - first)));
+        sequence->generate(first, items);
+        std::vector<Hit> hits;
+        for (std::size_t k = 0; k < items.size(); ++k) {
+            const Line line = global_lines.line(items[k]);
+            scene.intersector().all_hits(line, hits);
+            count_line(scene, hits, survey);
+            if ((first + k) % per_test == 0) {
+                ++survey.hull_tests;
+                survey.lines_into_hull += hull.meets(line) ? 1 : 0;
+            }
+        }
+    };
+    ordered_blocks((lines + surveyed_per_block - 1) / surveyed_per_block, threads, cast_block,
+                   [](std::uint64_t, int) {});
+
+    LineSurvey total = empty_survey(scene);
+    for (const LineSurvey& survey : slots) { // counts: their order does not matter
+        total.lines += survey.lines;
+        total.hull_tests += survey.hull_tests;
+        total.lines_into_hull += survey.lines_into_hull;
+        total.crossings += survey.crossings;
+        add(total.departures, survey.departures);
+        add(total.arrivals, survey.arrivals);
+        add(total.escapes, survey.escapes);
+        add(total.met_behind, survey.met_behind);
+        add(total.back_to_back, survey.back_to_back);
+    }
+    return total;
+}
+
+SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int threads)
+{
+    SceneReport report;
+    const auto part = [&](double share) {
+        return static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(wanted_lines)));
+    };
+    const std::uint64_t lines = part(affordable_lines(scene));
+    const ConvexHull hull = scene_hull(scene);
+    report.survey = survey_lines(scene, hull, lines, threads);
+    report.hull_area = hull.area();
+    report.sphere_area = GlobalLines(scene.bounds()).sphere_area();
+    const auto crossings = static_cast<double>(report.survey.crossings);
+    const double tested = static_cast<double>(report.survey.hull_tests) / static_cast<double>(report.survey.lines);
+    const double into_hull = static_cast<double>(report.survey.lines_into_hull) / tested;
+    report.intersections_per_hull_line = intersections_of_hull_line(scene, hull);
+    report.intersections_per_hull_line_measured = into_hull > 0.0 ? crossings / into_hull : 0.0;
+    report.intersections_per_sphere_line_measured = crossings / static_cast<double>(report.survey.lines);
+    report.intersections_per_sphere_line = report.intersections_per_hull_line * report.hull_area / report.sphere_area;
+
+    report.direct = measure_direct_light(scene, wanted_lines, threads);
+    report.figures = {report.intersections_per_hull_line, mean(scene.average_reflectance()),
+                      report.direct.secondary_reflectance, report.direct.lit_fraction};
+    report.ratio_first_shot = optimal_ratio(report.figures);
+    report.ratio_extended = optimal_ratio(extended_figures(report.figures));
+    report.threshold_radiosity = threshold_radiosity(scene);
+
+    SolveOptions trial;
+    trial.lines = std::min(lines, part(affordable_source_rays(scene)));
+    report.wanted_lines = wanted_lines;
+    report.trial_lines = trial.lines;
+    trial.ratio = 1.0;
+    trial.threads = threads;
+    report.trapped = patch_of_trapped_light(scene);
+    if (!report.trapped)
+        report.balance = solve(scene, trial, [](double) {}).balance;
+    return report;
+}
+
+} // namespace multipath

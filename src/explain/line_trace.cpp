@@ -1,0 +1,227 @@
+#include "explain/line_trace.h"
+
+#include "radiosity/first_stage.h"
+#include "radiosity/line_budget.h"
+#include "radiosity/multipath.h"
+#include "radiosity/solve_options.h"
+#include "scene/input_error.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/local_rays.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit)
+{
+    return {hit, line.at(hit.t), passage_at(scene, hit)};
+}
+
+void require_in_stage(const ToldRange& range, std::uint64_t lines, const char* what)
+{
+    if (range.first >= lines || range.count > lines - range.first)
+        throw SettingsError("this stage has " + std::to_string(lines) + " " + what + ", but number " +
+                            std::to_string(range.first + range.count) + " is asked for");
+}
+
+namespace {
+
+/// Lets the walk follow one segment and notes what the patches held before and hold after it.
+Stretch follow_told(const Segment& segment, bool bidirectional, PowerWalk& walk)
+{
+    Stretch stretch{0, segment, {}, {}, {}};
+    const auto sends = [&](std::uint32_t from, std::uint32_t to) {
+        stretch.transfers.push_back({from, to, walk.at(from).forecast, walk.at(from).held});
+    };
+    if (Segment::is_patch(segment.from))
+        sends(segment.from, segment.to);
+    if (Segment::is_patch(segment.to) && bidirectional)
+        sends(segment.to, segment.from);
+    WalkTally not_told;
+    walk.follow(segment, not_told);
+    if (Segment::is_patch(segment.from))
+        stretch.from_holds = walk.at(segment.from).held;
+    if (Segment::is_patch(segment.to))
+        stretch.to_holds = walk.at(segment.to).held;
+    return stretch;
+}
+
+/// For each segment, in order, how many meetings lie before it: append_segments leaves out stretches without a patch.
+std::vector<std::size_t> meetings_before(const std::vector<Meeting>& meetings)
+{
+    std::vector<std::size_t> before;
+    for (std::size_t after = 0; after <= meetings.size(); ++after)
+        if ((after > 0 && Segment::is_patch(meetings[after - 1].patches.leaves)) ||
+            (after < meetings.size() && Segment::is_patch(meetings[after].patches.arrives_at)))
+            before.push_back(after);
+    return before;
+}
+
+GlobalLine tell(const Scene& scene, const LineOrigin& origin, const Line& line, const std::vector<Hit>& hits,
+                const std::vector<Segment>& segments, bool bidirectional, PowerWalk& walk)
+{
+    GlobalLine told{origin, line.origin, line.at(1.0), {}, {}};
+    for (const Hit& hit : hits)
+        told.meetings.push_back(meeting_at(scene, line, hit));
+    const std::vector<std::size_t> before = meetings_before(told.meetings);
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        told.stretches.push_back(follow_told(segments[k], bidirectional, walk));
+        told.stretches.back().after = before.at(k);
+    }
+    return told;
+}
+
+/// The first stage as solve runs it, and the budget that it leaves.
+GlobalStory begin(const Scene& scene, const Sequence& sequence, const GlobalLines& lines, const SolveOptions& options,
+                  PowerState& state)
+{
+    const ItemPlan all_items = plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    GlobalStory story;
+    story.shot_passes = shoot_first(scene, sequence, all_items.first_shot, options, {options.threads}, state);
+    for (const ShotPass& pass : story.shot_passes)
+        story.local_lines += pass.lines;
+    story.lines_charged = options.lines - std::min(options.lines, story.local_lines);
+    story.lines_cast = lines.lines_to_cast(story.lines_charged);
+    story.crossings_per_area = lines.expected_crossings(1.0, story.lines_cast); // (G1)
+    for (const Rgb unshot : state.unshot) {
+        story.unshot += unshot;
+        story.unshot_patches += mean(unshot) > 0.0 ? 1 : 0;
+    }
+    return story;
+}
+
+} // namespace
+
+GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, const ToldRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    PowerState state(scene);
+    GlobalStory story = begin(scene, *sequence, lines, options, state);
+    require_in_stage(range, story.lines_cast, "global lines");
+
+    const ItemPlan items = plan_items(*sequence, options.skip, story.local_lines, story.lines_cast);
+    const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, story.lines_cast);
+    PowerWalk walk(scene, story.crossings_per_area, options.bidirectional, state);
+    WalkTally not_told;
+    std::vector<Hit> hits;
+    std::vector<Segment> segments;
+    for (std::uint64_t n = 0; n < range.first + range.count; ++n) {
+        const std::uint64_t item = order.item_at(items.global_pass + n);
+        const LineOrigin origin{n, item, sequence->item(item)};
+        const Line line = lines.line(origin.numbers);
+        scene.intersector().all_hits(line, hits);
+        segments.clear();
+        append_segments(scene, hits, segments);
+        if (range.includes(n))
+            story.lines.push_back(tell(scene, origin, line, hits, segments, options.bidirectional, walk));
+        else
+            for (const Segment& segment : segments)
+                walk.follow(segment, not_told);
+    }
+    return story;
+}
+
+namespace {
+
+/// One ray: traced, received, and told.
+ShotRay follow(const Scene& scene, const Shot& shot, const LineOrigin& origin, PowerState& state)
+{
+    const Patch patch = scene.patch(shot.patch);
+    const Line ray = local_line(patch, origin.numbers);
+    ShotRay told{origin, shot.patch, ray, {}, receiver(scene, patch.surface, ray), shot.power_per_ray, {}};
+    if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, ray))
+        told.meeting = meeting_at(scene, ray, *hit);
+    if (Segment::is_patch(told.where)) {
+        state.unshot[told.where] += scene.reflectance(told.where) * told.power; // (S1)
+        told.unshot = state.unshot[told.where];
+    }
+    return told;
+}
+
+/// What a pass shoots, and the state in which it begins.
+struct ObservedPass
+{
+    std::uint64_t first_item = 0;
+    std::vector<Shot> shots;
+    std::optional<PowerState> state;
+};
+
+void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
+{
+    if (passes.empty())
+        throw SettingsError(
+            "the first shot has no pass: nothing is unshot above the threshold, or no line is left for it");
+    if (pass >= passes.size())
+        throw SettingsError("the first shot of this run ends after pass " + std::to_string(passes.size()) +
+                            ", but pass " + std::to_string(pass + 1) + " is asked for");
+}
+
+} // namespace
+
+ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const ToldRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+
+    ObservedPass told;
+    std::size_t passes_begun = 0;
+    const auto keep_told_pass = [&](std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state) {
+        if (passes_begun++ == pass)
+            told = {first_item, shots, state};
+    };
+    PowerState state(scene);
+    const std::vector<ShotPass> passes =
+        shoot_first(scene, *sequence, items.first_shot, options, {options.threads}, state, keep_told_pass);
+    require_pass(passes, pass);
+    require_in_stage(range, ray_count(told.shots), "rays");
+
+    ShotStory story{passes, pass, options.threshold.value_or(threshold_radiosity(scene)), told.shots.size(), {}};
+    std::uint64_t n = 0;
+    for (const Shot& shot : told.shots)
+        for (std::uint64_t k = 0; k < shot.rays && n < range.first + range.count; ++k, ++n) {
+            const std::uint64_t item = told.first_item + n;
+            const ShotRay ray = follow(scene, shot, {n, item, sequence->item(item)}, *told.state);
+            if (range.includes(n))
+                story.rays.push_back(ray);
+        }
+    return story;
+}
+
+namespace {
+
+ToldStep tell(const Scene& scene, const ParticleStep& step, Estimator estimator)
+{
+    const Patch patch = scene.patch(step.from);
+    ToldStep told{step, local_line(patch, step.item), {}, {}};
+    if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, told.ray))
+        told.meeting = meeting_at(scene, told.ray, *hit);
+    if (Segment::is_patch(step.where))
+        told.counted = counted_power(scene, step, estimator);
+    return told;
+}
+
+} // namespace
+
+ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, const ToldRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds());
+    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
+    require_in_stage(range, particles.count(), "particles");
+
+    ParticleStory story{particles.count(), particles.shots().size(), {}};
+    for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
+        ToldParticle told{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
+        ParticlePaths paths;
+        particles.follow(n, {told.origin.numbers}, paths);
+        for (const ParticleStep& step : paths.steps)
+            told.steps.push_back(tell(scene, step, options.estimator));
+        story.particles.push_back(told);
+    }
+    return story;
+}
+
+} // namespace multipath

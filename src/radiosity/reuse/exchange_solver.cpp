@@ -1,0 +1,214 @@
+// With y = sqrt(rho) H, H the irradiance, (R1) becomes symmetric:
+//
+//   a_i y_i - sqrt(rho_i) sum over j of G_ij sqrt(rho_j) y_j = sqrt(rho_i) sum over j of G_ij S_j
+//
+// and black patches are no exception. With rows that add up to a and reflectances below 1 the matrix is positive
+// definite.
+
+#include "radiosity/reuse/exchange_solver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+using Field = std::vector<Rgb>;
+
+Rgb root(Rgb a)
+{
+    return {std::sqrt(a.r), std::sqrt(a.g), std::sqrt(a.b)};
+}
+
+Rgb quotient(Rgb a, Rgb b)
+{
+    const auto divide = [](double x, double y) { return y != 0.0 ? x / y : 0.0; };
+    return {divide(a.r, b.r), divide(a.g, b.g), divide(a.b, b.b)};
+}
+
+/// One dot product for each channel.
+Rgb dot(const Field& a, const Field& b)
+{
+    Rgb sum;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+Field scaled(const Field& factor, const Field& x)
+{
+    Field y(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        y[i] = factor[i] * x[i];
+    return y;
+}
+
+void add_scaled(Field& x, Rgb factor, const Field& y)
+{
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += factor * y[i];
+}
+
+bool all_below(Rgb a, Rgb b)
+{
+    return a.r <= b.r && a.g <= b.g && a.b <= b.b;
+}
+
+} // namespace
+
+ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
+                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, double tolerance,
+                                int most_steps, int threads)
+{
+    const std::uint32_t n = exchange.size();
+    Field rho_root(n);
+    Field inverse_diagonal(n);
+    bool positive = true;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        rho_root[i] = root(reflectance[i]);
+        const double area = exchange.row_area(i);
+        const Rgb diagonal = Rgb{area, area, area} - exchange.self_exchange(i) * reflectance[i];
+        positive = positive && all_below({}, diagonal);
+        inverse_diagonal[i] = quotient({1.0, 1.0, 1.0}, diagonal);
+    }
+    const auto bounce = [&](const Field& radiosity) { return scaled(rho_root, exchange.apply(radiosity, threads)); };
+    const auto residual_for = [&](const Field& y, const Field& right) {
+        Field residual = right;
+        const Field reflected = bounce(scaled(rho_root, y));
+        for (std::uint32_t i = 0; i < n; ++i)
+            residual[i] = right[i] - exchange.row_area(i) * y[i] + reflected[i];
+        return residual;
+    };
+
+    const Field right = bounce(source);
+    const Rgb wanted = tolerance * tolerance * dot(right, scaled(inverse_diagonal, right));
+    Field y(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+        y[i] = quotient(first_guess[i] - source[i], rho_root[i]);
+    Field residual = residual_for(y, right);
+    Field preconditioned = scaled(inverse_diagonal, residual);
+    Field direction = preconditioned;
+    Rgb norm = dot(residual, preconditioned);
+    for (int step = 0; step < most_steps && positive && !all_below(norm, wanted); ++step) {
+        Field image = bounce(scaled(rho_root, direction));
+        for (std::uint32_t i = 0; i < n; ++i)
+            image[i] = exchange.row_area(i) * direction[i] - image[i];
+        const Rgb curvature = dot(direction, image);
+        positive = all_below({}, curvature);
+        const Rgb length = quotient(norm, curvature);
+        add_scaled(y, length, direction);
+        add_scaled(residual, -1.0 * length, image);
+        preconditioned = scaled(inverse_diagonal, residual);
+        const Rgb next = dot(residual, preconditioned);
+        const Rgb turn = quotient(next, norm);
+        for (std::uint32_t i = 0; i < n; ++i)
+            direction[i] = preconditioned[i] + turn * direction[i];
+        norm = next;
+    }
+    ExchangeSolution solution{source, positive && all_below(norm, wanted)};
+    for (std::uint32_t i = 0; i < n; ++i)
+        solution.radiosity[i] += rho_root[i] * y[i];
+    return solution;
+}
+
+ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
+                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads)
+{
+    constexpr double tolerance = 1e-6; // a tenth of the noise of 10^9 lines
+    constexpr int most_steps = 500;
+    return solve_exchange(exchange, reflectance, source, std::move(first_guess), tolerance, most_steps, threads);
+}
+
+InputError no_solution(const Scene& scene)
+{
+    return InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected more "
+                                     "--lines, or --method local");
+}
+
+std::vector<Rgb> reflectances(const Scene& scene)
+{
+    std::vector<Rgb> rho(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        rho[i] = scene.reflectance(i);
+    return rho;
+}
+
+std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state)
+{
+    std::vector<Rgb> unshot(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        unshot[i] = (1.0 / scene.area(i)) * state.unshot[i];
+    return unshot;
+}
+
+void distribute(const Scene& scene, const Exchange& exchange, const std::vector<Rgb>& radiosity, double share,
+                int threads, PowerState& state)
+{
+    const std::vector<Rgb> received = exchange.apply(radiosity, threads);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double row = exchange.row_area(i);
+        const double scale = row > 0.0 ? share * scene.area(i) / row : 0.0;
+        const Rgb incident = scale * received[i];
+        const Rgb escaped = (scale * exchange.escaping(i)) * radiosity[i];
+        const Rgb behind = (scale * exchange.behind(i)) * radiosity[i];
+        const Rgb sent = (share * scene.area(i)) * radiosity[i];
+        state.incident[i] += incident;
+        state.unshot[i] += scene.reflectance(i) * incident - sent;
+        state.escaped += escaped;
+        state.behind += behind;
+        // Counted areas are right on the average only: what arrives everywhere is not quite what was sent.
+        state.emitted += incident + escaped + behind - sent;
+    }
+}
+
+namespace {
+
+/// One channel of it. With H' = max(0, H - mu (1 - rho)) the power absorbed falls as mu grows, convex and piecewise
+/// linear: Newton's iteration from mu = 0 comes to its root from below, one piece after another.
+void remove_negative_light(const Scene& scene, double Rgb::*channel, PowerState& state)
+{
+    const auto patches = scene.patch_count();
+    double wanted = 0.0; // [W] absorbed
+    bool any = false;
+    for (std::uint32_t i = 0; i < patches; ++i) {
+        wanted += (1.0 - scene.reflectance(i).*channel) * state.incident[i].*channel;
+        any = any || state.incident[i].*channel < 0.0;
+    }
+    if (!any)
+        return;
+    double mu = 0.0; // [W/m^2]
+    constexpr int most_steps = 100;
+    for (int step = 0; step < most_steps; ++step) {
+        double absorbed = 0.0;
+        double slope = 0.0;
+        for (std::uint32_t i = 0; i < patches; ++i) {
+            const double absorption = 1.0 - scene.reflectance(i).*channel;
+            const double left = state.incident[i].*channel - mu * absorption * scene.area(i);
+            if (left > 0.0) {
+                absorbed += absorption * left;
+                slope += absorption * absorption * scene.area(i);
+            }
+        }
+        const double excess = absorbed - wanted;
+        if (!(excess > 1e-15 * absorbed) || !(slope > 0.0))
+            break;
+        mu += excess / slope;
+    }
+    for (std::uint32_t i = 0; i < patches; ++i) {
+        double& incident = state.incident[i].*channel;
+        incident = std::max(0.0, incident - mu * (1.0 - scene.reflectance(i).*channel) * scene.area(i));
+    }
+}
+
+} // namespace
+
+void remove_negative_light(const Scene& scene, PowerState& state)
+{
+    for (double Rgb::*channel : {&Rgb::r, &Rgb::g, &Rgb::b})
+        remove_negative_light(scene, channel, state);
+}
+
+} // namespace multipath

@@ -1,0 +1,123 @@
+#include "transport/exchange/dense_exchange.h"
+
+#include "parallel/ordered_blocks.h"
+#include "transport/exchange/symmetric_product.h"
+
+#include <utility>
+
+namespace multipath {
+
+DenseExchange::DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses losses, std::vector<double> row_area,
+                             int threads)
+    : pairs_(pairs), losses_(std::move(losses)), row_area_(std::move(row_area)), self_exchange_(row_area_)
+{
+    const std::vector<double> ones(size(), 1.0);
+    const std::vector<double> sums = symmetric_product(pairs_, {ones}, threads)[0];
+    for (std::uint32_t i = 0; i < size(); ++i)
+        self_exchange_[i] -= sums[i] + losses_.escaping[i] + losses_.behind[i];
+}
+
+std::vector<Rgb> DenseExchange::apply(const std::vector<Rgb>& x, int threads) const
+{
+    const std::uint32_t n = size();
+    std::vector<std::vector<double>> channels(3, std::vector<double>(n));
+    for (std::uint32_t i = 0; i < n; ++i) {
+        channels[0][i] = x[i].r;
+        channels[1][i] = x[i].g;
+        channels[2][i] = x[i].b;
+    }
+    const std::vector<std::vector<double>> products = symmetric_product(pairs_, channels, threads);
+    std::vector<Rgb> y(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+        y[i] = Rgb{products[0][i], products[1][i], products[2][i]} + self_exchange_[i] * x[i];
+    return y;
+}
+
+// Least squares with constraints (R3): to minimise the sum of d_ij^2 / var_ij over all pairs, where sum over j of (G_ij
+// + d_ij) is given for every i, Lagrange's multipliers mu give d_ij = var_ij (mu_i + mu_j). They solve
+//
+//   (sum over j of var_ij) mu_i + sum over j of var_ij mu_j = what row i lacks,
+//
+// with the variance of the wanted sum, if it is not certain, added to the first bracket. The matrix is symmetric and
+// has no negative eigenvalue: conjugate gradients.
+
+namespace {
+
+using Vector = std::vector<double>;
+
+double dot(const Vector& a, const Vector& b)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/// Conjugate gradients for (diagonal + matrix) x = right, preconditioned by the diagonal.
+Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vector& right, int threads)
+{
+    constexpr int most_steps = 40;
+    constexpr double tolerance = 1e-4; // of the residual; far finer than what the variances are known to
+    const std::size_t n = right.size();
+    Vector x(n, 0.0);
+    Vector residual = right;
+    Vector scaled(n);
+    for (std::size_t i = 0; i < n; ++i)
+        scaled[i] = residual[i] / diagonal[i];
+    Vector direction = scaled;
+    double norm = dot(residual, scaled);
+    const double wanted = tolerance * tolerance * dot(right, right);
+    for (int step = 0; step < most_steps && dot(residual, residual) > wanted; ++step) {
+        Vector image = symmetric_product(matrix, {direction}, threads)[0];
+        for (std::size_t i = 0; i < n; ++i)
+            image[i] += diagonal[i] * direction[i];
+        const double length = norm / dot(direction, image);
+        for (std::size_t i = 0; i < n; ++i) {
+            x[i] += length * direction[i];
+            residual[i] -= length * image[i];
+            scaled[i] = residual[i] / diagonal[i];
+        }
+        const double next = dot(residual, scaled);
+        for (std::size_t i = 0; i < n; ++i)
+            direction[i] = scaled[i] + (next / norm) * direction[i];
+        norm = next;
+    }
+    return x;
+}
+
+} // namespace
+
+Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
+                      const std::vector<double>& sum_variance, int threads)
+{
+    PairMatrix<float>& exchange = estimate.exchange;
+    const PairMatrix<float>& variance = estimate.variance;
+    const std::uint32_t n = exchange.size();
+    const Vector ones(n, 1.0);
+    const Vector sums = symmetric_product(exchange, {ones}, threads)[0];
+    Vector diagonal = symmetric_product(variance, {ones}, threads)[0];
+    Vector lacking(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const bool can_change = diagonal[i] + sum_variance[i] > 0.0;
+        lacking[i] = can_change ? row_sums[i] - sums[i] : 0.0;
+        // The smallest part more keeps the division sound.
+        diagonal[i] += sum_variance[i] + 1e-14 * row_sums[i] * row_sums[i] + 1e-300;
+    }
+    const Vector multiplier = solve(variance, diagonal, lacking, threads);
+
+    constexpr std::uint32_t rows_at_a_time = 64;
+    parallel_ranges(n, rows_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            float* row = exchange.row(i);
+            const float* uncertain = variance.row(i);
+            for (std::uint32_t j = 0; j < i; ++j)
+                row[j] += static_cast<float>(static_cast<double>(uncertain[j]) * (multiplier[i] + multiplier[j]));
+        }
+    });
+    Reconciled result{std::move(exchange), sum_variance};
+    for (std::uint32_t i = 0; i < n; ++i)
+        result.sum_change[i] *= multiplier[i];
+    return result;
+}
+
+} // namespace multipath

@@ -1,0 +1,189 @@
+// The patches are dealt out to some hundred parts. A thread sorts the ends of its lines by parts and hands each part
+// what belongs to it; a part that is just busy is visited later. Which thread comes first changes nothing: counts are
+// integers, and rows are sorted.
+
+#include "transport/exchange/line_counts.h"
+
+#include "parallel/ordered_blocks.h"
+#include "parallel/shared_blocks.h"
+#include "scene/input_error.h"
+#include "transport/depth_complexity.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t most_parts = 256; // many times the threads, so that they rarely meet
+
+int bits_of_part(std::uint32_t patches)
+{
+    int bits = 0;
+    while ((patches >> bits) >= most_parts)
+        ++bits;
+    return bits;
+}
+
+} // namespace
+
+LineCounts::LineCounts(std::uint32_t patches, std::size_t byte_limit)
+    : patches_(patches), byte_limit_(byte_limit), part_bits_(bits_of_part(patches))
+{
+    const std::uint32_t rows = 1u << part_bits_;
+    for (std::uint32_t first = 0; first < patches; first += rows)
+        parts_.emplace_back(std::min(rows, patches - first), patches);
+}
+
+std::vector<LineCounts::LineEnd> LineCounts::line_ends(const std::vector<Segment>& segments)
+{
+    std::vector<LineEnd> ends;
+    ends.reserve(2 * segments.size());
+    for (const Segment& segment : segments) {
+        if (Segment::is_patch(segment.from))
+            ends.push_back({segment.from, segment.to});
+        if (Segment::is_patch(segment.to))
+            ends.push_back({segment.to, segment.from});
+    }
+    return ends;
+}
+
+void LineCounts::add(const std::vector<Segment>& segments)
+{
+    const std::vector<LineEnd> ends = line_ends(segments);
+    std::vector<std::size_t> end_of_part(parts_.size() + 1, 0);
+    for (const LineEnd& end : ends)
+        ++end_of_part[(end.patch >> part_bits_) + 1];
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+        end_of_part[p + 1] += end_of_part[p];
+    std::vector<LineEnd> by_part(ends.size());
+    for (const LineEnd& end : ends)
+        by_part[end_of_part[end.patch >> part_bits_]++] = end; // moves the beginning of a part to its end
+
+    const auto add_to = [&](std::size_t p) {
+        add(by_part.data() + (p > 0 ? end_of_part[p - 1] : 0), by_part.data() + end_of_part[p], parts_[p]);
+    };
+    std::vector<std::size_t> busy;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const std::unique_lock<std::mutex> lock(parts_[p].mutex, std::try_to_lock);
+        if (lock.owns_lock())
+            add_to(p);
+        else
+            busy.push_back(p);
+    }
+    for (const std::size_t p : busy) {
+        const std::lock_guard<std::mutex> lock(parts_[p].mutex);
+        add_to(p);
+    }
+}
+
+void LineCounts::add(const LineEnd* first, const LineEnd* last, Part& part) const
+{
+    for (const LineEnd* end = first; end != last; ++end)
+        part.counts.add(place(end->patch), end->other);
+}
+
+void LineCounts::merge(int threads)
+{
+    parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) { parts_[p].counts.merge(); });
+}
+
+void LineCounts::add(const LineCounts& others, int threads)
+{
+    parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) { parts_[p].counts.add(others.parts_[p].counts); });
+}
+
+void LineCounts::visit(Archive& archive)
+{
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const Archive::Inner inner(archive, "part " + std::to_string(p));
+        parts_[p].counts.visit(archive);
+    }
+}
+
+std::uint64_t LineCounts::line_ends() const
+{
+    std::uint64_t lines = 0;
+    for (const Part& part : parts_)
+        lines += part.counts.lines();
+    return lines;
+}
+
+std::size_t LineCounts::bytes() const
+{
+    std::size_t bytes = 0;
+    for (const Part& part : parts_)
+        bytes += part.counts.bytes();
+    return bytes;
+}
+
+bool LineCounts::full() const
+{
+    return bytes() > byte_limit_ - byte_limit_ / 8;
+}
+
+namespace {
+
+/// How many lines to cast before the next merge: notes must fit below the limit, and not take more than the rows do.
+std::uint64_t lines_of_round(const CountedLines& counted, std::uint64_t block_lines)
+{
+    const double least = 32.0 * static_cast<double>(block_lines); // cast in a moment, noted in a few megabytes
+    if (counted.lines_cast == 0)
+        return static_cast<std::uint64_t>(least);
+    const auto ends = static_cast<double>(std::max<std::uint64_t>(counted.counts.line_ends(), 1));
+    const double bytes_per_line = sizeof(CountEntry) * ends / static_cast<double>(counted.lines_cast);
+    const auto bytes = static_cast<double>(counted.counts.bytes());
+    const double room = static_cast<double>(counted.counts.byte_limit()) - bytes;
+    return static_cast<std::uint64_t>(std::min(std::max(least, bytes / bytes_per_line), 1.0 + room / bytes_per_line));
+}
+
+} // namespace
+
+CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
+                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run)
+{
+    CountedLines counted{LineCounts(scene.patch_count(), byte_limit), 0};
+    SharedRange range = SharedRange::of(lines, run.share); // of lines, merged up to the next one
+    std::uint64_t round = 0;                               // lines that are noted before the next merge
+    std::uint64_t next_block = 0;                          // of the round
+    const Checkpoint::Part part(run.checkpoint, "line counts", [&](Archive& archive) {
+        counted.counts.merge(run.threads);
+        range.visit(archive);
+        archive.value<std::uint64_t>("round", round);
+        archive.value<std::uint64_t>("next block", next_block);
+        counted.counts.visit(archive);
+        counted.lines_cast = range.next - range.first;
+        if (range.all != lines || round > range.end - range.next)
+            throw ArchiveError("the state is damaged: no such lines");
+    });
+    const std::uint64_t block_lines = lines_per_block(crossings_per_line(scene, global_lines));
+    std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+    const auto wants_round = [&] { return range.next < range.end && !counted.counts.full(); };
+    while ((round > 0 || wants_round()) && !run.stopped()) {
+        if (round == 0)
+            round = std::min(range.end - range.next, lines_of_round(counted, block_lines));
+        const LineBlocks plan{scene, global_lines, sequence, first_item + range.next, round, block_lines};
+        const auto trace_block = [&](std::uint64_t number, int slot) {
+            SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
+            block.trace(plan, number);
+            counted.counts.add(block.segments);
+        };
+        const auto report = [&](std::uint64_t, int slot) {
+            run.count_lines(blocks[static_cast<std::size_t>(slot)].lines.lines());
+        };
+        resumable_blocks(next_block, plan.count(), run, trace_block, report);
+        counted.counts.merge(run.threads);
+        range.next += plan.lines_in(next_block);
+        counted.lines_cast = range.next - range.first;
+        round = next_block = 0;
+    }
+    if (!range.is_share() || run.stopped())
+        return counted;
+    if (range.next < range.end)
+        throw InputError("the counts of this share of the lines fill the memory; expected more of it, or more shares");
+    run.checkpoint->hand_in();
+    return counted;
+}
+
+} // namespace multipath

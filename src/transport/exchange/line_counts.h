@@ -1,0 +1,85 @@
+#pragma once
+
+#include "parallel/run_control.h"
+#include "sampling/sequence.h"
+#include "scene/scene.h"
+#include "transport/exchange/count_rows.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/line_segments.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <mutex>
+#include <vector>
+
+namespace multipath {
+
+/// How often lines joined any two patches, escaped or met a surface from behind: for scenes with so many patches that
+/// most pairs are never joined. A function of the segments added, in whatever order, parts and threads; so counts of
+/// parts of the lines add up to the same bits. Needs fewer than 2^32 lines in all, and that no line joins a patch with
+/// itself.
+class LineCounts
+{
+public:
+    explicit LineCounts(std::uint32_t patches, std::size_t byte_limit = std::numeric_limits<std::size_t>::max());
+
+    /// Notes each segment for both of its ends, 8 bytes each until merge() sorts them into the rows. Several threads
+    /// may call it at the same time.
+    void add(const std::vector<Segment>& segments);
+
+    /// Takes in all that was added. What follows needs this first, and that no thread adds.
+    void merge(int threads);
+    /// Both must be merged and of the same size.
+    void add(const LineCounts& others, int threads);
+    void visit(Archive& archive); ///< for a checkpoint
+
+    std::uint32_t size() const { return patches_; }
+    CountRow row(std::uint32_t patch) const { return part(patch).row(place(patch)); }
+    std::uint64_t escaped(std::uint32_t patch) const { return part(patch).escaped(place(patch)); }
+    std::uint64_t behind(std::uint32_t patch) const { return part(patch).behind(place(patch)); }
+
+    std::uint64_t line_ends() const; ///< counted at all patches together
+    std::size_t bytes() const;
+    std::size_t byte_limit() const { return byte_limit_; }
+    bool full() const; ///< no room worth mentioning is left below the limit
+
+private:
+    /// Consecutive patches; their number is a power of two.
+    struct Part
+    {
+        Part(std::uint32_t rows, std::uint32_t columns) : counts(rows, columns) {}
+        std::mutex mutex; ///< guards the counts while segments are added
+        CountRows counts;
+    };
+    struct LineEnd
+    {
+        std::uint32_t patch;
+        std::uint32_t other;
+    };
+
+    static std::vector<LineEnd> line_ends(const std::vector<Segment>& segments);
+    const CountRows& part(std::uint32_t patch) const { return parts_[patch >> part_bits_].counts; }
+    std::uint32_t place(std::uint32_t patch) const { return patch & ((1u << part_bits_) - 1); }
+    void add(const LineEnd* first, const LineEnd* last, Part& part) const;
+
+    std::uint32_t patches_;
+    std::size_t byte_limit_;
+    int part_bits_;
+    std::deque<Part> parts_;
+};
+
+/// Counts, and the global lines that were cast for them.
+struct CountedLines
+{
+    LineCounts counts; ///< merged
+    std::uint64_t lines_cast;
+};
+
+/// Casts `lines` global lines, which take the items from first_item on; or the share of the run, for which the counts
+/// must not get full (InputError); or fewer: it ends when the counts are full, or stopped.
+CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
+                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run);
+
+} // namespace multipath

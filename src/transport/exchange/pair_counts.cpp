@@ -1,0 +1,156 @@
+#include "transport/exchange/pair_counts.h"
+
+#include "parallel/ordered_blocks.h"
+#include "parallel/shared_blocks.h"
+#include "transport/depth_complexity.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t many_crossings = 64; ///< of a line, whose pairs are then too many to note before they are counted
+
+/// What the lines of one block met.
+struct PairBlock
+{
+    struct Pair
+    {
+        std::size_t index; ///< of a PairMatrix
+        bool joined;
+    };
+    struct Loss
+    {
+        std::uint32_t patch;
+        bool behind;
+    };
+    /// Of a line that has many.
+    struct Passages
+    {
+        std::size_t first;
+        std::size_t count;
+    };
+
+    LineBlock lines;
+    std::vector<Passage> passages;
+    std::vector<Pair> pairs;
+    std::vector<Loss> losses;
+    std::vector<Passages> long_lines; ///< whose pairs are not in `pairs`
+};
+
+/// Calls visit(place in a PairMatrix, joined) for every facing pair along one line, neighbours or not.
+template <class Visit>
+void for_each_pair(const Passage* passages, std::size_t count, const Visit& visit)
+{
+    for (std::size_t a = 0; a < count; ++a) {
+        const std::uint32_t from = passages[a].leaves;
+        if (!Segment::is_patch(from))
+            continue;
+        for (std::size_t b = a + 1; b < count; ++b)
+            if (Segment::is_patch(passages[b].arrives_at))
+                visit(PairMatrix<PairCount>::index(from, passages[b].arrives_at), b == a + 1);
+    }
+}
+
+/// Notes where power would be lost along one line.
+void note_losses(const Passage* passages, std::size_t count, PairBlock& block)
+{
+    for (std::size_t a = 0; a < count; ++a) {
+        const std::uint32_t from = passages[a].leaves;
+        const bool arrives_alone = a == 0 || !Segment::is_patch(passages[a - 1].leaves);
+        if (Segment::is_patch(passages[a].arrives_at) && arrives_alone)
+            block.losses.push_back({passages[a].arrives_at, a > 0});
+        if (Segment::is_patch(from) && (a + 1 == count || !Segment::is_patch(passages[a + 1].arrives_at)))
+            block.losses.push_back({from, a + 1 < count});
+    }
+}
+
+/// Notes all facing pairs of one line and where power would be lost.
+void note(std::size_t first, std::size_t count, PairBlock& block)
+{
+    const Passage* passages = block.passages.data() + first;
+    note_losses(passages, count, block);
+    if (count > many_crossings)
+        block.long_lines.push_back({first, count});
+    else
+        for_each_pair(passages, count, [&](std::size_t index, bool joined) { block.pairs.push_back({index, joined}); });
+}
+
+void add(const PairBlock& block, PairCounts& counts)
+{
+    PairCount* pairs = counts.pairs.row(0);
+    const auto add_pair = [pairs](std::size_t index, bool joined) {
+        pairs[index].through += 1;
+        pairs[index].joined += joined ? 1 : 0;
+    };
+    for (const PairBlock::Pair& pair : block.pairs)
+        add_pair(pair.index, pair.joined);
+    for (const PairBlock::Passages& line : block.long_lines)
+        for_each_pair(block.passages.data() + line.first, line.count, add_pair);
+    for (const PairBlock::Loss& loss : block.losses)
+        (loss.behind ? counts.behind : counts.escaped)[loss.patch] += 1;
+}
+
+} // namespace
+
+PairCounts& PairCounts::operator+=(const PairCounts& others)
+{
+    lines += others.lines;
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+        for (std::uint32_t j = 0; j <= i; ++j) {
+            pairs.at(i, j).joined += others.pairs.at(i, j).joined;
+            pairs.at(i, j).through += others.pairs.at(i, j).through;
+        }
+        escaped[i] += others.escaped[i];
+        behind[i] += others.behind[i];
+    }
+    return *this;
+}
+
+void PairCounts::visit(Archive& archive)
+{
+    archive.value<std::uint64_t>("lines", lines);
+    pairs.visit<std::uint32_t>(archive, "pairs");
+    archive.list<std::uint64_t>("escaped", escaped);
+    archive.list<std::uint64_t>("behind", behind);
+}
+
+PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
+                       std::uint64_t lines_cast, const RunControl& run)
+{
+    PairCounts counts(scene.patch_count());
+    const double crossings = std::min(crossings_per_line(scene, lines), static_cast<double>(many_crossings));
+    const LineBlocks plan{scene,      lines,      sequence,
+                          first_item, lines_cast, lines_per_block(0.5 * crossings * crossings + crossings)};
+    SharedRange range = SharedRange::of(plan.count(), run.share);
+    const Checkpoint::Part part(run.checkpoint, "pair counts", [&](Archive& archive) {
+        range.visit(archive);
+        counts.visit(archive);
+    });
+    std::vector<PairBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+    const auto trace_block = [&](std::uint64_t number, int slot) {
+        PairBlock& block = blocks[static_cast<std::size_t>(slot)];
+        block.pairs.clear();
+        block.losses.clear();
+        block.long_lines.clear();
+        const HitLists& lists = block.lines.trace(plan, number);
+        find_passages(scene, lists, block.passages);
+        std::size_t first = 0;
+        for (std::size_t line = 0; line < lists.size(); ++line) {
+            note(first, lists[line].size(), block);
+            first += lists[line].size();
+        }
+    };
+    const auto add_block = [&](std::uint64_t, int slot) {
+        const PairBlock& block = blocks[static_cast<std::size_t>(slot)];
+        add(block, counts);
+        counts.lines += block.lines.lines();
+        run.count_lines(block.lines.lines());
+    };
+    shared_blocks(range, run, trace_block, add_block);
+    return counts;
+}
+
+} // namespace multipath

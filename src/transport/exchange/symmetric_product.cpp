@@ -1,0 +1,78 @@
+// Only the lower triangle is stored. Its rows are cut into bands of about equal size, a number that does not depend on
+// the threads; each band is read once and gives parts of all products, since an element (i, j) belongs to row i and to
+// row j. The parts are added in the order of the bands.
+
+#include "transport/exchange/symmetric_product.h"
+
+#include "parallel/ordered_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t bands = 32;
+
+/// The first row of a band: the triangle above it holds the share band / bands of all elements.
+std::uint32_t first_row(std::uint32_t n, std::uint32_t band)
+{
+    return static_cast<std::uint32_t>(std::lround(n * std::sqrt(static_cast<double>(band) / bands)));
+}
+
+/// Three vectors at a time where there are so many: a row is then read once for all of them.
+void multiply(const RowKernel& kernel, const float* row, std::uint32_t count, std::vector<RowProduct>& products)
+{
+    std::size_t k = 0;
+    for (; k + 3 <= products.size(); k += 3)
+        kernel.multiply_three(row, count, &products[k]);
+    for (; k < products.size(); ++k)
+        kernel.multiply_one(row, count, &products[k]);
+}
+
+} // namespace
+
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads)
+{
+    return symmetric_product(matrix, vectors, threads, *available_row_kernels().front());
+}
+
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads,
+                                                   const RowKernel& kernel)
+{
+    const std::uint32_t n = matrix.size();
+    const std::size_t count = vectors.size();
+    std::vector<std::vector<double>> parts(bands * count);
+    parallel_blocks(bands, threads, [&](std::uint64_t number) {
+        const auto band = static_cast<std::uint32_t>(number);
+        const std::uint32_t end = first_row(n, band + 1);
+        for (std::size_t k = 0; k < count; ++k)
+            parts[band * count + k].resize(end);
+        std::vector<RowProduct> row_products(count);
+        for (std::uint32_t i = first_row(n, band); i < end; ++i) {
+            const float* row = matrix.row(i);
+            for (std::size_t k = 0; k < count; ++k)
+                row_products[k] = {vectors[k].data(), vectors[k][i], parts[band * count + k].data(), 0.0};
+            multiply(kernel, row, i, row_products); // below the diagonal
+            for (const RowProduct& product : row_products)
+                product.y[i] += product.sum + static_cast<double>(row[i]) * product.factor;
+        }
+    });
+    std::vector<std::vector<double>> products(count, std::vector<double>(n));
+    constexpr std::uint32_t columns_at_a_time = 1024;
+    parallel_ranges(n, columns_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t band = 0; band < bands; ++band)
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::vector<double>& part = parts[band * count + k];
+                for (std::size_t j = first; j < std::min<std::size_t>(end, part.size()); ++j)
+                    products[k][j] += part[j];
+            }
+    });
+    return products;
+}
+
+} // namespace multipath

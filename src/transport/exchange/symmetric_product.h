@@ -1,0 +1,20 @@
+#pragma once
+
+#include "transport/exchange/kernels/row_kernel.h"
+#include "transport/exchange/pair_matrix.h"
+
+#include <vector>
+
+namespace multipath {
+
+/// The products of a symmetric matrix with some vectors, all of its size. Rows in parallel, each summed in a fixed
+/// order: the same bits for any number of threads.
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads);
+
+/// The same by a kernel of one's choice: also the same bits.
+std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
+                                                   const std::vector<std::vector<double>>& vectors, int threads,
+                                                   const RowKernel& kernel);
+
+} // namespace multipath

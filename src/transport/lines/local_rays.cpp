@@ -1,0 +1,83 @@
+#include "transport/lines/local_rays.h"
+
+#include "sampling/warp.h"
+#include "sampling/warp_kernel.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace multipath {
+
+LocalRays::LocalRays(const Patch& patch) : shape_(patch.shape), normal_(patch.shape.normal())
+{
+    // Oblique to the edges (3-4-5 triangle), so that regular numbers do not aim exactly at the edges of rooms.
+    const Vec3 along_edge = normalized(shape_.edge_u);
+    tangent_ = 0.6 * along_edge + 0.8 * cross(normal_, along_edge);
+    bitangent_ = cross(normal_, tangent_);
+}
+
+Line LocalRays::line(const Item& item) const
+{
+    return line(item, square_to_cosine_hemisphere(item[2], item[3]));
+}
+
+Line LocalRays::line(const Item& item, Vec3 local) const
+{
+    // A ray must not start on the border itself, where rounding could put it outside a closed room.
+    const auto inside = [](double x) { return std::clamp(x, 0x1p-30, 1.0 - 0x1p-30); };
+    Barycentric place{inside(item[0]), inside(item[1])};
+    if (shape_.shape == Shape::triangle)
+        place = square_to_uniform_triangle(place.u, place.v);
+    return {shape_.at(place.u, place.v), local.x * tangent_ + local.y * bitangent_ + local.z * normal_};
+}
+
+Line local_line(const Patch& patch, const Item& item)
+{
+    return LocalRays(patch).line(item);
+}
+
+void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines)
+{
+    SquarePoints square;
+    WarpedPoints local;
+    std::optional<LocalRays> rays;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t place = k % warp_block;
+        if (place == 0) {
+            take_square(items + k, std::min(warp_block, count - k), 2, square);
+            warp_kernel().cosine_hemisphere(square, std::min(warp_block, count - k), local);
+        }
+        if (k == 0 || patches[k] != patches[k - 1])
+            rays.emplace(scene.patch(patches[k]));
+        lines[k] = rays->line(items[k], {local.x[place], local.y[place], local.z[place]});
+    }
+}
+
+std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray)
+{
+    const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, ray);
+    return hit ? receiving_patch(scene, *hit) : Segment::outside;
+}
+
+std::uint32_t receiving_patch(const Scene& scene, const Hit& hit)
+{
+    const std::uint32_t patch = scene.patch_at(hit.surface, hit.u, hit.v, hit.front);
+    return patch == Scene::no_patch ? Segment::behind : patch;
+}
+
+void RayBlock::trace(const Scene& scene)
+{
+    const std::size_t count = patches.size();
+    surfaces_.resize(count);
+    for (std::size_t k = 0; k < count; ++k)
+        surfaces_[k] = scene.surface_of(patches[k]);
+    lines_.resize(count);
+    local_lines(scene, patches.data(), items.data(), count, lines_.data());
+    scene.intersector().closest_hits_from(surfaces_.data(), lines_.data(), count, hits_);
+    receivers.resize(count);
+    for (std::size_t k = 0; k < count; ++k)
+        receivers[k] = hits_.is_hit(k) ? receiving_patch(scene, hits_[k]) : Segment::outside;
+}
+
+} // namespace multipath

@@ -1,0 +1,53 @@
+#include "check/scene_report.h"
+
+#include "radiosity/line_budget.h"
+#include "test_scenes.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+namespace line_survey_test {
+
+using namespace multipath;
+
+// Counts of binomial variables: 4 standard deviations are below 4 sqrt(count).
+TEST_CASE("the surveyed lines agree with integral geometry")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.5, 1.0);
+    const Scene scene = builder.room({0, 0, 0}, {3, 2, 1}, wall).box({1, 0.5, 0.2}, {2, 1, 0.7}, wall).scene(1.0);
+    const SceneReport report = report_on(scene, 100000, 2);
+    const double hull_lines = static_cast<double>(report.survey.lines_into_hull);
+    CHECK(report.survey.lines == 100000);
+    CHECK(std::abs(hull_lines / 100000 - 22.0 / report.sphere_area) < 4 * std::sqrt(0.25 / 100000));
+    CHECK(report.intersections_per_hull_line == doctest::Approx(2 * (22 + 2 * (0.5 + 0.25 + 0.5)) / 22));
+    CHECK(report.intersections_per_hull_line_measured ==
+          doctest::Approx(report.intersections_per_hull_line).epsilon(0.01));
+    CHECK(report.intersections_per_sphere_line_measured ==
+          doctest::Approx(report.intersections_per_sphere_line).epsilon(0.02));
+}
+
+TEST_CASE("every departure of a closed scene arrives, half of an open pair's do not")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    const Scene room = builder.room({0, 0, 0}, {1, 1, 1}, grey).scene(1.0);
+    const LineSurvey closed = survey_lines(room, scene_hull(room), 10000, 1);
+    for (std::size_t s = 0; s < 6; ++s) {
+        CHECK(closed.departures[s] > 1000);
+        CHECK(closed.arrivals[s] == closed.departures[s]);
+        CHECK(closed.escapes[s] + closed.met_behind[s] == 0);
+    }
+    SceneBuilder pair;
+    const std::uint32_t one = pair.grey(0.5, 1.0);
+    pair.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, one)
+        .rectangle({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, one); // both look up
+    const Scene two = pair.scene(1.0);
+    const LineSurvey open = survey_lines(two, scene_hull(two), 10000, 3);
+    CHECK(open.arrivals[0] + open.arrivals[1] == 0);
+    CHECK(open.escapes[1] == open.departures[1]);
+    CHECK(open.met_behind[1] + open.escapes[0] == open.departures[0]);
+    CHECK(open.met_behind[1] > 100);
+}
+
+} // namespace line_survey_test

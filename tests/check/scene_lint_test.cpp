@@ -1,0 +1,232 @@
+#include "check/scene_check.h"
+
+#include "check/scene_report.h"
+#include "radiosity/line_budget.h"
+#include "scene/patch_size.h"
+#include "test_scenes.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+
+namespace scene_lint_test {
+
+using namespace multipath;
+
+namespace {
+
+std::vector<Finding> findings_of(const Scene& scene)
+{
+    return lint(scene, report_on(scene, 20000, 2));
+}
+
+/// The finding of this kind; empty kind when there is none.
+Finding find(const std::vector<Finding>& findings, const std::string& kind)
+{
+    const auto found = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
+    return found == findings.end() ? Finding{"", false, "", ""} : *found;
+}
+
+bool mentions(const Finding& finding, const std::string& words)
+{
+    return finding.message.find(words) != std::string::npos;
+}
+
+struct Materials
+{
+    SceneBuilder builder;
+    std::uint32_t wall = builder.grey(0.6, 0.0);
+    std::uint32_t lamp = builder.grey(0.0, 10.0);
+};
+
+} // namespace
+
+TEST_CASE("a sound scene has no findings")
+{
+    Materials m;
+    m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+    m.builder.box({0.5, 0.1, 0.5}, {1, 0.7, 1}, m.wall);
+    CHECK(findings_of(m.builder.scene(0.5)).empty());
+}
+
+// The box covers a quarter of the floor; what the covered floor sends up meets the box's top from inside.
+TEST_CASE("a box without a bottom on a floor is found, with the faces that are met from behind")
+{
+    Materials m;
+    m.builder.room({0, 0, 0}, {2, 2, 2}, {m.lamp, m.wall, m.wall, m.wall, m.wall, m.wall});
+    m.builder.box({0.5, 0, 0.5}, {1.5, 1, 1.5}, m.wall);
+    SceneFile file = m.builder.file();
+    file.surfaces.erase(file.surfaces.begin() + 6); // the bottom
+    file.material.erase(file.material.begin() + 6);
+    file.line.erase(file.line.begin() + 6);
+    file.group.pop_back();
+    const Finding finding = find(findings_of(Scene(file, 0.5)), "behind");
+    CHECK(finding.makes_wrong_result);
+    const Rgb lost = report_on(Scene(file, 0.5), 20000, 1).balance.behind;
+    CHECK(lost.g == doctest::Approx(0.25 * 40.0).epsilon(0.03)); // a quarter of what the floor emits
+    CHECK(mentions(finding, "needs its bottom"));
+    CHECK(mentions(finding, "(line 8)")); // the top
+    CHECK(find(findings_of(Scene(file, 0.5, true)), "behind").kind.empty());
+}
+
+TEST_CASE("an emitter that faces away from everything is found")
+{
+    Materials m;
+    m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+    m.builder.rectangle({0, 2.5, 0}, {0, 0, 1}, {1, 0, 0}, m.lamp); // above the ceiling, looks up
+    const Finding finding = find(findings_of(m.builder.scene(0.5)), "emitter");
+    CHECK(finding.makes_wrong_result);
+    CHECK(finding.place == "memory:7");
+    CHECK(mentions(finding, "lights nothing"));
+}
+
+// Many or few, they are one finding; below half a percent of the power it is a remark.
+TEST_CASE("emitters that light nothing are one finding, wrong if they have a share of the power")
+{
+    for (const double size : {0.4, 0.02}) {
+        Materials m;
+        m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+        for (const double x : {0.2, 0.8, 1.4})
+            m.builder.rectangle({x, 2.5, 0}, {0, 0, size}, {size, 0, 0}, m.lamp);
+        const std::vector<Finding> findings = lint(m.builder.scene(0.5), report_on(m.builder.scene(0.5), 200000, 2));
+        const Finding finding = find(findings, "emitter");
+        CHECK(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.kind == "emitter"; }) ==
+              1);
+        CHECK(mentions(finding, "3 emitters light nothing"));
+        CHECK(finding.place == "memory:7");
+        CHECK(finding.power_share == doctest::Approx(3 * size * size / (4.0 + 3 * size * size)));
+        CHECK(finding.makes_wrong_result == (size > 0.1));
+    }
+}
+
+TEST_CASE("wrong findings come first, then the heaviest")
+{
+    Materials m;
+    m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+    m.builder.rectangle({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, m.wall);   // light from below is lost behind it
+    m.builder.rectangle({0, 2.5, 0}, {0, 0, 1}, {1, 0, 0}, m.lamp); // above the ceiling
+    const std::vector<Finding> findings = findings_of(m.builder.scene(0.5));
+    CHECK(findings.size() >= 3);
+    for (std::size_t k = 1; k < findings.size(); ++k) {
+        CHECK((findings[k - 1].makes_wrong_result || !findings[k].makes_wrong_result));
+        if (findings[k - 1].makes_wrong_result == findings[k].makes_wrong_result)
+            CHECK(findings[k - 1].power_share >= findings[k].power_share);
+    }
+}
+
+TEST_CASE("a room whose faces look outward is inside out, a lamp above the ceiling does not make it so")
+{
+    Materials m;
+    m.builder.box({0, 0, 0}, {2, 2, 2}, m.wall);
+    m.builder.rectangle({0.5, 1.9, 0.5}, {0, 0, 1}, {1, 0, 0}, m.lamp); // looks up, as a lamp in a mirrored room
+    const Scene outward = m.builder.scene(0.5);
+    CHECK(is_inside_out(outward, survey_lines(outward, scene_hull(outward), 20000, 2)));
+    CHECK(mentions(find(findings_of(outward), "behind"), "--flip"));
+    CHECK(mentions(find(findings_of(outward), "emitter"), "--flip"));
+
+    // A lamp that is a solid is right as it is: with its faces turned it would light its own inside.
+    Materials lamp_inside;
+    lamp_inside.builder.box({0, 0, 0}, {2, 2, 2}, lamp_inside.wall);
+    lamp_inside.builder.box({0.5, 1.5, 0.5}, {1, 1.6, 1}, lamp_inside.lamp);
+    const Scene solid_lamp = lamp_inside.builder.scene(0.5);
+    CHECK_FALSE(is_inside_out(solid_lamp, survey_lines(solid_lamp, scene_hull(solid_lamp), 20000, 2)));
+    CHECK(mentions(find(findings_of(solid_lamp), "behind"), "--two-sided"));
+
+    const Scene turned(flipped(m.builder.file()), 0.5);
+    CHECK_FALSE(is_inside_out(turned, survey_lines(turned, scene_hull(turned), 20000, 2)));
+    CHECK(find(findings_of(turned), "emitter").kind.empty());
+}
+
+TEST_CASE("copies of a face are a remark, unless they emit")
+{
+    for (const bool emits : {false, true}) {
+        Materials m;
+        m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+        if (emits)
+            m.builder.rectangle({0, 2, 0}, {2, 0, 0}, {0, 0, 2}, m.lamp);
+        else
+            m.builder.rectangle({0, 0, 2}, {2, 0, 0}, {0, 0, -2}, m.wall); // from another corner
+        const std::vector<Finding> findings = findings_of(m.builder.scene(0.5));
+        CHECK(find(findings, "copy").kind.empty() == emits);
+        CHECK(find(findings, "duplicate").makes_wrong_result == emits);
+    }
+}
+
+// Four thousand small triangles take all patches; the default size of a wall is then a seventh of the room.
+TEST_CASE("walls left uncut for many small triangles are pointed out, unless the size was chosen")
+{
+    Materials m;
+    m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+    for (int k = 0; k < 4000; ++k) {
+        const double x = 0.2 + 1.6 * k / 4000.0;
+        m.builder.triangle({x, 0.5, 1}, {x, 0.5, 1.0003}, {x + 0.0003, 0.5, 1}, m.wall);
+    }
+    const double size = default_patch_size(m.builder.file().surfaces);
+    CHECK(mentions(find(findings_of(m.builder.scene(size)), "coarse-patches"), "--patch-size"));
+    CHECK(find(findings_of(m.builder.scene(1.01 * size)), "coarse-patches").kind.empty());
+}
+
+TEST_CASE("a leak is wrong, an open side or a tiny gap is a remark")
+{
+    for (const double gap : {0.001, 0.05, 1.0}) {
+        Materials m;
+        m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+        SceneFile file = m.builder.file();
+        file.surfaces[0].edge_u = {0, 0, 2.0 - gap}; // the floor ends before the wall
+        const std::vector<Finding> findings = findings_of(Scene(file, 0.5));
+        CHECK(find(findings, gap < 0.1 ? "leak" : "open").kind != "");
+        CHECK(find(findings, "leak").makes_wrong_result == (gap == 0.05));
+    }
+}
+
+TEST_CASE("doubled faces, bright materials and strange scales are named")
+{
+    SceneBuilder builder;
+    const std::uint32_t white = builder.grey(0.97, 0.0);
+    const std::uint32_t lamp = builder.grey(0.0, 1.0);
+    builder.room({0, 0, 0}, {2000, 2000, 2000}, {white, lamp, white, white, white, white});
+    builder.rectangle({500, 0, 500}, {0, 0, 500}, {500, 0, 0}, white);
+    const std::vector<Finding> findings = findings_of(builder.scene(1000));
+    CHECK(find(findings, "duplicate").makes_wrong_result);
+    CHECK(find(findings, "duplicate").place == "memory:7");
+    CHECK(mentions(find(findings, "reflectance"), "97 %"));
+    CHECK(mentions(find(findings, "scale"), "m across"));
+    CHECK(findings.front().makes_wrong_result); // wrong results first
+    CHECK(!findings.back().makes_wrong_result);
+}
+
+TEST_CASE("what the reader noticed is passed on")
+{
+    Materials m;
+    const std::uint32_t oak = m.builder.material("oak", {0.5, 0.5, 0.5}, {});
+    SceneFile file = m.builder.room({0, 0, 0}, {2, 2, 2}, {oak, m.lamp, m.wall, m.wall, m.wall, m.wall}).file();
+    file.warnings = {"room.obj:5: polygon is not planar"};
+    file.unused_materials = {"room.mtl:3: gold", "room.mtl:5: tin"};
+    file.unknown_materials = {"oak"};
+    file.dropped_faces = 2;
+    const std::vector<Finding> findings = findings_of(Scene(file, 1.0));
+    CHECK(find(findings, "reader").place == "room.obj:5");
+    CHECK(find(findings, "unused-material").place == "room.mtl:3");
+    CHECK(mentions(find(findings, "unused-material"), "2 materials are used by no face: 'gold', 'tin'"));
+    CHECK(find(findings, "unknown-material").makes_wrong_result);
+    CHECK(find(findings, "unknown-material").area_share == doctest::Approx(1.0 / 6.0));
+    CHECK(mentions(find(findings, "zero-area"), "2 faces"));
+}
+
+TEST_CASE("hundreds of copies of a face are measured with fewer lines, and a note says so")
+{
+    Materials m;
+    m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
+    for (int copy = 0; copy < 400; ++copy)
+        m.builder.rectangle({0.5, 1, 0.5}, {0, 0, 1}, {1, 0, 0}, m.wall);
+    const Scene scene = m.builder.scene(2.0);
+    const SceneReport report = report_on(scene, 20000, 2);
+    CHECK(report.trial_lines < 10000);
+    CHECK(report.trial_lines <= report.survey.lines);
+    CHECK(report.intersections_per_sphere_line_measured ==
+          doctest::Approx(report.intersections_per_sphere_line).epsilon(0.1));
+    const std::vector<Finding> findings = lint(scene, report);
+    CHECK(mentions(find(findings, "depth"), "instead of 20,000"));
+    CHECK(mentions(find(findings, "copy"), "at least 10000 pairs"));
+}
+
+} // namespace scene_lint_test

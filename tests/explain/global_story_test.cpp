@@ -1,0 +1,195 @@
+#include "explain/line_trace.h"
+
+#include "radiosity/first_stage.h"
+#include "radiosity/solve.h"
+#include "scene/input_error.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+namespace global_story_test {
+
+using namespace multipath;
+
+namespace {
+
+/// A room with a box on its floor and coloured walls: lines meet two to four surfaces, some of them at one place.
+Scene furnished_room(bool two_sided = false)
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.6, 0.0);
+    const std::uint32_t red = builder.material({0.8, 0.2, 0.1}, {});
+    const std::uint32_t lamp = builder.material({0.5, 0.5, 0.5}, {3.0, 2.0, 1.0});
+    builder.room({0, 0, 0}, {2, 1, 3}, {grey, lamp, red, grey, grey, red});
+    builder.box({0.5, 0, 0.5}, {1, 0.5, 1.5}, red);
+    return builder.scene(0.5, two_sided);
+}
+
+/// A floor below a lamp, open on all sides.
+Scene open_scene()
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.7, 0.0));
+    builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.2, 1.0));
+    return builder.scene(0.25);
+}
+
+SolveOptions short_run(Method method)
+{
+    SolveOptions options;
+    options.method = method;
+    options.lines = 600;
+    options.sequence = "random";
+    options.skip = 2;
+    return options;
+}
+
+GlobalStory tell_all(const Scene& scene, const SolveOptions& options)
+{
+    const std::uint64_t cast = tell_global_pass(scene, options, {0, 1}).lines_cast;
+    return tell_global_pass(scene, options, {0, cast});
+}
+
+/// Solves by what is told: what the transfers bring, added up in their order to what the first stage brought.
+std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options, const GlobalStory& story)
+{
+    PowerState state(scene);
+    const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
+    std::vector<Rgb> received(scene.patch_count());
+    for (const GlobalLine& line : story.lines)
+        for (const Stretch& stretch : line.stretches)
+            for (const Transfer& transfer : stretch.transfers)
+                if (Segment::is_patch(transfer.to))
+                    received[transfer.to] += transfer.sent();
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        state.incident[i] += received[i];
+    return radiosity(scene, state);
+}
+
+Rgb lost(const GlobalStory& story, std::uint32_t where)
+{
+    Rgb power;
+    for (const GlobalLine& line : story.lines)
+        for (const Stretch& stretch : line.stretches)
+            for (const Transfer& transfer : stretch.transfers)
+                if (transfer.to == where)
+                    power += transfer.sent();
+    return power;
+}
+
+} // namespace
+
+TEST_CASE("the lines told are the box's where the run draws them from the box")
+{
+    const Scene scene = furnished_room();
+    SolveOptions options = short_run(Method::first_shot);
+    options.chords = Chords::box;
+    const GlobalStory story = tell_all(scene, options);
+    const Solution solution = solve(scene, options, [](double) {});
+    CHECK(story.lines_cast == story.lines_charged);
+    CHECK(story.lines.size() == solution.global_lines_cast);
+    CHECK(radiosity_told(scene, options, story) == solution.radiosity); // the same sums in the same order
+}
+
+// The oracle is the solver. The same powers are added in the same order, so the bits must agree.
+TEST_CASE("the powers told for all global lines add up to the solver's radiosity")
+{
+    for (const Method method : {Method::global, Method::first_shot, Method::extended})
+        for (const bool bidirectional : {true, false})
+            for (const bool two_sided : {true, false}) {
+                CAPTURE(static_cast<int>(method));
+                CAPTURE(bidirectional);
+                const Scene scene = furnished_room(two_sided);
+                SolveOptions options = short_run(method);
+                options.bidirectional = bidirectional;
+                const GlobalStory story = tell_all(scene, options);
+                const Solution solution = solve(scene, options, [](double) {});
+                CHECK(story.local_lines == solution.local_lines);
+                CHECK(story.lines_charged == solution.global_lines);
+                CHECK(story.lines.size() == solution.global_lines_cast);
+                CHECK(radiosity_told(scene, options, story) == solution.radiosity);
+            }
+}
+
+// Sums of a few hundred positive numbers in another order than the solver's: 1e-13 is far above their rounding.
+TEST_CASE("what is told as lost is what the solver finds to have left the scene or met backs")
+{
+    const Scene scene = open_scene();
+    for (const bool bidirectional : {true, false}) {
+        SolveOptions options = short_run(Method::global);
+        options.bidirectional = bidirectional;
+        const GlobalStory story = tell_all(scene, options);
+        const PowerBalance balance = solve(scene, options, [](double) {}).balance;
+        CHECK(mean(balance.escaped) > 0.0);
+        CHECK(mean(lost(story, Segment::outside)) == doctest::Approx(mean(balance.escaped)).epsilon(1e-13));
+        CHECK(mean(lost(story, Segment::behind)) == doctest::Approx(mean(balance.behind)).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("what a patch is told to hold after a line is what it is told to hold before its next one")
+{
+    const Scene scene = furnished_room();
+    for (const bool bidirectional : {true, false}) {
+        SolveOptions options = short_run(Method::first_shot);
+        options.bidirectional = bidirectional;
+        std::vector<Rgb> holds(scene.patch_count());
+        int compared = 0;
+        for (const GlobalLine& line : tell_all(scene, options).lines)
+            for (const Stretch& stretch : line.stretches) {
+                for (const Transfer& transfer : stretch.transfers) {
+                    CHECK(transfer.held == holds[transfer.from]);
+                    compared += mean(transfer.held) > 0.0 ? 1 : 0;
+                }
+                if (Segment::is_patch(stretch.segment.from))
+                    holds[stretch.segment.from] = stretch.from_holds;
+                if (Segment::is_patch(stretch.segment.to))
+                    holds[stretch.segment.to] = stretch.to_holds;
+            }
+        CHECK(compared > 100);
+    }
+}
+
+TEST_CASE("a stretch lies between the two meetings that it names")
+{
+    for (const bool two_sided : {true, false})
+        for (const GlobalLine& line : tell_all(furnished_room(two_sided), short_run(Method::global)).lines)
+            for (const Stretch& stretch : line.stretches) {
+                const std::size_t after = stretch.after;
+                REQUIRE(after <= line.meetings.size());
+                CHECK(stretch.segment.from ==
+                      (after == 0 ? Segment::outside : line.meetings[after - 1].patches.leaves));
+                CHECK(stretch.segment.to ==
+                      (after == line.meetings.size() ? Segment::outside : line.meetings[after].patches.arrives_at));
+            }
+}
+
+TEST_CASE("a later line is told with the powers that the lines before it left")
+{
+    const Scene scene = furnished_room();
+    const SolveOptions options = short_run(Method::first_shot);
+    const GlobalStory from_the_start = tell_global_pass(scene, options, {0, 200});
+    const GlobalStory late = tell_global_pass(scene, options, {190, 10});
+    REQUIRE(late.lines.size() == 10);
+    for (std::size_t k = 0; k < 10; ++k) {
+        const GlobalLine& a = from_the_start.lines[190 + k];
+        const GlobalLine& b = late.lines[k];
+        CHECK(a.origin.number == b.origin.number);
+        CHECK(a.origin.item == b.origin.item);
+        REQUIRE(a.stretches.size() == b.stretches.size());
+        for (std::size_t s = 0; s < a.stretches.size(); ++s)
+            CHECK(a.stretches[s].to_holds == b.stretches[s].to_holds);
+    }
+}
+
+TEST_CASE("lines that the pass does not cast are refused")
+{
+    const Scene scene = furnished_room();
+    const SolveOptions options = short_run(Method::global);
+    const std::uint64_t cast = tell_global_pass(scene, options, {0, 1}).lines_cast;
+    CHECK(tell_global_pass(scene, options, {cast - 1, 1}).lines.size() == 1);
+    CHECK_THROWS_AS(tell_global_pass(scene, options, {cast, 1}), InputError);
+    CHECK_THROWS_AS(tell_global_pass(scene, options, {cast - 1, 2}), InputError);
+}
+
+} // namespace global_story_test

@@ -1,0 +1,361 @@
+// The lines of `reuse` are counted, and the light is solved for. What can be known exactly must come out exactly, up to
+// the quadrature of the form factors (1e-5), and what the lines leave open must shrink with their number.
+
+#include "radiosity/error_measure.h"
+#include "radiosity/memory_estimate.h"
+#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/reuse/exchange_solver.h"
+#include "radiosity/solve.h"
+#include "scene/input_error.h"
+#include "scene/obj_reader.h"
+#include "test_scenes.h"
+#include "transport/exchange/pair_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <memory>
+#include <utility>
+
+namespace line_reuse_test {
+
+using namespace multipath;
+
+namespace {
+
+const ProgressCallback silent = [](double) {};
+
+SolveOptions reuse_options(std::uint64_t lines, std::uint64_t seed = 1)
+{
+    SolveOptions options;
+    options.method = Method::reuse;
+    options.sequence = "sobol-owen";
+    options.lines = lines;
+    options.seed = seed;
+    options.threads = 2;
+    return options;
+}
+
+double relative_error(const Scene& scene, const Solution& solution, const Solution& reference)
+{
+    return measure_error(scene.areas(), solution.radiosity, reference.radiosity).relative_mean_square;
+}
+
+Scene bundled(const std::string& name, double patch_size)
+{
+    return Scene(read_obj("scenes/" + name + ".obj"), patch_size);
+}
+
+} // namespace
+
+// With nothing in the way there is nothing to find out by lines, however few they are. B = E + rho H with equal walls
+// all around: H = B.
+TEST_CASE("an empty furnace is solved exactly by any number of lines")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {1, 2, 3}, builder.grey(0.5, 1.0)).scene(0.25);
+    for (const std::uint64_t lines : {64u, 4096u, 65536u})
+        for (const Rgb b : solve(scene, reuse_options(lines), silent).radiosity)
+            CHECK(b.g == doctest::Approx(2.0).epsilon(2e-5));
+}
+
+// Square 1 emits, both reflect: B_1 = E + rho_1 F B_2, B_2 = rho_2 F B_1. The share of the light that escapes is not
+// counted but follows from what arrives: it is exact too.
+TEST_CASE("between two facing squares the share F arrives and the rest escapes, known without noise")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.4, 2.0));
+    builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.7, 0.0));
+    const Scene scene = builder.scene(1.0);
+    const double f = 0.19982489569838746; // Howell, C-11, for opposite sides of a cube
+    const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
+    const Solution solution = solve(scene, reuse_options(1u << 18), silent);
+    CHECK(solution.radiosity[0].r == doctest::Approx(b_1).epsilon(1e-3));
+    CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(1e-3));
+    CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(1e-3));
+}
+
+// The same without a table of pairs, with the light of the lamp gathered: its share F is exact, what the other square
+// reflects has the noise of the lines.
+TEST_CASE("without a table of pairs the share F arrives and the rest escapes, too")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.4, 2.0));
+    builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.7, 0.0));
+    const Scene scene = builder.scene(1.0);
+    SolveOptions options = reuse_options(1u << 16);
+    options.memory = 1.0;
+    options.direct = Direct::gather;
+    const double f = 0.19982489569838746; // Howell, C-11, for opposite sides of a cube
+    const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
+    const Solution solution = solve(scene, options, silent);
+    CHECK(solution.radiosity[0].r == doctest::Approx(b_1).epsilon(1e-3).scale(0.0));
+    CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(1e-3).scale(0.0));
+    CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(5e-3).scale(0.0));
+    CHECK(std::abs(solution.balance.unshot.r) < 1e-3);
+}
+
+// A slit in the ceiling takes a little of what every patch sends. How much, a row's few lines through it tell far
+// better than the boxes leave open what its patches exchange: the row must add up to the rest of its area. The light
+// that stays in the room is then off by 1.1 % (measured), without that knowledge by 2.9 %.
+TEST_CASE("rows that lose some of their light add up to the areas of the patches, too")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.9, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.9, 1.0));
+    builder.rectangle({0, 1, 0}, {0.48, 0, 0}, {0, 0, 1}, wall).rectangle({0.52, 1, 0}, {0.48, 0, 0}, {0, 0, 1}, wall);
+    builder.rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, wall).rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}, wall);
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, wall).rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0}, wall);
+    builder.box({0.2, 0.1, 0.3}, {0.5, 0.6, 0.7}, wall).box({0.6, 0.3, 0.1}, {0.9, 0.4, 0.8}, wall);
+    const Scene scene = builder.scene(0.125);
+    const double truth = mean(solve(scene, reuse_options(1u << 20), silent).balance.absorbed);
+    double squares = 0.0;
+    constexpr int runs = 4;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+        const double found = mean(solve(scene, reuse_options(1u << 14, seed), silent).balance.absorbed);
+        squares += (found / truth - 1.0) * (found / truth - 1.0);
+    }
+    CHECK(std::sqrt(squares / runs) < 0.018);
+}
+
+TEST_CASE("light that meets nothing escapes, all of it")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.9, 2.0)).scene(0.1);
+    const Solution solution = solve(scene, reuse_options(1u << 10), silent);
+    CHECK(solution.balance.escaped.r == doctest::Approx(2.0).epsilon(1e-9));
+    for (const Rgb b : solution.radiosity)
+        CHECK(b.r == doctest::Approx(2.0).epsilon(1e-9));
+}
+
+// Too many patches for a table of all pairs, or too little memory for it: counts alone, with gathered direct light.
+TEST_CASE("without a table of pairs the result is the same within its noise, also in rounds")
+{
+    const Scene scene = bundled("5cubes", 0.5);
+    const Solution with_table = solve(scene, reuse_options(1u << 20), silent);
+    SolveOptions options = reuse_options(1u << 18);
+    options.memory = 1e6; // the table takes 1.2 MB
+    const Solution one = solve(scene, options, silent);
+    options.seed = 2;
+    const double noise = relative_error(scene, solve(scene, options, silent), one);
+    CHECK(relative_error(scene, one, with_table) < noise);
+    CHECK(noise < 1e-3);
+    CHECK(one.radiosity != with_table.radiosity);
+    options.memory = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) +
+                     512.0 * scene.patch_count(); // 64 lines for each patch at a time
+    const Solution rounds = solve(scene, options, silent);
+    CHECK(relative_error(scene, rounds, with_table) < 2.0 * noise);
+    CHECK(rounds.balance.relative_error() < 1e-9);
+    options.threads = 7;
+    CHECK(solve(scene, options, silent).radiosity == rounds.radiosity);
+}
+
+// In a closed room of one reflectance everywhere, lamp included, the absorbed power (1 - rho) A H adds up to what the
+// lamp emits, whatever stands in the room: the mean radiosity of what is reflected is rho Phi / (A (1 - rho)).
+TEST_CASE("rho = 0.9 loses no light: the mean radiosity is exact with obstacles too")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.9, 0.0);
+    const std::uint32_t lamp = builder.grey(0.9, 4.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, wall).box({0.2, 0, 0.3}, {0.5, 0.6, 0.7}, wall);
+    builder.rectangle({0.4, 0.99, 0.4}, {0.2, 0, 0}, {0, 0, 0.2}, lamp);
+    builder.rectangle({0.4, 0.99, 0.4}, {0, 0, 0.2}, {0.2, 0, 0}, wall);
+    const Scene scene = builder.scene(0.1);
+    const Solution solution = solve(scene, reuse_options(1u << 16), silent);
+    double power = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        power += scene.area(i) * solution.radiosity[i].g;
+    CHECK(power == doctest::Approx(scene.source_power().g / (1.0 - 0.9)).epsilon(1e-6));
+    CHECK(std::abs(solution.balance.unshot.g) < 1e-6 * scene.source_power().g);
+}
+
+TEST_CASE("the error falls faster than 1 / N to the power of 1.2 in a closed room of reflectance 0.9" *
+          doctest::test_suite("statistics"))
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.9, 0.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, {wall, builder.grey(0.9, 1.0), wall, wall, wall, wall});
+    builder.box({0.2, 0, 0.3}, {0.5, 0.6, 0.7}, wall).box({0.6, 0.3, 0.1}, {0.9, 0.4, 0.8}, wall);
+    const Scene scene = builder.scene(0.125);
+    const Solution reference = solve(scene, reuse_options(1u << 22, 99), silent);
+    const auto error = [&](std::uint64_t lines) {
+        double sum = 0.0;
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+            sum += relative_error(scene, solve(scene, reuse_options(lines, seed), silent), reference);
+        return sum / 3.0;
+    };
+    CHECK(std::log2(error(1u << 14) / error(1u << 18)) / 4.0 > 1.2);
+}
+
+// The kernel cos cos' / (pi r^2) is unbounded where source and receiver touch: sampling it would have infinite
+// variance. The lamp touches two walls; near the edge they see it under a right angle, so H = E / 2 there in the limit.
+TEST_CASE("a lamp in a corner does not explode on the walls that it touches")
+{
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, {grey, black, grey, grey, grey, grey});
+    builder.rectangle({0, 1, 0}, {0.25, 0, 0}, {0, 0, 0.25}, builder.grey(0.0, 1.0)); // on the ceiling, in the corner
+    const Scene scene = builder.scene(0.0625);
+    const Solution few = solve(scene, reuse_options(1u << 14), silent);
+    const Solution many = solve(scene, reuse_options(1u << 18, 2), silent);
+    double most = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        if (scene.emittance(i).g > 0.0)
+            continue;
+        CHECK(few.radiosity[i].g == doctest::Approx(many.radiosity[i].g).epsilon(0.05));
+        most = std::max(most, many.radiosity[i].g);
+    }
+    CHECK(most > 0.5 * 0.3); // the patches in the corner
+    CHECK(most < 0.5 * 0.5 + 0.1);
+}
+
+// Particles and counted lines share the intersector and nothing else of substance. Against one of two runs of particles
+// the other differs by twice the variance of one; what is nearly exact by half of that.
+TEST_CASE("reuse converges to what particles converge to" * doctest::test_suite("statistics"))
+{
+    for (const char* name : {"5cubes", "4chairs-up"})
+        for (const double patch_size : {0.5, 100.0}) {
+            const Scene scene = bundled(name, patch_size);
+            SolveOptions particles = reuse_options(1u << 20, 1);
+            particles.method = Method::local;
+            particles.sequence = "random";
+            const Solution one = solve(scene, particles, silent);
+            particles.seed = 2;
+            const double noise = relative_error(scene, solve(scene, particles, silent), one);
+            const double difference = relative_error(scene, solve(scene, reuse_options(1u << 20), silent), one);
+            CAPTURE(name);
+            CAPTURE(patch_size);
+            CHECK(difference < 0.8 * noise);
+        }
+}
+
+TEST_CASE("on 5CUBES and 4CHAIRS reuse has a twentieth of the error of the paper's methods" *
+          doctest::test_suite("statistics"))
+{
+    for (const char* name : {"5cubes", "4chairs"}) {
+        const Scene scene = bundled(name, 0.3);
+        const Solution reference = solve(scene, reuse_options(1u << 21, 99), silent);
+        SolveOptions paper = reuse_options(1u << 17);
+        paper.ratio = 1.0;
+        paper.method = Method::extended;
+        const double walked = relative_error(scene, solve(scene, paper, silent), reference);
+        const double reused = relative_error(scene, solve(scene, reuse_options(1u << 17), silent), reference);
+        CAPTURE(name);
+        CHECK(reused < walked / 20.0);
+    }
+}
+
+// Of two faces in one plane, turned away from each other, geometry alone cannot tell whether they are a sheet or the
+// two sides of a gap: the order of the hits along a line can. Light on one side of the sheet must stay there.
+TEST_CASE("no light comes through a sheet made of two coincident faces")
+{
+    for (const bool two_sided : {false, true}) {
+        SceneBuilder builder;
+        const std::uint32_t wall = builder.grey(0.5, 0.0);
+        builder.room({0, 0, 0}, {2, 1, 1}, wall);
+        builder.rectangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, wall);                             // looks to +x
+        builder.rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}, wall);                             // looks to -x
+        builder.rectangle({0.2, 0.3, 0.3}, {0, 0.2, 0}, {0, 0, 0.2}, builder.grey(0.5, 3.0)); // shines to +x
+        const Scene scene = builder.scene(0.25, two_sided);
+        const Solution solution = solve(scene, reuse_options(1u << 16), silent);
+        double dark_side = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            if (scene.patch(i).shape.centre().x > 1.0)
+                dark_side += scene.area(i) * std::abs(solution.radiosity[i].g);
+        CHECK(dark_side < 1e-3 * scene.source_power().g); // not nothing: it takes lines to know that
+        CHECK(solution.balance.escaped.g > -1e-3 * scene.source_power().g);
+    }
+}
+
+// Counts are integers and add up exactly, so parts of the lines can be cast anywhere.
+TEST_CASE("merged counts of shards of the lines are those of a single run")
+{
+    const Scene scene = bundled("5cubes", 0.5);
+    const GlobalLines lines(scene.bounds(), Chords::box);
+    const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 1);
+    const PairCounts all = count_pairs(scene, lines, *sequence, 0, 30000, {2});
+    PairCounts merged(scene.patch_count());
+    for (const auto& [first, count] : {std::pair{20000u, 10000u}, {0u, 7001u}, {7001u, 12999u}})
+        merged += count_pairs(scene, lines, *sequence, first, count, {1});
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint32_t j = 0; j <= i; ++j) {
+            REQUIRE(merged.pairs.at(i, j).joined == all.pairs.at(i, j).joined);
+            REQUIRE(merged.pairs.at(i, j).through == all.pairs.at(i, j).through);
+        }
+    CHECK(merged.escaped == all.escaped);
+    CHECK(merged.behind == all.behind);
+}
+
+TEST_CASE("the result of reuse does not depend on the number of threads")
+{
+    const Scene scene = bundled("5cubes", 0.5);
+    SolveOptions options = reuse_options(1u << 15);
+    options.threads = 1;
+    const Solution alone = solve(scene, options, silent);
+    for (const int threads : {2, 7}) {
+        options.threads = threads;
+        CHECK(solve(scene, options, silent).radiosity == alone.radiosity);
+    }
+}
+
+// The bias of counts grows as 1 / ((1 - R) lines per patch).
+TEST_CASE("without a table of pairs, lines are counted from ten for each patch of a black scene on")
+{
+    for (const double rho : {0.0, 0.5, 0.9}) {
+        SceneBuilder builder;
+        const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(rho, 1.0)).scene(0.05);
+        const GlobalLines lines(scene.bounds());
+        const double ends_per_line = 2.0 * 6.0 / (3.0 * std::acos(-1.0)); // (G1) area of the cube, and of its sphere
+        const auto fewest = static_cast<std::uint64_t>(10.0 / (1.0 - rho) * scene.patch_count() / ends_per_line);
+        CAPTURE(rho);
+        CHECK(can_count(scene, lines, fewest + fewest / 50, std::size_t{1} << 30));
+        CHECK(!can_count(scene, lines, fewest - fewest / 50, std::size_t{1} << 30));
+        CHECK(!can_count(scene, lines, 2 * fewest, 8 * fewest)); // memory for fewer of them at a time
+    }
+}
+
+// White walls that few lines join only with each other keep all light: (R1) has no solution, and its iteration comes to
+// none. What was not seen is then exchanged with all patches alike, and no light is made or lost.
+TEST_CASE("counts too few for a solution are completed, not taken")
+{
+    SceneBuilder builder;
+    const std::uint32_t white = builder.grey(1.0, 0.0);
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    const Scene scene =
+        builder.room({0, 0, 0}, {1, 1, 1}, {grey, builder.grey(0.5, 1.0), white, white, white, white}).scene(0.05);
+    const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
+    for (const std::uint64_t lines : {50u, 500u, 2000u}) {
+        CAPTURE(lines);
+        PowerState state(scene);
+        reuse_counted_lines(scene, GlobalLines(scene.bounds()), *sequence, 0, lines, std::size_t{1} << 28, {1}, state);
+        remove_negative_light(scene, state);
+        CHECK(mean(power_balance(scene, state).absorbed) == doctest::Approx(1.0).epsilon(1e-6)); // [W]
+        for (const Rgb h : state.incident)
+            CHECK(std::isfinite(h.g));
+        CHECK(std::abs(mean(power_balance(scene, state).unshot)) < 1e-6);
+    }
+}
+
+TEST_CASE("more lines than can be counted are refused before the first")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(0.5, 1.0)).scene(1.0);
+    CHECK_THROWS_AS(solve(scene, reuse_options(std::uint64_t{1} << 32), silent), InputError);
+}
+
+// Fewer lines than patches: little can be known, but nothing may be infinite, and no light is lost.
+TEST_CASE("a handful of lines gives a finite result")
+{
+    const Scene scene = bundled("4chairs-up", 0.5);
+    for (const std::uint64_t lines : {2u, 16u, 128u, 1024u}) {
+        const Solution solution = solve(scene, reuse_options(lines), silent);
+        CAPTURE(lines);
+        for (const Rgb b : solution.radiosity)
+            REQUIRE(std::isfinite(b.r + b.g + b.b));
+        CHECK(solution.balance.relative_error() < 1e-9);
+        CHECK(mean(solution.balance.absorbed) == doctest::Approx(100.0).epsilon(0.05));
+    }
+}
+
+} // namespace line_reuse_test

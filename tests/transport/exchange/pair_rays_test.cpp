@@ -1,0 +1,304 @@
+#include "transport/exchange/pair_rays.h"
+
+#include "statistics.h"
+#include "test_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <utility>
+
+namespace pair_rays_test {
+
+using namespace multipath;
+
+namespace {
+
+/// Two unit squares that face each other (0: floor, 1: ceiling) and halfway a sheet over all x < edge. With two sides
+/// the squares look away from each other, and it is their backs that see each other.
+Scene half_plane(double edge, bool two_sided, double height = 100)
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    const Vec3 x = {1, 0, 0};
+    const Vec3 z = {0, 0, 1};
+    builder.rectangle({0, 0, 0}, two_sided ? x : z, two_sided ? z : x, grey);
+    builder.rectangle({0, height, 0}, two_sided ? z : x, two_sided ? x : z, grey);
+    builder.rectangle({-50, 0.5 * height, -50}, {0, 0, 100}, {50 + edge, 0, 0}, grey);
+    if (!two_sided)
+        builder.rectangle({-50, 0.5 * height, -50}, {50 + edge, 0, 0}, {0, 0, 100}, grey);
+    return builder.scene(1000.0, two_sided);
+}
+
+/// A room of 72 patches with a box in it.
+Scene furnished()
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    const std::uint32_t dark = builder.grey(0.2, 0.0);
+    return builder.room({0, 0, 0}, {3, 3, 3}, {dark, grey, grey, dark, grey, dark})
+        .box({1, 1, 1}, {2, 2, 2}, grey)
+        .scene(1.0);
+}
+
+/// As if the patches were points at their centres: good enough to tell pairs apart.
+PairMatrix<float> rough_exchange(const Scene& scene)
+{
+    PairMatrix<float> pairs(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint32_t j = 0; j < i; ++j) {
+            const Surface a = scene.patch(i).shape;
+            const Surface b = scene.patch(j).shape;
+            const Vec3 d = b.centre() - a.centre();
+            const double cosines = std::max(0.0, dot(a.normal(), d)) * std::max(0.0, -dot(b.normal(), d)) / dot(d, d);
+            pairs.at(i, j) = static_cast<float>(a.area() * b.area() * cosines / (std::acos(-1.0) * dot(d, d)));
+        }
+    return pairs;
+}
+
+struct Problem
+{
+    const Scene& scene;
+    PairMatrix<float> unoccluded;
+    double crossing_area; ///< [m^2]
+    ExchangeEstimate estimate;
+    std::vector<Rgb> radiosity;
+    Problem(const Scene& of, PairMatrix<float> without_obstacles, double area_per_crossing)
+        : scene(of),
+          unoccluded(std::move(without_obstacles)),
+          crossing_area(area_per_crossing),
+          estimate{PairMatrix<float>(of.patch_count()), PairMatrix<float>(of.patch_count())},
+          radiosity(of.patch_count(), Rgb{1, 1, 1})
+    {
+    }
+    /// The lines have said that half is free, as uncertain as that is, or that it is surely so.
+    void say_half(std::uint32_t i, std::uint32_t j, bool surely)
+    {
+        const auto exchange = static_cast<double>(unoccluded.at(i, j));
+        estimate.exchange.at(i, j) = static_cast<float>(0.5 * exchange);
+        estimate.variance.at(i, j) = static_cast<float>(surely ? 0.0 : 0.25 * crossing_area * exchange);
+    }
+};
+
+/// A third of the pairs is in doubt.
+Problem some_doubts(const Scene& scene, double crossing_area)
+{
+    Problem problem(scene, rough_exchange(scene), crossing_area);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint32_t j = 0; j < i; ++j)
+            problem.say_half(i, j, (i + j) % 3 != 0);
+    return problem;
+}
+
+constexpr double squares_exchange = 0.2; ///< [m^2] as assumed
+
+/// The two squares in doubt after so many lines, nothing else.
+Problem squares_in_doubt(const Scene& scene, double lines)
+{
+    PairMatrix<float> unoccluded(scene.patch_count());
+    const std::uint32_t floor = scene.two_sided() ? 3 : 0;
+    unoccluded.at(floor + 1, floor) = static_cast<float>(squares_exchange);
+    Problem problem(scene, unoccluded, squares_exchange / lines);
+    problem.say_half(floor + 1, floor, false);
+    return problem;
+}
+
+struct Refined
+{
+    ExchangeEstimate estimate;
+    std::uint64_t rays = 0; ///< as counted
+};
+
+Refined refined(const Problem& problem, const PairRays& plan, int threads = 2)
+{
+    std::uint64_t counted = 0;
+    ExchangeEstimate result = problem.estimate;
+    refine_by_rays(result, problem.scene, problem.unoccluded, problem.crossing_area, problem.radiosity,
+                   *make_sequence("random", 5), plan, {threads, [&](std::uint64_t done) { counted += done; }});
+    return {std::move(result), counted};
+}
+
+/// What rays alone tell of the free share of the two squares: the lines before are worth a thousandth of one.
+double found_share(const Scene& scene, const PairRays& plan)
+{
+    const ExchangeEstimate after = refined(squares_in_doubt(scene, 1e-3), plan).estimate;
+    const std::uint32_t floor = scene.two_sided() ? 3 : 0;
+    return static_cast<double>(after.exchange.at(floor + 1, floor)) / squares_exchange;
+}
+
+bool same(const PairMatrix<float>& a, const PairMatrix<float>& b)
+{
+    return a.size() == b.size() && std::equal(a.row(0), a.row(a.size()), b.row(0));
+}
+
+/// The free share of the pair by the weight cos cos' / r^2 = height^2 / r^4 of lines between Sobol's points.
+double free_share(double edge, double height)
+{
+    double all = 0.0;
+    double free = 0.0;
+    const auto sequence = make_sequence("sobol", 0);
+    for (std::uint64_t n = 0; n < 1u << 14; ++n) {
+        const Item item = sequence->item(n);
+        const double square = std::pow(item[0] - item[2], 2) + std::pow(item[1] - item[3], 2) + height * height;
+        all += 1.0 / (square * square);
+        free += 0.5 * (item[0] + item[2]) > edge ? 1.0 / (square * square) : 0.0;
+    }
+    return free / all;
+}
+
+} // namespace
+
+TEST_CASE("the rays counted are the rays of the plan, to within one")
+{
+    const Scene scene = furnished();
+    for (const double crossing_area : {1e-5, 1e-3, 0.1})
+        for (const std::uint64_t rays : {1u, 17u, 1000u, 1001u, 20001u}) {
+            CAPTURE(crossing_area);
+            CAPTURE(rays);
+            const std::uint64_t counted = refined(some_doubts(scene, crossing_area), {17, rays, rays}).rays;
+            CHECK((counted + 1 >= rays && counted <= rays + 1));
+        }
+}
+
+// A ray between points u and v passes halfway at (u + v) / 2, which has a triangular distribution: 1 - 2 c^2 of them
+// pass beyond c <= 1/2. The squares are so far apart that all rays weigh the same to 2e-4.
+TEST_CASE("rays find the share of a pair that a half-plane leaves free")
+{
+    constexpr std::uint64_t rays = 20000;
+    for (const bool two_sided : {false, true})
+        for (const double edge : {-0.1, 0.1, 0.25, 0.5}) {
+            CAPTURE(two_sided);
+            CAPTURE(edge);
+            const double share = edge < 0.0 ? 1.0 : 1.0 - 2.0 * edge * edge;
+            const double standard_error = std::sqrt(share * (1.0 - share) / rays);
+            const double found = found_share(half_plane(edge, two_sided), {17, rays, 1});
+            CHECK(std::abs(found - share) < 4.0 * standard_error + 3e-4);
+        }
+}
+
+// So close, rays are drawn from the solid angle of a patch instead of its points.
+TEST_CASE("rays find the share of a near pair that a half-plane leaves free")
+{
+    CHECK(free_share(0.5, 1.0) == doctest::Approx(0.5).epsilon(1e-3)); // the pair is symmetric
+    for (const bool two_sided : {false, true})
+        for (const double height : {0.5, 1.0, 3.0}) {
+            CAPTURE(two_sided);
+            CAPTURE(height);
+            const Scene scene = half_plane(0.2, two_sided, height);
+            std::vector<double> found;
+            for (std::uint64_t run = 0; run < 20; ++run)
+                found.push_back(found_share(scene, {1000 * run, 1000, 1}));
+            CHECK(estimate(found).agrees_with(free_share(0.2, height)));
+            CHECK(estimate(found).standard_error < 0.01); // not because it is all noise
+        }
+}
+
+// m rays and a first estimate that was worth lambda lines: a mean of both with the weights m and lambda.
+TEST_CASE("rays and lines count by their numbers, and the variance falls to lambda / (lambda + m)")
+{
+    const Scene scene = half_plane(-0.1, false); // all rays are free
+    for (const double lambda : {1.0, 50.0, 1000.0})
+        for (const std::uint64_t m : {1u, 100u, 5000u}) {
+            CAPTURE(lambda);
+            CAPTURE(m);
+            const Refined after = refined(squares_in_doubt(scene, lambda), {17, m, 1});
+            const double left = lambda / (lambda + static_cast<double>(after.rays)); // m, or one more or less
+            const double before = 0.25 * squares_exchange * squares_exchange / lambda;
+            CHECK(static_cast<double>(after.estimate.variance.at(1, 0)) ==
+                  doctest::Approx(left * before).epsilon(1e-6));
+            CHECK(static_cast<double>(after.estimate.exchange.at(1, 0)) ==
+                  doctest::Approx((1.0 - 0.5 * left) * squares_exchange).epsilon(1e-6));
+        }
+}
+
+TEST_CASE("pairs without doubt get no rays and keep their bits")
+{
+    const Scene scene = furnished();
+    const ExchangeEstimate before = some_doubts(scene, 0.01).estimate;
+    const ExchangeEstimate after = refined(some_doubts(scene, 0.01), {17, 5000, 1}).estimate;
+    int changed = 0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint32_t j = 0; j <= i; ++j)
+            if (before.variance.at(i, j) == 0.0f) {
+                CHECK(after.exchange.at(i, j) == before.exchange.at(i, j));
+                CHECK(after.variance.at(i, j) == 0.0f);
+            } else {
+                CHECK(after.variance.at(i, j) <= before.variance.at(i, j));
+                changed += after.variance.at(i, j) < before.variance.at(i, j) ? 1 : 0;
+            }
+    CHECK(changed > 100);
+}
+
+// What is smallest for a given number of rays: lines and rays of a pair in proportion to s times the root of
+// rho_i^2 B_j^2 / A_i + rho_j^2 B_i^2 / A_j, with s^2 the variance by one of them. Both pairs want more than they have,
+// so that the level is exact; rounding to whole rays leaves 1 in 1000.
+TEST_CASE("rays are shared as the error to be expected asks for")
+{
+    const Scene scene = furnished();
+    Problem problem(scene, rough_exchange(scene), 0.01);
+    problem.radiosity[12] = {3.0, 2.0, 1.0};
+    struct Doubt
+    {
+        std::uint32_t i;
+        std::uint32_t j;
+        double spread; ///< share (1 - share) for the share that is free: the variance by one line
+    };
+    const std::vector<Doubt> doubts = {{12, 4, 0.25}, {28, 20, 0.09}}; // ceiling and floor, two walls
+    std::vector<double> deserved;
+    for (const Doubt& doubt : doubts) {
+        const auto exchange = static_cast<double>(problem.unoccluded.at(doubt.i, doubt.j));
+        REQUIRE(exchange > 0.0);
+        problem.estimate.variance.at(doubt.i, doubt.j) =
+            static_cast<float>(doubt.spread * exchange * problem.crossing_area);
+        const auto part = [&](std::uint32_t to, std::uint32_t from) {
+            const double rho = scene.reflectance(to).g;
+            const Rgb b = problem.radiosity[from];
+            return rho * rho * (b.r * b.r + b.g * b.g + b.b * b.b) / scene.area(to);
+        };
+        deserved.push_back(exchange * std::sqrt(doubt.spread * (part(doubt.i, doubt.j) + part(doubt.j, doubt.i))));
+    }
+    const ExchangeEstimate after = refined(problem, {17, 20000, 1}).estimate;
+    std::vector<double> known; // lines and rays of each pair
+    for (const Doubt& doubt : doubts) {
+        const double lines = static_cast<double>(problem.unoccluded.at(doubt.i, doubt.j)) / problem.crossing_area;
+        known.push_back(lines * static_cast<double>(problem.estimate.variance.at(doubt.i, doubt.j)) /
+                        static_cast<double>(after.variance.at(doubt.i, doubt.j)));
+    }
+    CHECK(known[0] / known[1] == doctest::Approx(deserved[0] / deserved[1]).epsilon(2e-3));
+}
+
+TEST_CASE("without rays, doubts or light nothing changes")
+{
+    const Scene scene = furnished();
+    const auto unchanged = [&](const Problem& problem, std::uint64_t rays) {
+        const Refined after = refined(problem, {17, rays, 1});
+        return after.rays == 0 && same(after.estimate.exchange, problem.estimate.exchange) &&
+               same(after.estimate.variance, problem.estimate.variance);
+    };
+    const Problem doubtful = some_doubts(scene, 0.01);
+    CHECK_FALSE(unchanged(doubtful, 1000));
+    CHECK(unchanged(doubtful, 0));
+    Problem certain = doubtful;
+    certain.estimate.variance = PairMatrix<float>(scene.patch_count());
+    CHECK(unchanged(certain, 1000));
+    Problem dark = doubtful;
+    dark.radiosity.assign(scene.patch_count(), Rgb{});
+    CHECK(unchanged(dark, 1000));
+    const Scene two_squares = half_plane(0.25, false);
+    CHECK(unchanged(squares_in_doubt(two_squares, 2.0), 0)); // a single doubt has what it deserves to the last bit
+}
+
+TEST_CASE("every number of threads refines to the same bits")
+{
+    const Scene scene = furnished();
+    const Problem problem = some_doubts(scene, 0.01);
+    const Refined one = refined(problem, {17, 5000, 1}, 1);
+    for (const int threads : {2, 7}) {
+        const Refined more = refined(problem, {17, 5000, 1}, threads);
+        CHECK(more.rays == one.rays);
+        CHECK(same(more.estimate.exchange, one.estimate.exchange));
+        CHECK(same(more.estimate.variance, one.estimate.variance));
+    }
+}
+
+} // namespace pair_rays_test

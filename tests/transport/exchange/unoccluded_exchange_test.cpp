@@ -1,0 +1,125 @@
+#include "transport/exchange/unoccluded_exchange.h"
+
+#include "transport/exchange/contact.h"
+
+#include "geometry/exchange_area.h"
+#include "geometry/shared_planes.h"
+#include "test_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <doctest/doctest.h>
+
+namespace unoccluded_exchange_test {
+
+using namespace multipath;
+
+namespace {
+
+double row_sum(const PairMatrix<float>& matrix, std::uint32_t i)
+{
+    double sum = 0.0;
+    for (std::uint32_t j = 0; j < matrix.size(); ++j)
+        sum += static_cast<double>(matrix.at(i, j));
+    return sum;
+}
+
+/// A room with a box on its floor, a turned wall, a shelf, a skew parallelogram and a triangle: grids with two common
+/// steps, with one, with opposite ones and with none.
+Scene furnished_room(bool two_sided)
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    builder.room({0, 0, 0}, {3, 2, 2.5}, grey).box({0.5, 0, 0.5}, {1.5, 0.75, 1}, grey);
+    builder.rectangle({2, 1, 1}, {0.4, 0, 0.3}, {0, 0.5, 0}, grey);
+    builder.rectangle({2.9, 1.1, 0.2}, {-0.75, 0, 0}, {0, 0, 1}, grey);
+    builder.rectangle({1, 1.5, 1}, {0.4, 0.1, 0.3}, {-0.3, 0.2, 0.4}, grey);
+    builder.triangle({2, 0.2, 2}, {2.8, 0.3, 2.1}, {2.2, 1.2, 1.5}, grey);
+    return builder.scene(0.25, two_sided);
+}
+
+} // namespace
+
+// The second method is the first without what is shared between pairs.
+TEST_CASE("pairs moved along a common step of two grids get what each would get by itself")
+{
+    for (const bool two_sided : {false, true}) {
+        const Scene scene = furnished_room(two_sided);
+        const PairMatrix<float> matrix = unoccluded_exchange(scene, 2);
+        const double touching = coplanar_distance * scene.bounds().diagonal();
+        double worst = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const FlatPiece a = piece_of(scene.patch(i).shape);
+            for (std::uint32_t j = 0; j < i; ++j) {
+                if (scene.surface_of(i) == scene.surface_of(j)) {
+                    worst = std::max(worst, static_cast<double>(matrix.at(i, j)));
+                    continue;
+                }
+                const FlatPiece b = piece_of(scene.patch(j).shape);
+                const bool in_one_plane =
+                    std::abs(dot(b.centre - a.centre, a.normal)) < touching && dot(a.normal, b.normal) < -0.999999;
+                const double expected = in_one_plane && !in_contact(scene, i, j) ? 0.0 : exchange_area(a, b, touching);
+                const double difference = std::abs(static_cast<double>(matrix.at(i, j)) - expected);
+                worst = std::max(worst, difference / std::max(expected, 1e-7 * a.area));
+            }
+        }
+        // Rounding decides which of two rules serves a pair at the limit between them; they differ by up to 5e-4.
+        CHECK(worst < 5e-4);
+    }
+}
+
+TEST_CASE("the number of threads does not change a bit")
+{
+    const Scene scene = furnished_room(true);
+    const PairMatrix<float> one = unoccluded_exchange(scene, 1);
+    for (const int threads : {2, 5}) {
+        const PairMatrix<float> several = unoccluded_exchange(scene, threads);
+        REQUIRE(several.size() == one.size());
+        CHECK(std::memcmp(one.row(0), several.row(0), sizeof(float) * one.pair_count(one.size())) == 0);
+    }
+}
+
+TEST_CASE("in an empty room every patch exchanges its whole area")
+{
+    SceneBuilder builder;
+    builder.room({-1, 0, 2}, {2, 1.7, 4.2}, builder.grey(0.5, 1.0));
+    const Scene scene = builder.scene(0.25);
+    const PairMatrix<float> matrix = unoccluded_exchange(scene, 2);
+    double worst = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        worst = std::max(worst, std::abs(row_sum(matrix, i) / scene.area(i) - 1.0));
+    CHECK(worst < 1e-5);
+}
+
+TEST_CASE("the bottom of a box exchanges its area with the floor below it")
+{
+    const Scene scene = furnished_room(false);
+    const PairMatrix<float> matrix = unoccluded_exchange(scene, 1);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint32_t j = 0; j < scene.patch_count(); ++j)
+            if (scene.surface_of(i) == 0 && scene.surface_of(j) == 6)
+                sum += static_cast<double>(matrix.at(i, j));
+    CHECK(sum == doctest::Approx(1.0 * 0.5).epsilon(1e-6));
+}
+
+// Both sides of a sheet look into a closed room, from within: each of its patches exchanges its area with the walls.
+TEST_CASE("both sides of a sheet exchange with the room and not with each other")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    builder.room({0, 0, 0}, {2, 2, 2}, grey);
+    builder.triangle({0.5, 0.5, 0.5}, {1.5, 0.6, 0.7}, {0.6, 1.4, 1.5}, grey);
+    const Scene scene = builder.scene(0.25, true);
+    const PairMatrix<float> matrix = unoccluded_exchange(scene, 2);
+    int sheets = 0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (scene.surface_of(i) == 6) {
+            CHECK(row_sum(matrix, i) == doctest::Approx(scene.area(i)).epsilon(1e-5));
+            ++sheets;
+        }
+    CHECK(sheets > 20);
+}
+
+} // namespace unoccluded_exchange_test
