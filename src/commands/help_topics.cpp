@@ -102,8 +102,8 @@ disk.
 std::string methods_text()
 {
     std::string text = "How the light of the scene is found, --method NAME:\n\n";
-    for (const MethodDescription& method : method_descriptions())
-        text += two_columns("  " + std::string(method.name), method.summary, 14, topic_width);
+    for (const Method method : all_methods())
+        text += two_columns("  " + std::string(method->name), std::string(method->summary), 14, topic_width);
     return text + "\nWhat they cost is counted in lines, --lines: rays of the first shot and global\n"
                   "lines together. 'multipath study' measures the error of each against lines.\n";
 }

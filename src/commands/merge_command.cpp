@@ -98,7 +98,7 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
     whole.description = runs[0].description;
     whole.description.share = {};
     whole.description.visit(sum);
-    if (job.options.method == Method::reuse) {
+    if (job.options.method->shards == Shards::added) {
         require_same_stage(runs);
         std::vector<Archive*> shares;
         for (SavedRun& run : runs)

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -16,34 +16,27 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<MethodDescription, 5> known_methods = {
-    {{Method::local, "local",
-      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with."},
-     {Method::global, "global",
-      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
-      "each other along a line exchanges power."},
-     {Method::first_shot, "first-shot", "Rays from the sources distribute the direct light; global lines the rest."},
-     {Method::extended, "extended",
-      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
-      "lines. For lamps that light little of the room directly."},
-     {Method::reuse, "reuse",
-      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
-      "Goes beyond the paper; the most accurate, and what solve does by default."}}};
-
 Option method_option(bool with_reuse)
 {
-    Option option = {"method", 'm', "NAME", "first-shot",
-                     "How the light is found: first-shot: direct light by rays from the sources, the rest by global "
-                     "lines; extended: rays also from what the sources light, and beyond, until all is even; global: "
-                     "everything by global lines; local: particles from patch to patch, without global lines. These "
-                     "are the methods of the paper. reuse, of solve: lines are counted, and the light is solved for; "
-                     "the most accurate."};
-    for (const MethodDescription& method : known_methods)
-        if (method.method != Method::reuse || with_reuse)
-            option.choices.push_back(method.name);
-    if (with_reuse)
-        option.default_text = "reuse";
+    Option option = {"method", 'm', "NAME", with_reuse ? "reuse" : "first-shot",
+                     "How the light is found; 'multipath help methods' describes them."};
+    for (const Method method : all_methods())
+        if (method->in_paper || with_reuse)
+            option.choices.push_back(method->name);
     return option;
+}
+
+/// "first-shot or extended": the methods with which the option has an effect.
+std::string methods_with(std::string_view option)
+{
+    std::vector<std::string> names;
+    for (const Method method : all_methods())
+        if (has_option(method, option))
+            names.emplace_back(method->name);
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+    return text;
 }
 
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
@@ -125,18 +118,6 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
     return group;
 }
 
-const std::array<MethodDescription, 5>& method_descriptions()
-{
-    return known_methods;
-}
-
-Method method_named(std::string_view name)
-{
-    return std::find_if(known_methods.begin(), known_methods.end(),
-                        [&](const MethodDescription& m) { return m.name == name; })
-        ->method;
-}
-
 Pairing pairing_named(std::string_view name)
 {
     return name == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
@@ -155,16 +136,6 @@ std::string chords_name(Chords chords)
 LineOrder line_order_named(std::string_view name)
 {
     return name == "sequence" ? LineOrder::sequence : LineOrder::shuffled;
-}
-
-bool has_global_lines(Method method)
-{
-    return method != Method::local;
-}
-
-bool walks(Method method)
-{
-    return method == Method::global || method == Method::first_shot || method == Method::extended;
 }
 
 SolveOptions read_settings(const CommandLine& line)
@@ -213,31 +184,23 @@ void require_options_with_effect(const CommandLine& line)
 void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
                                  const std::string& given)
 {
-    const auto any = [&](auto&& has_use_for) {
-        return std::any_of(methods.begin(), methods.end(),
-                           [&](const std::string& name) { return has_use_for(method_named(name)); });
+    const bool shoots = line.knows("direct") && line.text("direct") == "shoot";
+    const auto has_effect = [&](const std::string& method, std::string_view option) {
+        constexpr std::array<std::string_view, 3> of_shots = {"power-per-line", "threshold", "steps"};
+        return has_option(method_named(method), option) ||
+               (shoots && has_option(method_named(method), "direct") &&
+                std::find(of_shots.begin(), of_shots.end(), option) != of_shots.end());
     };
-    const auto refuse = [&](std::initializer_list<const char*> names, const std::string& expected) {
-        for (const std::string name : names)
-            if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name))
-                throw UsageError("--" + name + " has no effect with " + given + "; expected " + expected + " with it");
-    };
-    const auto reuses = [](Method m) { return m == Method::reuse; };
-    const auto shoots = [&](Method m) {
-        return m == Method::first_shot || m == Method::extended || (reuses(m) && line.text("direct") == "shoot");
-    };
-    if (!any(shoots))
-        refuse({"power-per-line", "threshold", "steps"}, "--method first-shot or extended");
-    if (!any(shoots) && !any(reuses))
-        refuse({"ratio"}, "--method first-shot or extended");
-    if (!any(walks))
-        refuse({"bidirectional", "line-order", "line-orders"}, "a method that walks along global lines");
-    if (!any(has_global_lines))
-        refuse({"chords"}, "a method with global lines");
-    if (!any([](Method m) { return m == Method::local; }))
-        refuse({"estimator"}, "--method local");
-    if (!any(reuses))
-        refuse({"direct"}, "--method reuse");
+    std::set<std::string> special;
+    for (const Method method : all_methods())
+        for (const std::string_view option : options_of(method))
+            special.emplace(option);
+    for (const std::string& name : special)
+        if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name) &&
+            std::none_of(methods.begin(), methods.end(),
+                         [&](const std::string& method) { return has_effect(method, name); }))
+            throw UsageError("--" + name + " has no effect with " + given + "; expected --method " +
+                             methods_with(name) + " with it");
 }
 
 std::string checked_sequence_name(const SolveOptions& options, const std::string& option)

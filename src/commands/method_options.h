@@ -4,22 +4,11 @@
 #include "cli/option_table.h"
 #include "radiosity/solve_options.h"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace multipath {
-
-struct MethodDescription
-{
-    Method method;
-    std::string_view name;
-    std::string_view summary; ///< sentences
-};
-
-/// Every method, in the order of the choices of --method.
-const std::array<MethodDescription, 5>& method_descriptions();
 
 /// The options that decide what a run does, of every command that solves or follows one. `line_count` is the command's
 /// own option for the number of all lines of the run; `reuse` is among the methods, and the default, of those commands
@@ -39,13 +28,9 @@ inline constexpr std::string_view box_chords = "box";
 std::string chords_name(Chords chords);
 
 /// Words that the tables allow.
-Method method_named(std::string_view name);
 Pairing pairing_named(std::string_view name);
 Chords chords_named(std::string_view name);
 LineOrder line_order_named(std::string_view name);
-
-bool has_global_lines(Method method);
-bool walks(Method method); ///< along global lines
 
 /// Options that the method has no use for are mistakes: throws UsageError.
 void require_options_with_effect(const CommandLine& line);

@@ -81,7 +81,7 @@ void require_outputs_of_share(const CommandLine& line, const SolveJob& job, cons
     const auto is_state = [](const std::string& path) { return has_extension(path, OutputFormat::state); };
     if (state.state.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))
         throw UsageError("--shard: nothing would be left to merge; expected --state FILE with it");
-    if (job.options.method == Method::reuse && !std::all_of(outputs.begin(), outputs.end(), is_state))
+    if (job.options.method->shards == Shards::added && !std::all_of(outputs.begin(), outputs.end(), is_state))
         throw UsageError(
             "--shard: a share of the lines of 'reuse' shows nothing alone; expected no outputs but states");
 }

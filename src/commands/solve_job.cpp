@@ -142,7 +142,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
                       {{OutputFormat::state, [&] { return keeper.last_bytes(); }}});
         return tell_of_share(job, keeper);
     }
-    if (share.of > 1 && job.options.method == Method::reuse)
+    if (share.of > 1 && job.options.method->shards == Shards::added)
         throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
     if (keeper.stopped())
         tell_of_interruption(job, solution, keeper); // before what may be given up

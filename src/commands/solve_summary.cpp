@@ -144,7 +144,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
     json.text("method", s.method);
     json.text("sequence", s.sequence);
-    if (!has_global_lines(s.options.method))
+    if (!has_option(s.options.method, "chords"))
         json.null("chords");
     else
         json.text("chords", chords_name(chords_of(s.options)));

@@ -40,8 +40,8 @@ CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
         plan.options.chords = chords_named(wanted.chords);
     plan.options.line_order = line_order_named(wanted.line_order);
     plan.kind.sequence = checked_sequence_name(plan.options, "--sequences");
-    plan.kind.chords = has_global_lines(plan.options.method) ? chords_name(chords_of(plan.options)) : "";
-    if (!walks(plan.options.method))
+    plan.kind.chords = has_option(plan.options.method, "chords") ? chords_name(chords_of(plan.options)) : "";
+    if (!has_option(plan.options.method, "line-order"))
         plan.kind.line_order.clear();
     return plan;
 }
@@ -50,14 +50,14 @@ CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
 
 OptionGroup study_curve_options()
 {
-    return {"Curves, one for each combination",
-            {{"methods", 'm', "LIST", "first-shot,extended,reuse",
-              "Of local, global, first-shot, extended, reuse; see 'multipath solve --help'."},
-             {"sequences", 's', "LIST", "random,sobol",
-              "Any that solve knows; those with bases too, as in random,sobol,halton:2,7,3,5."},
-             {"pairings", 0, "LIST", "4d", "Of 4d, 2d."},
-             {"line-orders", 0, "LIST", "shuffled", "Of shuffled, sequence."},
-             {"chords", 0, "LIST", "", "Of sphere, box. Without it, each method's own."}}};
+    return {
+        "Curves, one for each combination",
+        {{"methods", 'm', "LIST", "first-shot,extended,reuse", "Any that solve knows; see 'multipath help methods'."},
+         {"sequences", 's', "LIST", "random,sobol",
+          "Any that solve knows; those with bases too, as in random,sobol,halton:2,7,3,5."},
+         {"pairings", 0, "LIST", "4d", "Of 4d, 2d."},
+         {"line-orders", 0, "LIST", "shuffled", "Of shuffled, sequence."},
+         {"chords", 0, "LIST", "", "Of sphere, box. Without it, each method's own."}}};
 }
 
 std::vector<std::string> split_list(const std::string& text)
@@ -80,8 +80,8 @@ std::vector<std::string> split_list(const std::string& text)
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
     std::vector<std::string_view> method_names;
-    for (const MethodDescription& method : method_descriptions())
-        method_names.push_back(method.name);
+    for (const Method method : all_methods())
+        method_names.push_back(method->name);
     const std::vector<std::string> methods = read_list(line, "methods", method_names);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "radiosity/local_monte_carlo.h"
+#include "radiosity/methods.h"
 #include "sampling/sequence.h"
 #include "sampling/shuffled_order.h"
 #include "transport/lines/global_lines.h"
@@ -38,10 +39,6 @@ inline ShuffledOrder walking_order(const Sequence& sequence, LineOrder order, st
     return {sequence, first_item, order == LineOrder::shuffled ? lines : 0};
 }
 
-/// The methods of the paper: particles from the sources (L1); multi-path alone; multi-path after a first shot from the
-/// sources (S1); multi-path after the extended first shot (S2). And ours: lines that are counted and solved for (R1).
-enum class Method { local, global, first_shot, extended, reuse };
-
 /// How `reuse` finds the light that comes straight from the sources: by rays of the extended first shot, or by rays
 /// between pairs of patches, sources among them.
 enum class Direct { shoot, gather };
@@ -67,10 +64,10 @@ struct SolveOptions
     int threads = 1;
 };
 
-/// How the run draws its global lines; the methods of the paper draw them from the sphere.
+/// How the run draws its global lines.
 inline Chords chords_of(const SolveOptions& options)
 {
-    return options.chords.value_or(options.method == Method::reuse ? Chords::box : Chords::sphere);
+    return options.chords.value_or(options.method->chords);
 }
 
 } // namespace multipath

@@ -98,7 +98,7 @@ TEST_CASE("the powers told for all global lines add up to the solver's radiosity
     for (const Method method : {Method::global, Method::first_shot, Method::extended})
         for (const bool bidirectional : {true, false})
             for (const bool two_sided : {true, false}) {
-                CAPTURE(static_cast<int>(method));
+                CAPTURE(method->name);
                 CAPTURE(bidirectional);
                 const Scene scene = furnished_room(two_sided);
                 SolveOptions options = short_run(method);

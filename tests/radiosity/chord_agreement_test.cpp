@@ -87,7 +87,7 @@ TEST_CASE("lines from the box give a closed cube its exact light" * doctest::tes
     const Scene scene = builder.scene(1.0);
     const std::array<double, 3> exact = light_in_cube(0.6, 2.0);
     for (const Method method : {Method::global, Method::first_shot}) {
-        CAPTURE(static_cast<int>(method));
+        CAPTURE(method->name);
         std::array<std::vector<double>, 3> samples;
         SolveOptions options = lines_from(Chords::box, method, 1u << 16);
         for (options.seed = 1; options.seed <= seeds; ++options.seed) {
@@ -111,7 +111,7 @@ TEST_CASE("lines from the box and from the sphere give every object of a room th
 {
     const Scene scene(read_obj("scenes/5cubes.obj"), 100.0);
     for (const Method method : {Method::global, Method::extended}) {
-        CAPTURE(static_cast<int>(method));
+        CAPTURE(method->name);
         const std::vector<Estimate> box = light_of_groups(scene, lines_from(Chords::box, method, 1u << 14), 0);
         const std::vector<Estimate> sphere = light_of_groups(scene, lines_from(Chords::sphere, method, 1u << 14), 1000);
         for (std::size_t g = 0; g < box.size(); ++g) {

@@ -28,8 +28,15 @@ using namespace multipath;
 namespace {
 
 const ProgressCallback silent = [](double) {};
-constexpr std::array<Method, 3> line_methods = {Method::global, Method::first_shot, Method::extended};
+const std::array<Method, 3> line_methods = {Method::global, Method::first_shot, Method::extended};
 constexpr std::array<double Rgb::*, 3> channels = {&Rgb::r, &Rgb::g, &Rgb::b};
+/// Runs of different methods take different seeds.
+int number_of(Method method)
+{
+    const std::vector<Method> methods = all_methods();
+    return static_cast<int>(std::find(methods.begin(), methods.end(), method) - methods.begin());
+}
+
 constexpr std::array<const char*, 3> rooms = {"5cubes", "4chairs", "4chairs-up"};
 
 /// A patch size of 100 makes every surface one patch, which meets many lines, so that little is left unshot.
@@ -118,7 +125,7 @@ Runs run(const Scene& scene, const std::vector<Region>& regions, Method method, 
     runs.reflected.resize(regions.size());
     runs.radiosity.resize(scene.patch_count());
     for (int k = 0; k < count; ++k) {
-        const auto seed = static_cast<std::uint64_t>(count * static_cast<int>(method) + k + 1);
+        const auto seed = static_cast<std::uint64_t>(count * number_of(method) + k + 1);
         const Solution solution = solve(scene, random_lines(method, lines, seed), silent);
         for (std::size_t r = 0; r < regions.size(); ++r)
             runs.reflected[r].push_back(mean_reflected(scene, regions[r], solution.radiosity));
@@ -207,7 +214,7 @@ TEST_CASE("all methods give every object the same light as particles do" * docte
         };
         const std::vector<Estimate> by_particles = found(Method::local);
         for (const Method method : line_methods) {
-            CAPTURE(static_cast<int>(method));
+            CAPTURE(method->name);
             CHECK(largest_deviation(found(method), by_particles) < 4.0);
         }
     }
@@ -248,7 +255,7 @@ TEST_CASE("what is left unshot is less than 2 / (lines per patch)")
             for (const std::uint64_t lines : {1u << 14, 1u << 15, 1u << 16}) {
                 if (method == Method::global && name == "4chairs-up")
                     continue;
-                CAPTURE(static_cast<int>(method));
+                CAPTURE(method->name);
                 CAPTURE(lines);
                 const Solution solution = solve(scene, random_lines(method, lines, 1), silent);
                 const double lines_per_patch = line_density(scene, solution) * scene.total_area() / scene.patch_count();

@@ -156,8 +156,7 @@ private:
 
 std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
 {
-    constexpr std::uint64_t per_patch = 64;
-    return method == Method::reuse ? per_patch * scene.patch_count() * static_cast<std::uint64_t>(replicates) : 0;
+    return method->lines_per_patch * scene.patch_count() * static_cast<std::uint64_t>(replicates);
 }
 
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
@@ -215,7 +214,7 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
 {
     if (share.of > 1 && replicates > 1)
         throw std::invalid_argument("replicates have no shares");
-    const bool walks = options.method != Method::reuse;
+    const bool averaged = options.method->shards == Shards::averaged;
     const Preparation preparation = prepare(scene, options);
     RunRecord record;
     const Checkpoint::Part part(checkpoint, RunRecord::part,
@@ -227,12 +226,12 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
         if (record.goal == 0)
             record.goal = options.lines;
         const SolveOptions stretch =
-            share.of > 1 && walks
+            share.of > 1 && averaged
                 ? stretch_options(scene, options, share.number, share.begin(record.goal), share.end(record.goal))
                 : stretch_options(scene, options, record.pieces, record.lines, record.goal);
         Solution found = replicates > 1
                              ? solve_replicates(scene, preparation, stretch, replicates, progress, checkpoint)
-                             : solve(scene, preparation, stretch, progress, checkpoint, walks ? Share{} : share);
+                             : solve(scene, preparation, stretch, progress, checkpoint, averaged ? Share{} : share);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : found;
         record.finish_piece(record.pieces > 0 ? combined(scene, {record.solution, found}) : std::move(found));

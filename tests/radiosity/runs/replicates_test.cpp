@@ -68,7 +68,7 @@ TEST_CASE("intervals of 95 % cover the truth in 90 to 99 % of cases" * doctest::
     const std::vector<Rgb> exact = solve(cube, options_of(Method::reuse, "sobol-owen", 1u << 16), silent).radiosity;
     for (const Method method : {Method::local, Method::extended}) {
         const double share = coverage(cube, options_of(method, "random", 1u << 17), replicates, student, exact);
-        CAPTURE(static_cast<int>(method));
+        CAPTURE(method->name);
         CHECK(share > 0.90);
         CHECK(share < 0.99);
     }

@@ -77,7 +77,7 @@ TEST_CASE("work that was left at any moment and taken up again gives the same bi
     const Scene scene = room();
     for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
         for (const char* sequence : {"random", "sobol", "halton-permuted"}) {
-            CAPTURE(static_cast<int>(method));
+            CAPTURE(method->name);
             CAPTURE(sequence);
             CHECK(check_all_pauses(scene, options_of(method, sequence, 40000), 1, method == Method::reuse ? 101 : 7) >=
                   6);
@@ -180,7 +180,7 @@ TEST_CASE("what is found when the work is left keeps the balance of power, and c
 {
     const Scene scene = room();
     for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
-        CAPTURE(static_cast<int>(method));
+        CAPTURE(method->name);
         const SolveOptions options = options_of(method, "sobol", 100000);
         const Solution whole = solved(scene, options, 1, nullptr);
         int pause = 0;

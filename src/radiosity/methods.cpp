@@ -1,0 +1,231 @@
+#include "radiosity/methods.h"
+
+#include "radiosity/first_stage.h"
+#include "radiosity/local_monte_carlo.h"
+#include "radiosity/memory_estimate.h"
+#include "radiosity/multipath.h"
+#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/reuse/gathered_light.h"
+#include "radiosity/reuse/line_reuse.h"
+#include "radiosity/run.h"
+#include "scene/input_error.h"
+#include "transport/depth_complexity.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace multipath {
+
+namespace {
+
+// Stages
+
+/// All power that is not sent yet, by all lines that are left.
+void particles(Run& run)
+{
+    const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
+    run.solution.local_lines += cast_particles(run.scene, run.sequence, local, run.control(1, 1), run.state); // (L1)
+}
+
+void shots(Run& run)
+{
+    run.add_shots(
+        shoot_first(run.scene, run.sequence, run.first_local_item(), run.options, run.control(1, 1), run.state));
+}
+
+void global_pass(Run& run)
+{
+    run.plan_global_lines();
+    const GlobalPass pass{run.first_global_item(), run.solution.global_lines_cast, run.options.bidirectional};
+    const ShuffledOrder items = walking_order(run.sequence, run.options.line_order, pass.first_item, pass.lines_cast);
+    run.note_cast(cast_global_lines(run.scene, run.lines, items, pass,
+                                    run.control(pass.lines_cast, run.solution.global_lines), run.state)); // (M1) (M2)
+}
+
+bool gathers(const Run& run)
+{
+    return run.options.direct == Direct::gather;
+}
+
+/// Line reuse with a table of all pairs.
+void reuse_pairs(Run& run)
+{
+    const std::uint64_t rays = gathers(run) ? std::min(run.local_share(1.0), run.options.lines - 1) : 0;
+    const std::uint64_t first_ray = run.first_local_item();
+    run.solution.local_lines += rays;
+    run.plan_global_lines();
+    const ReusedLines plan{run.first_global_item(), run.solution.global_lines_cast, first_ray, rays, run.options.seed};
+    run.note_cast(reuse_lines(run.scene, *run.preparation.unoccluded, run.lines, run.sequence, plan,
+                              run.control(plan.cast + rays, run.solution.global_lines + rays, run.shard),
+                              run.state)); // (R1)
+}
+
+void gather(Run& run)
+{
+    const GatheredLight light =
+        gather_direct_light(run.scene, run.sequence, run.first_item, run.local_share(0.25), run.control(1, 1));
+    receive(light, run.scene, run.state);
+    run.solution.local_lines += light.lines;
+}
+
+void shoot_what_stands_out(Run& run)
+{
+    if (run.lines_to_shoot == Run::undecided)
+        run.lines_to_shoot = lines_for_what_stands_out(run.scene, run.options, run.state, run.lines_left());
+    if (run.lines_to_shoot == 0)
+        return;
+    ExtendedShotOptions shot = extended_shot(run.scene, run.options);
+    shot.lines = run.lines_to_shoot;
+    run.add_shots(
+        shoot_extended(run.scene, run.sequence, run.first_local_item(), shot, run.control(1, 1), run.state)); // (S2)
+}
+
+/// [bytes]
+std::size_t counts_limit(const Run& run)
+{
+    return count_bytes(run.scene.patch_count(), bytes_for_pairs(run.options.memory, run.scene));
+}
+
+/// Line reuse without a table of all pairs. Too few lines for equations become particles.
+void reuse_counts(Run& run)
+{
+    run.plan_global_lines();
+    const std::size_t bytes = counts_limit(run);
+    Solution& solution = run.solution;
+    if (!can_count(run.scene, run.lines, solution.global_lines_cast, bytes)) {
+        if (run.shard.of > 1)
+            throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
+                                                   "expected more --lines, more --memory, or no --shard");
+        solution.global_lines = solution.global_lines_cast = 0;
+        particles(run);
+        return;
+    }
+    run.note_cast(reuse_counted_lines(run.scene, run.lines, run.sequence, run.first_global_item(),
+                                      solution.global_lines_cast, bytes,
+                                      run.control(solution.global_lines_cast, solution.global_lines, run.shard),
+                                      run.state)); // (R1)
+}
+
+// Choice of stages
+
+std::vector<Stage> stages_of_local(const Run&)
+{
+    return {particles};
+}
+
+std::vector<Stage> stages_of_walk(const Run&)
+{
+    return {shots, global_pass};
+}
+
+/// Lines that are too few to be counted are spent on gathering only if most of the light is gathered by them, and not
+/// shot: particles do that as well.
+bool few_lines_gather_enough(const Run& run)
+{
+    const std::uint64_t rays = run.local_share(0.25);
+    const std::uint64_t surely_left = (run.options.lines - rays) / 2; // what stands out is shot with the other half
+    return can_count(run.scene, run.lines, run.lines.lines_to_cast(surely_left), counts_limit(run)) ||
+           gathered_share(run.scene, rays) > 0.5;
+}
+
+std::vector<Stage> stages_of_reuse(const Run& run)
+{
+    if (run.preparation.unoccluded)
+        return {shots, reuse_pairs};
+    if (!gathers(run))
+        return {shots, reuse_counts};
+    if (!few_lines_gather_enough(run))
+        return {particles};
+    return {gather, shoot_what_stands_out, reuse_counts};
+}
+
+// Preparation
+
+void prepare_ratio(const Scene& scene, const SolveOptions& options, Preparation& preparation)
+{
+    if (!options.power_by_line)
+        preparation.ratio = ratio_for(scene, options);
+}
+
+/// Makes a table of all pairs where it fits, unless there are so many pairs along lines, which are all counted, or so
+/// many faces on each other, of which each pair is tested for contact, that these are the work.
+void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation& preparation)
+{
+    constexpr double many_pairs = 4096.0;
+    if (reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
+        pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
+        preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
+}
+
+// The table
+
+constexpr std::uint64_t any_lines = ~std::uint64_t{0};
+
+constexpr std::array<MethodInfo, 5> table = {
+    {{"local",
+      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.", true,
+      "estimator", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_local, nullptr},
+     {"global",
+      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
+      "each other along a line exchanges power.",
+      true, "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, 0,
+      stages_of_walk, nullptr},
+     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.", true,
+      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
+      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio},
+     {"extended",
+      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
+      "lines. For lamps that light little of the room directly.",
+      true, "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
+      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio},
+     {"reuse",
+      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
+      "Goes beyond the paper; the most accurate, and what solve does by default.",
+      false, "ratio chords direct", Chords::box, Shards::added, 0xffffffffu, 64, stages_of_reuse, prepare_pairs}}};
+
+} // namespace
+
+const Method Method::local(&table[0]);
+const Method Method::global(&table[1]);
+const Method Method::first_shot(&table[2]);
+const Method Method::extended(&table[3]);
+const Method Method::reuse(&table[4]);
+
+std::vector<Method> all_methods()
+{
+    std::vector<Method> methods;
+    for (const MethodInfo& info : table)
+        methods.push_back(Method(&info));
+    return methods;
+}
+
+Method method_named(std::string_view name)
+{
+    const auto* const found =
+        std::find_if(table.begin(), table.end(), [&](const MethodInfo& info) { return info.name == name; });
+    if (found == table.end())
+        throw std::invalid_argument("no method is called '" + std::string(name) + "'");
+    return Method(found);
+}
+
+std::vector<std::string_view> options_of(Method method)
+{
+    std::vector<std::string_view> names;
+    for (std::string_view rest = method->options; !rest.empty();) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        names.push_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return names;
+}
+
+bool has_option(Method method, std::string_view option)
+{
+    const std::vector<std::string_view> names = options_of(method);
+    return std::find(names.begin(), names.end(), option) != names.end();
+}
+
+} // namespace multipath
