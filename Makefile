@@ -7,7 +7,7 @@
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
 # make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures and numbers
-# make install    puts program, manual, completions, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
+# make install    puts program, manual, completion, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
@@ -151,8 +151,7 @@ $(BUILD)/%_fuzz: $(BUILD)/tests/fuzz/%_fuzz.o $(filter-out $(BUILD)/src/main.o,$
 
 PREFIX    ?= /usr/local
 place      = "$(DESTDIR)$(PREFIX)"
-completion = share/bash-completion/completions/multipath share/zsh/site-functions/_multipath \
-             share/fish/vendor_completions.d/multipath.fish
+completion = share/bash-completion/completions/multipath
 documents  = README.md LICENSE $(sort $(shell find docs -type f))
 own        = $(patsubst %,share/multipath/%,$(wildcard scenes/*.obj scenes/*.mtl)) $(documents:%=share/doc/multipath/%)
 installed  = bin/multipath share/man/man1/multipath.1 $(completion) $(own)
@@ -162,8 +161,7 @@ install: $(PROGRAM)
 	@for folder in $(sort $(dir $(installed))); do install -d $(place)/$$folder || exit; done
 	install -m 755 $(PROGRAM) $(place)/bin/multipath
 	$(abspath $(PROGRAM)) help --man > $(place)/share/man/man1/multipath.1
-	@set -- bash zsh fish; for file in $(completion); do \
-	    $(abspath $(PROGRAM)) help --completion $$1 > $(place)/$$file && shift || exit; done
+	$(abspath $(PROGRAM)) help --completion bash > $(place)/$(completion)
 	@for file in share/man/man1/multipath.1 $(completion); do chmod 644 $(place)/$$file || exit; done
 	@for file in $(own); do install -m 644 $${file#share/*multipath/} $(place)/$$file || exit; done
 

@@ -1,15 +1,13 @@
 // multipath COMMAND [OPTIONS] ARGS: finds the command, runs it, and turns what goes wrong into one line and an exit
 // code.
 
-#include "cli/choice.h"
-#include "cli/help_text.h"
-#include "cli/interrupt.h"
-#include "cli/output_file.h"
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
+#include "cli/files/interrupt.h"
+#include "cli/files/output_file.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/help_text.h"
+#include "cli/options/usage_error.h"
 #include "cli/version.h"
 #include "commands/commands.h"
-#include "commands/help_topics.h"
 #include "parallel/instruction_set.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"

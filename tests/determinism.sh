@@ -56,7 +56,6 @@ results() {
     "$program" points -d 4 -s halton-permuted --discrepancy -o points.csv >points.txt || echo "points: exit status $?"
     "$program" study scenes/5cubes.obj -q -m extended,reuse --from 2^10 --to 2^11 --replicates 2 --patches 200 \
         --threads "$threads" -o study.svg || echo "study: exit status $?"
-    "$program" reproduce study.svg -q --threads "$threads" >reproduce.txt || echo "reproduce: exit status $?"
     "$program" compare 5cubes-reuse-random.csv 5cubes-local-random.csv >compare.txt || echo "compare: exit status $?"
     rm -r scenes study.cache
 }

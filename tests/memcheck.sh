@@ -28,7 +28,6 @@ check "render" clean render merged.state --threads 2 -q --size 24x18 --samples 1
 check "selftest" clean selftest --case points --threads 2
 check "check" clean check 5cubes.obj --lines 1000 --threads 2
 check "explain" clean explain 5cubes.obj -n 2 --of 500 --threads 2 -o lines.svg
-check "reproduce" clean reproduce lines.svg -q
 check "compare" clean compare local.csv global.csv
 check "points" clean points -d 4 -n 50 --discrepancy -o points.csv
 check "study" clean study 5cubes.obj -q -m first-shot,reuse --from 256 --to 512 --replicates 2 --patches 50 --threads 2 -o study.svg

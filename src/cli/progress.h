@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/command_line.h"
+#include "cli/options/command_line.h"
 
 #include <chrono>
 #include <string>
@@ -16,7 +16,7 @@ enum class ProgressStyle {
 /// `automatic`: a bar when stderr is a terminal, otherwise lines, which a run of some seconds never gets to see.
 ProgressStyle automatic_progress();
 
-/// What the options --progress and --quiet ask for.
+/// The style that the options --progress and --quiet ask for.
 ProgressStyle progress_style(const CommandLine& line);
 
 /// Shows on stderr how far the work is and how long it will take.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/command_line.h"
-#include "cli/option_table.h"
+#include "cli/options/command_line.h"
+#include "cli/options/option_table.h"
 #include "scene/scene.h"
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace multipath {
 
-/// What every output says of where it comes from: version, the command that makes it again, seed, scene. Options that
+/// Origin of an output: version, the command that makes it again, seed, scene. Options that
 /// do not change the result (threads, outputs, messages) are left out, so that the same result has the same bytes.
-/// RecordedCommand reads it back.
+/// The command is one line that a POSIX shell reads back as the same words.
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line, const Scene& scene);
 
 /// The same for what is made without a scene.
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line);
 
-/// Does the option of this long name stand in provenance?
+/// True if provenance() has the option of this long name.
 bool is_recorded(std::string_view option);
 
 } // namespace multipath

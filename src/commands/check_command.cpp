@@ -1,9 +1,9 @@
 #include "check/scene_check.h"
 #include "check/scene_report.h"
-#include "cli/number_text.h"
-#include "cli/standard_streams.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/number_text.h"
 #include "commands/commands.h"
-#include "commands/scene_options.h"
+#include "commands/options/scene_options.h"
 #include "export/json.h"
 #include "scene/text_format.h"
 

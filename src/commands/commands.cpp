@@ -4,9 +4,9 @@ namespace multipath {
 
 std::vector<Command> commands()
 {
-    std::vector<Command> all = {solve_command(),  render_command(),  merge_command(),   check_command(),
-                                study_command(),  paper_command(),   compare_command(), reproduce_command(),
-                                points_command(), explain_command(), selftest_command()};
+    std::vector<Command> all = {solve_command(),   render_command(),  merge_command(),   check_command(),
+                                study_command(),   paper_command(),   compare_command(), points_command(),
+                                explain_command(), selftest_command()};
     all.push_back(help_command(all));
     return all;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "cli/command_line.h"
-#include "cli/option_table.h"
+#include "cli/options/command_line.h"
+#include "cli/options/help_text.h"
+#include "cli/options/option_table.h"
 
 #include <string>
 #include <vector>
@@ -20,12 +21,14 @@ std::vector<Command> commands();
 
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands);
 
+/// All topics of `multipath help`, in the order in which they are best read.
+std::vector<HelpTopic> help_topics();
+
 Command solve_command();
 Command render_command();
 Command merge_command();
 Command check_command();
 Command compare_command();
-Command reproduce_command();
 Command study_command();
 Command paper_command();
 Command points_command();

@@ -1,16 +1,280 @@
-#include "cli/number_text.h"
-#include "cli/standard_streams.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/number_text.h"
+#include "cli/provenance.h"
 #include "commands/commands.h"
-#include "commands/comparison_report.h"
-#include "commands/result_table.h"
+#include "commands/options/solve_table.h"
+#include "commands/solve/saved_run.h"
 #include "export/comments.h"
+#include "export/json.h"
+#include "export/patch_table_reader.h"
+#include "radiosity/error_measure.h"
+#include "scene/input_error.h"
 #include "scene/text_format.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace multipath {
 
 namespace {
+
+/// The result in a table (.csv) or in the state of a finished run, whatever the file is called. Throws InputError,
+/// ArchiveError.
+PatchTable read_result(const std::string& path)
+{
+    if (!is_state_file(path))
+        return read_patch_table(path);
+    const SavedRun saved = read_saved_run(path);
+    const Scene scene = restored(saved.description.scene);
+    const Solution solution = finished_solution(saved, scene);
+    PatchTable table;
+    table.path = path;
+    table.comments = provenance(solve_table(), command_line_of(saved.description, {}), scene);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        table.surfaces.push_back(scene.surface_of(i));
+        table.materials.push_back(scene.material_of(i).name);
+        table.centres.push_back(scene.patch(i).shape.centre());
+    }
+    table.areas = scene.areas();
+    table.radiosity = solution.radiosity;
+    table.standard_error = solution.standard_error;
+    return table;
+}
+
+/// In one channel of one patch.
+struct Deviation
+{
+    std::size_t patch = 0;
+    double value = 0.0; ///< A - B [W/m^2]
+};
+
+struct WorstPatch
+{
+    std::size_t patch;
+    double share; ///< [1] of the MSE
+};
+
+/// How far A, the estimate, is from B, the reference. The lists of both have the same length.
+struct Comparison
+{
+    const PatchTable& a;
+    const PatchTable& b;
+    double area = 0.0; ///< [m^2]
+    ErrorMeasure error{};
+    double mean_a = 0.0; ///< radiosity [W/m^2]
+    double mean_b = 0.0;
+    std::optional<double> expected_a{}; ///< [1] relative MSE (1) that the table's own standard errors let expect
+    std::optional<double> expected_b{};
+    Deviation largest{};
+    std::vector<WorstPatch> worst{};
+
+    /// [1] of the relative MSE
+    double root() const { return std::sqrt(error.relative_mean_square); }
+
+    /// 1 where A and B are independent and their standard errors are all that makes them differ; nothing without any.
+    std::optional<double> measured_over_expected() const
+    {
+        const double expected =
+            expected_a.value_or(0.0) * mean_a * mean_a + expected_b.value_or(0.0) * mean_b * mean_b; // [W^2/m^4]
+        return expected > 0.0 ? std::optional<double>(error.mean_square / expected) : std::nullopt;
+    }
+};
+
+/// Throws InputError for tables of other patches, told by their number and areas.
+void require_same_patches(const PatchTable& a, const PatchTable& b)
+{
+    if (a.areas.size() != b.areas.size())
+        throw InputError(a.path + ": " + grouped(a.areas.size()) + " patches, expected " + grouped(b.areas.size()) +
+                         " as in " + b.path);
+    for (std::size_t i = 0; i < a.areas.size(); ++i)
+        if (!(std::abs(a.areas[i] - b.areas[i]) <= 1e-9 * b.areas[i]))
+            throw InputError(a.path +
+                             format(": patch %zu has %.12g m^2, expected %.12g m^2 as in ", i, a.areas[i], b.areas[i]) +
+                             b.path);
+}
+
+/// Area-weighted [W/m^2].
+double mean_radiosity(const PatchTable& table)
+{
+    double power = 0.0;
+    double area = 0.0;
+    for (std::size_t i = 0; i < table.areas.size(); ++i) {
+        power += table.areas[i] * mean(table.radiosity[i]);
+        area += table.areas[i];
+    }
+    return power / area;
+}
+
+std::optional<double> expected_error(const PatchTable& table)
+{
+    if (table.standard_error.empty())
+        return std::nullopt;
+    return expected_relative_square(table.areas, table.radiosity, table.standard_error);
+}
+
+Deviation largest_deviation(const PatchTable& a, const PatchTable& b)
+{
+    Deviation largest;
+    for (std::size_t i = 0; i < a.areas.size(); ++i) {
+        const Rgb difference = a.radiosity[i] - b.radiosity[i];
+        for (const double value : {difference.r, difference.g, difference.b})
+            if (std::abs(value) > std::abs(largest.value))
+                largest = {i, value};
+    }
+    return largest;
+}
+
+std::vector<WorstPatch> worst_patches(const PatchTable& a, const PatchTable& b, std::size_t count)
+{
+    std::vector<WorstPatch> patches;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.areas.size(); ++i) {
+        const Rgb error = a.radiosity[i] - b.radiosity[i];
+        patches.push_back({i, b.areas[i] * mean(error * error)});
+        sum += patches.back().share;
+    }
+    if (!(sum > 0.0))
+        return {};
+    for (WorstPatch& patch : patches)
+        patch.share /= sum;
+    count = std::min(count, patches.size());
+    std::partial_sort(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(count), patches.end(),
+                      [](const WorstPatch& p, const WorstPatch& q) {
+                          return p.share != q.share ? p.share > q.share : p.patch < q.patch;
+                      });
+    patches.resize(count);
+    return patches;
+}
+
+/// Of tables with the same patches, which must outlive it, with the `worst_count` patches that have the largest shares
+/// of the MSE. Throws InputError for numbers too large to square, and for a reference without light.
+Comparison compare(const PatchTable& a, const PatchTable& b, std::size_t worst_count)
+{
+    Comparison c{a, b};
+    c.area = std::accumulate(b.areas.begin(), b.areas.end(), 0.0);
+    c.mean_a = mean_radiosity(a);
+    c.mean_b = mean_radiosity(b);
+    c.error = measure_error(b.areas, a.radiosity, b.radiosity);
+    c.expected_a = expected_error(a);
+    c.expected_b = expected_error(b);
+    const double all_figures = c.area + c.error.mean_square + c.mean_a * c.mean_a + c.mean_b * c.mean_b +
+                               c.expected_a.value_or(0.0) + c.expected_b.value_or(0.0);
+    if (!std::isfinite(all_figures))
+        throw InputError(a.path + ": numbers too large to compare with " + b.path + ", expected W/m^2 and m^2");
+    if (!(c.mean_b * c.mean_b > 0.0))
+        throw InputError(b.path + ": mean radiosity is 0, expected a reference with light");
+    c.largest = largest_deviation(a, b);
+    c.worst = worst_patches(a, b, worst_count);
+    return c;
+}
+
+/// "1.8e-05 (0.426 %)"
+std::string expected_text(std::optional<double> relative_square)
+{
+    return relative_square ? format("%.3g (%.3g %%)", *relative_square, 100.0 * std::sqrt(*relative_square))
+                           : "unknown";
+}
+
+/// The MSE of a few replicates scatters by up to a factor of two.
+std::string verdict(const Comparison& c, double ratio)
+{
+    if (ratio < 0.5)
+        return "less than independent results would differ";
+    if (c.expected_a && c.expected_b)
+        return ratio <= 2.0 ? "they explain it" : "they do not explain it";
+    const std::string one = c.expected_a ? "A" : "B";
+    const std::string other = c.expected_a ? "B" : "A";
+    return ratio <= 2.0 ? "that of " + one + " alone explains it" : "the rest is the unknown one of " + other;
+}
+
+std::string errors_text(const Comparison& c)
+{
+    if (!c.expected_a && !c.expected_b)
+        return "";
+    const std::string text = "errors     relative MSE by its own standard errors: A " + expected_text(c.expected_a) +
+                             ", B " + expected_text(c.expected_b) + "\n";
+    const std::optional<double> ratio = c.measured_over_expected();
+    if (!ratio)
+        return text + "explained  all standard errors are 0 and explain nothing\n";
+    return text + format("explained  the MSE is %.3g times what these errors let expect: ", *ratio) +
+           verdict(c, *ratio) + "\n";
+}
+
+std::string worst_text(const Comparison& c)
+{
+    if (c.worst.empty())
+        return "";
+    std::string text = format("worst    %9s %8s %12s %12s   %-27s %s\n", "patch", "of MSE", "A W/m^2", "B W/m^2",
+                              "centre", "material");
+    for (const WorstPatch& patch : c.worst) {
+        const std::size_t i = patch.patch;
+        const Vec3 centre = c.b.centres[i];
+        text += format("         %9zu %6.2f %% %12.6g %12.6g   %-27s ", i, 100.0 * patch.share, mean(c.a.radiosity[i]),
+                       mean(c.b.radiosity[i]), format("(%.4g, %.4g, %.4g)", centre.x, centre.y, centre.z).c_str()) +
+                c.b.materials[i] + "\n";
+    }
+    return text;
+}
+
+JsonObject worst_json(const Comparison& c, const WorstPatch& patch)
+{
+    const Vec3 centre = c.b.centres[patch.patch];
+    JsonObject json;
+    json.count("patch", patch.patch);
+    json.text("material", c.b.materials[patch.patch]);
+    json.numbers("centre", {centre.x, centre.y, centre.z});
+    json.number("radiosity", mean(c.a.radiosity[patch.patch]));
+    json.number("reference_radiosity", mean(c.b.radiosity[patch.patch]));
+    json.number("share", patch.share);
+    return json;
+}
+
+/// Some lines for a person.
+std::string report_text(const Comparison& c)
+{
+    std::string text = "A          " + c.a.path + "\nB          " + c.b.path + ", the reference\n";
+    text += format("patches    %s, %.6g m^2\n", grouped(c.a.areas.size()).c_str(), c.area);
+    text += format("MSE        %.4g W^2/m^4; relative %.4g, its root %.4g %%\n", c.error.mean_square,
+                   c.error.relative_mean_square, 100.0 * c.root());
+    text += format("largest    deviation %+.4g W/m^2 in one channel of patch %zu, %.3g %% of the mean radiosity\n",
+                   c.largest.value, c.largest.patch, 100.0 * std::abs(c.largest.value / c.mean_b));
+    text += format("radiosity  mean %.6g in A, %.6g in B W/m^2: a difference of %+.3g %%\n", c.mean_a, c.mean_b,
+                   100.0 * (c.mean_a - c.mean_b) / c.mean_b);
+    return text + errors_text(c) + worst_text(c);
+}
+
+/// The same for a program: the keys of `compare --json`.
+JsonObject report_json(const Comparison& c)
+{
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
+    JsonObject json;
+    json.text("result", c.a.path);
+    json.text("reference", c.b.path);
+    json.count("patches", c.a.areas.size());
+    json.number("area_m2", c.area);
+    json.number("mean_square_error", c.error.mean_square);
+    json.number("relative_mean_square_error", c.error.relative_mean_square);
+    json.number("relative_root_mean_square_error", c.root());
+    json.number("largest_deviation", c.largest.value);
+    json.count("largest_deviation_patch", c.largest.patch);
+    json.number("mean_radiosity", c.mean_a);
+    json.number("reference_mean_radiosity", c.mean_b);
+    json.number("mean_radiosity_difference", (c.mean_a - c.mean_b) / c.mean_b);
+    json.number("expected_relative_mean_square_error", c.expected_a.value_or(unknown));
+    json.number("reference_expected_relative_mean_square_error", c.expected_b.value_or(unknown));
+    json.number("measured_over_expected", c.measured_over_expected().value_or(unknown));
+    std::vector<JsonObject> worst;
+    for (const WorstPatch& patch : c.worst)
+        worst.push_back(worst_json(c, patch));
+    json.objects("worst", worst);
+    return json;
+}
 
 CommandTable compare_table()
 {

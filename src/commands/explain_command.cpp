@@ -1,14 +1,13 @@
-#include "cli/number_text.h"
-#include "cli/planned_outputs.h"
+#include "cli/files/planned_outputs.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
 #include "cli/provenance.h"
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
 #include "commands/commands.h"
-#include "commands/method_options.h"
-#include "commands/scene_options.h"
-#include "commands/story_drawing.h"
-#include "commands/story_text.h"
-#include "scene/text_format.h"
+#include "commands/explain/story_drawing.h"
+#include "commands/explain/story_text.h"
+#include "commands/options/method_options.h"
+#include "commands/options/scene_options.h"
 #include "transport/lines/global_lines.h"
 
 #include <algorithm>
@@ -134,7 +133,7 @@ int run_explain(const CommandLine& line)
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);
     const std::vector<std::string> paths = line.all("output");
-    std::vector<PlannedOutput> outputs = open_outputs(paths, {scene_path(line)}, {OutputFormat::svg});
+    std::vector<PlannedOutput> outputs = open_outputs(paths, {scene_path(line)}, {".svg"});
 
     const Scene scene = read_scene(line);
     require_no_input(outputs, scene.file().material_files);

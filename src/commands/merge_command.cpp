@@ -1,8 +1,7 @@
-#include "cli/usage_error.h"
 #include "commands/commands.h"
-#include "commands/forwarded_options.h"
-#include "commands/scene_options.h"
-#include "commands/solve_job.h"
+#include "commands/options/scene_options.h"
+#include "commands/solve/formats.h"
+#include "commands/solve/solve_job.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/reuse/counted_reuse.h"
 #include "radiosity/runs/share_sum.h"
@@ -123,14 +122,14 @@ int run_merge(const CommandLine& line)
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
     inputs.push_back(runs[0].description.scene.file->path);
-    std::vector<PlannedOutput> outputs = open_outputs(
+    std::vector<PlannedOutput> outputs = open_solution_outputs(
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path), inputs);
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =
         read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
     const bool only_states = std::all_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
-        return output.format == OutputFormat::state;
+        return format_of(output) == OutputFormat::state;
     });
     if (only_states) {
         for (PlannedOutput& output : outputs)

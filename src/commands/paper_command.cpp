@@ -1,13 +1,11 @@
-#include "cli/interrupt.h"
-#include "cli/output_file.h"
+#include "cli/files/interrupt.h"
+#include "cli/files/output_file.h"
+#include "cli/files/standard_streams.h"
 #include "cli/provenance.h"
-#include "cli/standard_streams.h"
 #include "cli/version.h"
-#include "commands/bundled_scenes.h"
 #include "commands/commands.h"
-#include "commands/machine.h"
-#include "commands/paper_steps.h"
-#include "commands/scene_options.h"
+#include "commands/options/scene_options.h"
+#include "commands/study/paper_steps.h"
 #include "scene/obj_reader.h"
 #include "scene/patch_size.h"
 #include "scene/text_format.h"
@@ -15,8 +13,13 @@
 #include "study/study_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 namespace multipath {
@@ -103,6 +106,28 @@ PaperFindings read_findings(const CommandLine& line, const std::string& scenes, 
                 findings.studies[output.substr(0, output.size() - 4)] = read_study(folder + "/" + output);
         }
     return findings;
+}
+
+/// The processor's name as the system tells it, else the kind of machine.
+std::string processor_name()
+{
+    std::ifstream facts("/proc/cpuinfo"); // Linux
+    for (std::string line; std::getline(facts, line);)
+        if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos)
+            return line.substr(line.find(": ") + 2);
+    utsname names{};
+    return uname(&names) == 0 ? names.machine : "unknown";
+}
+
+/// Today, "2026-11-21" (UTC).
+std::string today()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    std::array<char, 16> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d", &utc);
+    return text.data();
 }
 
 std::vector<std::string> facts(const CommandLine& line, double seconds, bool resumed)

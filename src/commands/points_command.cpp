@@ -1,8 +1,8 @@
-#include "cli/number_text.h"
-#include "cli/planned_outputs.h"
+#include "cli/files/planned_outputs.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
 #include "cli/provenance.h"
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
 #include "commands/commands.h"
 #include "export/comments.h"
 #include "export/discrepancy_table.h"
@@ -164,18 +164,18 @@ void require_absent(const CommandLine& line, const std::vector<std::string>& opt
             refuse("--" + option, reason);
 }
 
-std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<OutputFormat>& formats)
+std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<std::string_view>& extensions)
 {
-    return open_outputs(line.has("output") ? line.all("output") : std::vector<std::string>{"-"}, {}, formats);
+    return open_outputs(line.has("output") ? line.all("output") : std::vector<std::string>{"-"}, {}, extensions);
 }
 
 int run_listing(const CommandLine& line)
 {
     const PointRange range = read_point_range(line);
     const std::vector<std::string> paths = line.all("output");
-    const std::vector<OutputFormat> formats = {OutputFormat::csv, OutputFormat::svg};
+    const std::vector<std::string_view> extensions = {".csv", ".svg"};
     const bool draws = std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
-        return output_format(path, formats) == OutputFormat::svg;
+        return output_extension(path, extensions) == ".svg";
     });
     if (!draws)
         require_absent(line, {"pairs", "order"}, "needs a drawing, such as -o points.svg");
@@ -186,10 +186,10 @@ int run_listing(const CommandLine& line)
     if (line.has("order") && range.count < 2)
         refuse("--count", "the order of points shows with two of them or more");
 
-    std::vector<PlannedOutput> outputs = open(line, formats);
+    std::vector<PlannedOutput> outputs = open(line, extensions);
     const auto draw = line.has("order") ? order_plots : scatter_plots;
     for (PlannedOutput& output : outputs)
-        if (output.format == OutputFormat::svg)
+        if (output.extension == ".svg")
             output.file.write(draw(all_points(range), pairs, range_words(range), provenance(points_table(), line)));
         else // made again without a drawing, which those options need
             write_points(output.file, range, provenance(without_options(points_table(), {"pairs", "order"}), line));
@@ -204,7 +204,7 @@ int run_figure(const CommandLine& line)
     const std::uint64_t count = read_count("--count", line.text("count"), 1);
     const std::uint64_t seed = read_count("--seed", line.text("seed"));
     require_drawable(count);
-    std::vector<PlannedOutput> outputs = open(line, {OutputFormat::svg});
+    std::vector<PlannedOutput> outputs = open(line, {".svg"});
     const auto figure = line.text("figure") == "1" ? paper_figure_1 : paper_figure_2;
     const std::string drawing = figure(count, seed, provenance(without_options(points_table(), fixed), line));
     for (PlannedOutput& output : outputs)
@@ -221,7 +221,7 @@ int run_discrepancy(const CommandLine& line)
         refuse("--count", "the discrepancy is computed for at most " + std::to_string(most_points_measured) +
                               " points, since the work grows with the square");
     const std::vector<std::string> paths = line.all("output");
-    std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {OutputFormat::csv});
+    std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {".csv"});
 
     const std::vector<DiscrepancyRow> rows = measure_discrepancy(*range.sequence, range.first, range.count);
     const std::vector<std::string> comments = provenance(points_table(), line);

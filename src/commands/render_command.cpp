@@ -1,9 +1,8 @@
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
+#include "cli/files/standard_streams.h"
 #include "commands/commands.h"
-#include "commands/forwarded_options.h"
-#include "commands/scene_options.h"
-#include "commands/solve_job.h"
+#include "commands/options/scene_options.h"
+#include "commands/solve/formats.h"
+#include "commands/solve/solve_job.h"
 #include "scene/text_format.h"
 
 namespace multipath {
@@ -27,8 +26,8 @@ int run_render(const CommandLine& line)
     const SavedRun saved = read_saved_run(line.operands()[0]);
     const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
     std::vector<PlannedOutput> outputs =
-        open_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),
-                     {line.operands()[0], saved.description.scene.file->path});
+        open_solution_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),
+                              {line.operands()[0], saved.description.scene.file->path});
     const Scene scene = restored(saved.description.scene);
     require_results_possible(job, scene, outputs);
     const Solution solution = finished_solution(saved, scene);

@@ -1,12 +1,11 @@
-#include "cli/choice.h"
-#include "cli/number_text.h"
-#include "cli/planned_outputs.h"
+#include "cli/files/planned_outputs.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
 #include "commands/commands.h"
-#include "commands/scene_options.h"
+#include "commands/options/scene_options.h"
 #include "exam/exam.h"
 #include "exam/exam_table.h"
 
@@ -76,8 +75,8 @@ int run_selftest(const CommandLine& line)
     int threads = thread_count(line);
     const std::vector<std::string> paths = line.all("output");
     const bool own_scene = !line.operands().empty();
-    std::vector<PlannedOutput> outputs = open_outputs(
-        paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {OutputFormat::csv});
+    std::vector<PlannedOutput> outputs =
+        open_outputs(paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {".csv"});
 
     std::optional<Scene> scene;
     std::vector<std::string> comments = provenance(selftest_table(), line);

@@ -1,13 +1,10 @@
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/usage_error.h"
 #include "commands/commands.h"
-#include "commands/forwarded_options.h"
-#include "commands/method_options.h"
-#include "commands/scene_options.h"
-#include "commands/solution_outputs.h"
-#include "commands/solve_job.h"
-#include "commands/solve_table.h"
-#include "commands/state_options.h"
+#include "commands/options/scene_options.h"
+#include "commands/options/solve_table.h"
+#include "commands/solve/formats.h"
+#include "commands/solve/solve_job.h"
 #include "scene/text_format.h"
 
 #include <algorithm>
@@ -15,29 +12,6 @@
 #include <utility>
 
 namespace multipath {
-
-OptionGroup solve_method_group()
-{
-    return method_option_group(
-        {"lines", 'n', "N", "2^20",
-         "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
-        true);
-}
-
-CommandTable solve_table()
-{
-    return {"solve",
-            "radiosity of every patch of a scene, as pictures, meshes and tables",
-            {{"SCENE.obj", false, false, {".obj"}}},
-            {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
-             scene_option_group(), picture_option_group()},
-            "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
-            "\n"
-            "  multipath solve room.obj\n"
-            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"
-            "  multipath solve room.obj -o room.glb -o room.ply\n"
-            "  multipath solve room.obj -o room.html\n"};
-}
 
 namespace {
 
@@ -93,7 +67,7 @@ std::vector<std::string> output_paths(const CommandLine& line, const StateOption
     return state.share.of > 1 ? std::vector<std::string>{} : default_outputs(line.operands()[0]);
 }
 
-/// What the run goes on from, if it is not another run's.
+/// Lets the run go on from a saved state. Throws InputError for the state of another run.
 void resume(const StateOptions& state, const RunDescription& wanted, const SolveJob& job, StateKeeper& keeper)
 {
     SavedRun saved = read_saved_run(state.from);
@@ -118,7 +92,7 @@ int run_solve(const CommandLine& line)
     for (const std::string& path : {state.state, state.from})
         if (!path.empty())
             inputs.push_back(path);
-    std::vector<PlannedOutput> outputs = open_outputs(output_paths(line, state), inputs);
+    std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line, thread_count(line));
     require_no_input(outputs, scene.file().material_files);

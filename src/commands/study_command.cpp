@@ -1,25 +1,126 @@
-#include "cli/interrupt.h"
-#include "cli/number_text.h"
-#include "cli/planned_outputs.h"
+#include "cli/files/interrupt.h"
+#include "cli/files/planned_outputs.h"
+#include "cli/files/standard_streams.h"
+#include "cli/options/command_line.h"
+#include "cli/options/number_text.h"
+#include "cli/options/option_table.h"
+#include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
-#include "cli/standard_streams.h"
-#include "cli/usage_error.h"
 #include "commands/commands.h"
-#include "commands/memory_limit.h"
-#include "commands/method_options.h"
-#include "commands/scene_options.h"
-#include "commands/study_cache.h"
-#include "commands/study_curves.h"
+#include "commands/options/memory_limit.h"
+#include "commands/options/method_options.h"
+#include "commands/options/scene_options.h"
+#include "commands/study/study_cache.h"
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
 #include "study/study_table.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
 
 namespace multipath {
 
 namespace {
+
+/// The entries of a list with commas; one that begins with a digit belongs to the entry before if that has a colon, as
+/// in "sobol,halton:2,7,3,5".
+std::vector<std::string> split_list(const std::string& text)
+{
+    std::vector<std::string> entries;
+    std::size_t from = 0;
+    while (from <= text.size()) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        const std::string piece = text.substr(from, comma - from);
+        const bool number = !piece.empty() && std::isdigit(static_cast<unsigned char>(piece[0]));
+        if (number && !entries.empty() && entries.back().find(':') != std::string::npos)
+            entries.back() += "," + piece;
+        else
+            entries.push_back(piece);
+        from = comma + 1;
+    }
+    return entries;
+}
+
+/// The entries of the option `name`. Without choices anything goes.
+std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
+                                   const std::vector<std::string_view>& choices)
+{
+    std::vector<std::string> entries = split_list(line.text(name));
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        if (entries[k].empty())
+            throw UsageError("--" + name + ": expected names with a comma between them, got " +
+                             quoted_argument(line.text(name)));
+        if (!choices.empty())
+            require_choice("--" + name, entries[k], choices);
+        if (std::find(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(k), entries[k]) !=
+            entries.begin() + static_cast<std::ptrdiff_t>(k))
+            throw UsageError("--" + name + ": " + quoted_argument(entries[k]) + " is named twice");
+    }
+    return entries;
+}
+
+CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
+{
+    CurvePlan plan{wanted, settings};
+    plan.options.threads = 1; // of each run; several go on at a time
+    plan.options.method = method_named(wanted.method);
+    plan.options.sequence = wanted.sequence;
+    plan.options.pairing = pairing_named(wanted.pairing);
+    if (!wanted.chords.empty())
+        plan.options.chords = chords_named(wanted.chords);
+    plan.options.line_order = line_order_named(wanted.line_order);
+    plan.kind.sequence = checked_sequence_name(plan.options, "--sequences");
+    plan.kind.chords = has_option(plan.options.method, "chords") ? chords_name(chords_of(plan.options)) : "";
+    if (!has_option(plan.options.method, "line-order"))
+        plan.kind.line_order.clear();
+    return plan;
+}
+
+/// The options that say which curves a study has: lists of methods, sequences, pairings, chords and line orders.
+OptionGroup study_curve_options()
+{
+    return {
+        "Curves, one for each combination",
+        {{"methods", 'm', "LIST", "first-shot,extended,reuse", "Any that solve knows; see 'multipath help methods'."},
+         {"sequences", 's', "LIST", "random,sobol",
+          "Any that solve knows; those with bases too, as in random,sobol,halton:2,7,3,5."},
+         {"pairings", 0, "LIST", "4d", "Of 4d, 2d."},
+         {"line-orders", 0, "LIST", "shuffled", "Of shuffled, sequence."},
+         {"chords", 0, "LIST", "", "Of sphere, box. Without it, each method's own."}}};
+}
+
+/// One curve for each combination of the lists, without those that differ in nothing, such as chords of a method
+/// without global lines. Throws UsageError for an unknown name, one named twice, and options without effect.
+std::vector<CurvePlan> read_curves(const CommandLine& line)
+{
+    std::vector<std::string_view> method_names;
+    for (const Method method : all_methods())
+        method_names.push_back(method->name);
+    const std::vector<std::string> methods = read_list(line, "methods", method_names);
+    require_options_with_effect(line, methods, "--methods " + line.text("methods"));
+    const SolveOptions settings = read_settings(line);
+    const std::vector<std::string> sequences = read_list(line, "sequences", {});
+    const std::vector<std::string> pairings = read_list(line, "pairings", {"4d", "2d"});
+    const std::vector<std::string> orders = read_list(line, "line-orders", {"shuffled", "sequence"});
+    const std::vector<std::string> chords =
+        line.has("chords") ? read_list(line, "chords", {sphere_chords, box_chords}) : std::vector<std::string>{""};
+
+    std::vector<CurvePlan> curves;
+    for (const std::string& method : methods)
+        for (const std::string& sequence : sequences)
+            for (const std::string& pairing : pairings)
+                for (const std::string& chord : chords)
+                    for (const std::string& order : orders) {
+                        const CurvePlan plan = curve_plan(settings, {method, sequence, pairing, chord, order});
+                        const auto known = [&](const CurvePlan& other) { return other.kind == plan.kind; };
+                        if (std::none_of(curves.begin(), curves.end(), known))
+                            curves.push_back(plan);
+                    }
+    return curves;
+}
 
 CommandTable study_table()
 {
@@ -95,7 +196,7 @@ int run_study_command(const CommandLine& line)
     std::vector<std::string> inputs = {scene_path(line)};
     if (line.has("reference"))
         inputs.push_back(line.text("reference"));
-    std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {OutputFormat::csv, OutputFormat::svg});
+    std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {".csv", ".svg"});
 
     const Scene scene = read_scene(line, threads);
     require_no_input(outputs, scene.file().material_files);
@@ -114,9 +215,8 @@ int run_study_command(const CommandLine& line)
     }
     const Abscissa against = line.text("against") == "seconds" ? Abscissa::seconds : Abscissa::lines;
     for (PlannedOutput& output : outputs)
-        output.file.write(output.format == OutputFormat::csv
-                              ? study_csv(study, comments)
-                              : convergence_plot(study, against, plot_title(scene), comments));
+        output.file.write(output.extension == ".csv" ? study_csv(study, comments)
+                                                     : convergence_plot(study, against, plot_title(scene), comments));
     commit(outputs);
     if (!line.has("quiet") || paths.empty())
         print(plot_title(scene) + "\n" + study_text(study));

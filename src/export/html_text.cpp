@@ -1,9 +1,5 @@
 #include "export/html_text.h"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 namespace multipath {
 
 std::string html_escaped(const std::string& text)
@@ -18,24 +14,9 @@ std::string html_escaped(const std::string& text)
     return result;
 }
 
-std::string html_unescaped(std::string_view text)
-{
-    constexpr std::array<std::pair<std::string_view, char>, 4> entities = {
-        {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}}};
-    std::string result;
-    while (!text.empty()) {
-        const auto entity = std::find_if(entities.begin(), entities.end(),
-                                         [&](const auto& e) { return text.substr(0, e.first.size()) == e.first; });
-        const bool found = entity != entities.end();
-        result += found ? entity->second : text[0];
-        text.remove_prefix(found ? entity->first.size() : 1);
-    }
-    return result;
-}
-
 std::string html_record_line(const std::string& fact)
 {
-    return std::string(html_record_begin) + html_escaped(fact) + std::string(html_record_end) + "\n";
+    return "<meta name=\"multipath\" content=\"" + html_escaped(fact) + "\">\n";
 }
 
 std::string replaced_between(const std::string& text, std::string_view open, std::string_view close,

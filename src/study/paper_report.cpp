@@ -21,8 +21,8 @@ public:
         heading(1, "Quasi-Monte Carlo lines and the extended first shot, computed again");
         text("Every table and figure of F. Castro, R. Martínez, M. Sbert: *Quasi Monte-Carlo and extended first shot "
              "improvements to the multi-path method for radiosity* (1998), and what `multipath` adds to them. Each "
-             "figure names the command that makes it; `multipath reproduce FILE` runs the command in a file's header "
-             "again and compares.");
+             "figure names the command that makes it, which the file records too: run it again, and compare the files "
+             "with `cmp`.");
         text("The paper's scenes were never published. The bundled ones match what it states of them: the number and "
              "kind of things in the room, and the figures that formula (3) takes. So orderings, slopes and ratios can "
              "be compared; errors as such cannot.");

@@ -51,10 +51,6 @@ check "so does SIGHUP, of a terminal that is closed" ends_at_once HUP points --c
 check "and SIGTERM explain" ends_at_once TERM explain "$scene" --method global --of 2^42 --first 2^40 -o halted/a.svg
 check "a state to render" ends 0 solve "$scene" $quick -o all.state
 check "and render" ends_at_once TERM render all.state --quiet $slow_picture -o halted/a.csv -o halted/b.png
-printf '# command: multipath points --count 2^40\ncount\n' >endless.csv
-check "and reproduce, of the file that it makes for itself" ends_at_once TERM reproduce endless.csv --quiet
-printf '# command: multipath solve %s --lines 2^40 --patches 100 --method local\nid\n' "$scene" >endless_run.csv
-check "also when that is a run of solve" ends_at_once TERM reproduce endless_run.csv --quiet
 check "a run that prepares has nothing to write" ends_at_once TERM solve "$root/scenes/4chairs.obj" --patches 14000 --method reuse \
     --lines 2^30 --quiet -o halted/a.csv
 

@@ -19,7 +19,6 @@ small_run() {
         --output=out.svg --quiet ;;
     paper) echo --scenes=nowhere --output=paper --quiet ;;
     compare) echo result.csv result.csv ;;
-    reproduce) echo result.csv --quiet ;;
     render) echo result.state --size=8x8 --samples=1 --output=out.png --quiet ;;
     merge) echo share1.state share2.state --size=8x8 --samples=1 --output=out.png --quiet ;;
     points) echo --count=100 --output=out.csv ;;
@@ -44,7 +43,7 @@ valued_options() { "$program" "$1" --help | sed -n 's/^  \(-., \|    \)--\([a-z-
 # May the work fail, for a file that is not there or a memory of two bytes?
 may_fail() {
     case $1:$2 in
-    paper:* | *:output | *:keep | *:cache | *:reference | *:state | *:from | *:scenes | *:memory | *:patch-size) ;;
+    paper:* | *:output | *:cache | *:reference | *:state | *:from | *:scenes | *:memory | *:patch-size) ;;
     *) return 1 ;;
     esac
 }

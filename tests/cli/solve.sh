@@ -83,7 +83,7 @@ inside_out() {
         ends 1 solve outward.obj --lines 4096 --method $method --quiet -o a.csv && says err "inside out; --flip" || return
     done
     ends 0 solve outward.obj --lines 4096 --flip -o a.csv && says err "0.00 % escaped" && says a.csv " --flip" &&
-        ends 0 reproduce a.csv && ends 1 check outward.obj --lines 5000 && says out "--flip" && [ "$(grep -c WRONG out)" = 1 ] &&
+        ends 1 check outward.obj --lines 5000 && says out "--flip" && [ "$(grep -c WRONG out)" = 1 ] &&
         ends 0 check outward.obj --lines 5000 --flip && says out "nothing suspicious" &&
         ends 0 study outward.obj --flip --methods extended --sequences random --from 1000 --to 2000 -o s.csv --quiet &&
         ends 0 explain outward.obj --flip -o e.svg &&

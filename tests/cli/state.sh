@@ -192,7 +192,7 @@ shrinks() {
 check "a state that becomes shorter while it is read ends the program with one line" shrinks
 
 endless() {
-    for command in "render /dev/zero" "merge /dev/zero" "reproduce /dev/zero" \
+    for command in "render /dev/zero" "merge /dev/zero" \
         "solve $scene $quick --from-state /dev/zero" "solve $scene $quick --state /dev/zero --resume"; do
         (ulimit -v 4000000 && ends 1 $command) && says err "/dev/zero" && lines_are err 1 || { echo "$command"; return 1; }
     done

@@ -1,7 +1,6 @@
 #include "commands/commands.h"
 
-#include "cli/help_text.h"
-#include "commands/help_topics.h"
+#include "cli/options/help_text.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,5 @@
-#include "image/png_chunks.h"
-
 #include "image/png.h"
+#include "image/png_reader.h"
 
 #include <doctest/doctest.h>
 
@@ -32,30 +31,6 @@ TEST_CASE("the chunks of a PNG are those that were written, to the last byte")
     CHECK(chunks[4].data.data() + 4 == png.data() + png.size());
 }
 
-TEST_CASE("a PNG that is cut off anywhere has the chunks before that place")
-{
-    const std::string png = small_png();
-    std::size_t before = 0;
-    for (std::size_t size = 0; size <= png.size(); ++size) {
-        const std::size_t count = png_chunks(png.substr(0, size)).size();
-        CHECK(count >= before);
-        CHECK(count <= before + 1);
-        before = count;
-    }
-    CHECK(png_chunks(png.substr(0, png.size() - 1)).size() == 4);
-}
-
-TEST_CASE("a length beyond the end, and what is no PNG, give no chunks")
-{
-    std::string png = small_png();
-    png.replace(8, 4, "\xff\xff\xff\xff");
-    CHECK(is_png(png));
-    CHECK(png_chunks(png).empty());
-    CHECK_FALSE(is_png("P6\n1 1\n255\n"));
-    CHECK(png_chunks("P6\n1 1\n255\nabc").empty());
-    CHECK(png_chunks("").empty());
-}
-
 TEST_CASE("the comment is read as it was written, be it ASCII or not")
 {
     for (const std::string text :
@@ -64,7 +39,6 @@ TEST_CASE("the comment is read as it was written, be it ASCII or not")
     CHECK(png_comment(png_bytes({1, 1, {1, 2, 3}}, "bad \xff, cut \xe2\x82, bell \a")) ==
           std::optional<std::string_view>("bad ?, cut ??, bell ?"));
     CHECK_FALSE(png_comment(png_bytes({1, 1, {1, 2, 3}})));
-    CHECK_FALSE(png_comment("no PNG"));
 }
 
 TEST_CASE("ASCII is in the chunk that every reader knows, the rest in that for UTF-8")

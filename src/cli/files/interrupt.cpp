@@ -1,0 +1,170 @@
+// The end of the program runs within a handler of signals, so that no phase of any work, nor a pipe without a reader,
+// can hold it up. Handlers call only what POSIX allows them, and read only lock-free atomics and slots of unfinished.h.
+
+#include "cli/files/interrupt.h"
+
+#include "cli/files/unfinished.h"
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstddef>
+#include <unistd.h>
+
+namespace multipath {
+
+namespace {
+
+constexpr unsigned seconds_to_end = 2;
+constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
+
+std::atomic<bool> received{false};
+std::atomic<bool> always_ends{false};
+std::atomic<const char*> end_hint{""};
+std::atomic<int> delays{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
+                  std::atomic<const char*>::is_always_lock_free,
+              "handlers of signals read them");
+
+/// The last line that the program writes; without the heap.
+class LastLine
+{
+public:
+    /// Below what a terminal shows already: a bar of progress, ^C.
+    void begin(const char* text)
+    {
+        if (isatty(STDERR_FILENO) != 0)
+            text_[size_++] = '\n';
+        add(text);
+    }
+    void add(const char* text)
+    {
+        for (; *text != '\0' && size_ < text_.size() - 1; ++text)
+            text_[size_++] = static_cast<unsigned char>(*text) < 0x20 || *text == 0x7f ? '?' : *text;
+    }
+    void add_output(const char* name)
+    {
+        add(outputs_++ == 0 ? "; not written: " : ", ");
+        add(name);
+    }
+    [[noreturn]] void end_program(int exit_code)
+    {
+        text_[size_++] = '\n';
+        const auto told = write(STDERR_FILENO, text_.data(), size_);
+        (void)told;
+        _exit(exit_code);
+    }
+
+private:
+    std::array<char, 4096> text_{};
+    std::size_t size_ = 0;
+    int outputs_ = 0;
+};
+
+LastLine last_line;
+
+extern "C" void end_at_once(int)
+{
+    remove_unfinished();
+    const char* const hint = end_hint;
+    last_line.begin("interrupted");
+    last_line.add(*hint != '\0' ? "; " : "");
+    last_line.add(hint);
+    last_line.end_program(exit_interrupted);
+}
+
+extern "C" void end_with_what_is_complete(int)
+{
+    last_line.begin("interrupted");
+    settle_unfinished([](const char* target) { last_line.add_output(target); });
+    last_line.end_program(exit_interrupted);
+}
+
+extern "C" void end_failed(int)
+{
+    remove_unfinished();
+    last_line.begin("multipath: a file cannot be read to its end: it has become shorter meanwhile, or its disk fails");
+    last_line.end_program(exit_failed);
+}
+
+extern "C" void end_in_time(int signal)
+{
+    if (delays > 0)
+        alarm(1);
+    else
+        end_with_what_is_complete(signal);
+}
+
+using Handler = void (*)(int);
+
+/// No handler interrupts another.
+void handle(int signal, Handler handler)
+{
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (const int end : end_signals)
+        sigaddset(&action.sa_mask, end);
+    sigaddset(&action.sa_mask, SIGALRM);
+    sigaction(signal, &action, nullptr);
+}
+
+void handle_ends(Handler handler)
+{
+    for (const int signal : end_signals) {
+        struct sigaction before = {};
+        if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+            handle(signal, handler);
+    }
+}
+
+extern "C" void note_interrupt(int)
+{
+    received = true;
+    handle_ends(end_with_what_is_complete);
+    alarm(seconds_to_end);
+}
+
+} // namespace
+
+void end_at_interrupts()
+{
+    handle_ends(end_at_once);
+}
+
+void always_end_at_interrupts(const char* hint)
+{
+    if (!always_ends.exchange(true)) // of the command that the user has typed
+        end_hint = hint;
+}
+
+void watch_interrupts()
+{
+    if (always_ends || received)
+        return;
+    handle(SIGALRM, end_in_time);
+    handle_ends(note_interrupt);
+}
+
+void end_at_lost_bytes()
+{
+    handle(SIGBUS, end_failed);
+}
+
+bool interrupted()
+{
+    return received;
+}
+
+InterruptDelay::InterruptDelay()
+{
+    ++delays;
+}
+
+InterruptDelay::~InterruptDelay()
+{
+    --delays;
+}
+
+} // namespace multipath

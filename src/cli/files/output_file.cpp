@@ -1,0 +1,183 @@
+#include "cli/files/output_file.h"
+
+#include "cli/files/part_file.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// A result must never be half there: not after a full disk, not after Ctrl-C, not beside a crash. So the bytes go to
+// ".NAME.XXXXXX.part" in the target's folder, reach the disk (fsync), and then take the target's name in one step
+// (rename). The temporary is created before the work, which is when a missing or protected folder should be reported.
+// Things that are not regular files (devices, pipes, standard output) have no such step and are written as they are.
+
+namespace multipath {
+
+namespace {
+
+const std::string standard_output = "standard output";
+
+[[noreturn]] void fail(const std::string& name, int error)
+{
+    const std::string message = "cannot write " + name + ": " + std::generic_category().message(error);
+    if (error == EPIPE && name == standard_output)
+        throw ReaderGone(message);
+    throw OutputError(message);
+}
+
+/// 0, or what went wrong.
+int write_all(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        // The largest single write that every system takes is just under 2^31 bytes.
+        const ssize_t written = ::write(descriptor, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (written < 0 && errno != EINTR)
+            return errno;
+        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+/// The new name in the folder of the path is on the disk. 0, or what went wrong; a folder that may not be read, or has
+/// no fsync, is left to the system.
+int sync_folder_of(const std::string& path)
+{
+    const std::string folder = folder_of(path);
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return 0;
+    const int error = fsync(descriptor) != 0 && errno == EIO ? errno : 0;
+    close(descriptor);
+    return error;
+}
+
+} // namespace
+
+std::string follow_links(const std::string& name)
+{
+    std::string path = name;
+    for (int links = 0; links < 40; ++links) {
+        std::string target(4096, '\0');
+        const ssize_t length = readlink(path.c_str(), &target[0], target.size());
+        if (length < 0)
+            return path;
+        target.resize(static_cast<std::size_t>(length));
+        path = target[0] == '/' ? target : folder_of(path) + target;
+    }
+    fail(name, ELOOP);
+}
+
+void make_folder(const std::string& path)
+{
+    struct stat status = {};
+    if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
+        throw OutputError("cannot make the folder " + path + ": " + std::generic_category().message(errno));
+    if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+        throw OutputError("cannot write into " + path + ": it is not a folder");
+}
+
+OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_output : path)
+{
+    struct stat status = {};
+    const bool to_standard_output = path == "-";
+    const bool exists = !to_standard_output && stat(path.c_str(), &status) == 0;
+    if (to_standard_output) {
+        descriptor_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    } else if (!exists && errno != ENOENT) {
+        fail(name_, errno);
+    } else if (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+        descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    } else {
+        target_ = follow_links(path);
+        if (S_ISDIR(status.st_mode) || (!target_.empty() && target_.back() == '/'))
+            fail(name_, EISDIR);
+        if (target_.empty())
+            fail(name_, ENOENT);
+        if (exists && access(target_.c_str(), W_OK) != 0)
+            fail(name_, errno);
+        // Until it is complete nobody may read what the target's owner keeps private.
+        const PartFile file = create_part_file(target_, exists ? 0600 : 0666);
+        descriptor_ = file.descriptor;
+        temporary_ = descriptor_ < 0 ? "" : file.path;
+        unfinished_ = temporary_.empty() ? Unfinished() : Unfinished(temporary_, target_);
+    }
+    if (descriptor_ < 0 || (exists && !temporary_.empty() && fchmod(descriptor_, status.st_mode & 07777) != 0)) {
+        const int error = errno;
+        discard();
+        fail(name_, error);
+    }
+}
+
+OutputFile::~OutputFile()
+{
+    discard();
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : name_(std::move(other.name_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, std::string())),
+      unfinished_(std::move(other.unfinished_)),
+      descriptor_(std::exchange(other.descriptor_, -1))
+{
+}
+
+void OutputFile::write(std::string_view bytes)
+{
+    assert(descriptor_ >= 0);
+    if (const int error = write_all(descriptor_, bytes)) {
+        discard();
+        fail(name_, error);
+    }
+}
+
+void OutputFile::complete()
+{
+    assert(descriptor_ >= 0);
+    // EINVAL: a file system that has no fsync. Some of those tell at a close what has gone wrong.
+    const int copy = dup(descriptor_);
+    int error = copy < 0 ? errno : 0;
+    if (error == 0 && !temporary_.empty() && fsync(copy) != 0 && errno != EINVAL)
+        error = errno;
+    if (copy >= 0 && close(copy) != 0 && error == 0)
+        error = errno;
+    if (error != 0) {
+        discard();
+        fail(name_, error);
+    }
+    unfinished_.complete();
+}
+
+void OutputFile::commit()
+{
+    complete();
+    int error = 0;
+    if (!temporary_.empty())
+        error = std::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : sync_folder_of(target_);
+    if (error != 0) {
+        discard();
+        fail(name_, error);
+    }
+    temporary_.clear();
+    unfinished_ = {};
+    close(std::exchange(descriptor_, -1)); // after the new name: with the descriptor goes the lock
+}
+
+void OutputFile::discard() noexcept
+{
+    if (descriptor_ >= 0)
+        close(std::exchange(descriptor_, -1));
+    if (!temporary_.empty())
+        unlink(temporary_.c_str());
+    temporary_.clear();
+    unfinished_ = {};
+}
+
+} // namespace multipath

@@ -1,0 +1,111 @@
+// Whatever ends a run, the destructors that remove its part files, or a SIGKILL that nothing survives: a part file
+// whose maker lives is locked, and one that is not locked is rubbish. That holds on every file system, which O_TMPFILE,
+// a file without a name until it is complete, does not; and the space that a killed run took is there to be seen.
+
+#include "cli/files/part_file.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <fcntl.h>
+#include <filesystem>
+#include <string_view>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace multipath {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t letter_count = 6;
+constexpr std::string_view ending = ".part";
+
+/// Letters that differ between processes, files and tries; O_EXCL is what makes them unique.
+std::string letters(unsigned attempt)
+{
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    auto bits =
+        (static_cast<std::uint64_t>(now) + attempt) * 0x9E3779B97F4A7C15u ^ static_cast<std::uint64_t>(getpid());
+    std::string result;
+    for (std::size_t i = 0; i < letter_count; ++i, bits /= 26)
+        result += static_cast<char>('a' + bits % 26);
+    return result;
+}
+
+/// Prefix of the names of all part files of a target.
+std::string name_start(const std::string& target)
+{
+    // 200 bytes leave room for the rest below the usual limit of 255.
+    return "." + target.substr(folder_of(target).size(), 200) + ".";
+}
+
+bool is_part_name(const std::string& name, const std::string& start)
+{
+    return name.size() == start.size() + letter_count + ending.size() && name.compare(0, start.size(), start) == 0 &&
+           name.compare(start.size() + letter_count, ending.size(), ending) == 0 &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyz", start.size()) == start.size() + letter_count;
+}
+
+void remove_if_abandoned(const std::string& path)
+{
+    const int file = open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0)
+        return;
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+        unlink(path.c_str());
+    close(file);
+}
+
+void remove_abandoned(const std::string& target)
+{
+    const std::string folder = folder_of(target);
+    const std::string start = name_start(target);
+    std::error_code error;
+    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+    for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (is_part_name(name, start))
+            remove_if_abandoned(folder + name);
+    }
+}
+
+/// Takes the lock of a new file; false when another run took the file for abandoned in between. Where the file system
+/// has no locks, nobody else can take one either.
+bool locked(const PartFile& file)
+{
+    if (flock(file.descriptor, LOCK_EX | LOCK_NB) != 0)
+        return errno != EWOULDBLOCK;
+    struct stat status = {};
+    return fstat(file.descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
+} // namespace
+
+std::string folder_of(const std::string& path)
+{
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+}
+
+PartFile create_part_file(const std::string& target, mode_t mode)
+{
+    remove_abandoned(target);
+    PartFile file;
+    for (unsigned attempt = 0; attempt < 100; ++attempt) {
+        file.path = folder_of(target) + name_start(target) + letters(attempt) + std::string(ending);
+        file.descriptor = open(file.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (file.descriptor < 0 && errno != EEXIST)
+            return file;
+        if (file.descriptor >= 0 && locked(file))
+            return file;
+        if (file.descriptor >= 0)
+            close(file.descriptor);
+    }
+    return {file.path, -1};
+}
+
+} // namespace multipath

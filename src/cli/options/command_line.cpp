@@ -1,0 +1,181 @@
+#include "cli/options/command_line.h"
+
+#include "cli/options/usage_error.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace multipath {
+
+namespace {
+
+std::string dashed(const Option& option)
+{
+    return "--" + std::string(option.name);
+}
+
+std::string operand_names(const std::vector<Operand>& operands, std::size_t first)
+{
+    std::string names;
+    for (std::size_t i = first; i < operands.size(); ++i)
+        names.append(names.empty() ? "" : " ").append(operand_text(operands[i]));
+    return names;
+}
+
+/// Walks over the arguments once, sorting them into options and operands.
+class Reader
+{
+public:
+    Reader(const CommandTable& table, const std::vector<std::string>& arguments) : table_(table), arguments_(arguments)
+    {
+    }
+
+    void read()
+    {
+        bool options_ended = false;
+        while (next_ < arguments_.size() && !help_wanted()) {
+            const std::string& argument = arguments_[next_++];
+            if (options_ended || argument.size() < 2 || argument[0] != '-')
+                operands.push_back(argument);
+            else if (argument == "--")
+                options_ended = true;
+            else if (argument[1] == '-')
+                read_long(argument);
+            else
+                read_short(argument);
+        }
+        if (!help_wanted())
+            check_operands();
+    }
+
+    std::map<std::string, std::vector<std::string>, std::less<>> given;
+    std::vector<std::string> operands;
+
+private:
+    bool help_wanted() const { return given.count("help") > 0; }
+
+    /// `--name`, `--name value`, `--name=value`
+    void read_long(const std::string& argument)
+    {
+        const std::size_t equals = argument.find('=');
+        const std::string name = argument.substr(2, equals == std::string::npos ? equals : equals - 2);
+        const Option* option = find_option(table_, name);
+        if (name == "help")
+            given["help"] = {""};
+        else if (option == nullptr)
+            refuse_unknown(argument.substr(0, equals));
+        else if (option->argument.empty() && equals != std::string::npos)
+            throw UsageError(dashed(*option) + " takes no value, got " + quoted_argument(argument.substr(equals + 1)));
+        else if (option->argument.empty())
+            record(*option, "");
+        else
+            record(*option, equals == std::string::npos ? next_value(*option) : argument.substr(equals + 1));
+    }
+
+    /// `-q`, `-o value`, `-ovalue`, and flags in front of either: `-qo value`
+    void read_short(const std::string& argument)
+    {
+        for (std::size_t i = 1; i < argument.size() && !help_wanted(); ++i) {
+            const Option* option = find_short_option(table_, argument[i]);
+            if (argument[i] == 'h') {
+                given["help"] = {""};
+            } else if (option == nullptr) {
+                refuse_unknown(i == 1 ? argument : std::string("-") + argument[i]);
+            } else if (option->argument.empty()) {
+                record(*option, "");
+            } else {
+                const std::string rest = argument.substr(i + 1);
+                if (!rest.empty() && rest[0] == '=')
+                    throw UsageError("write " + dashed(*option) + rest + " or -" + option->short_name + " " +
+                                     rest.substr(1) + ", not " + argument);
+                record(*option, rest.empty() ? next_value(*option) : rest);
+                return;
+            }
+        }
+    }
+
+    /// The argument after an option. One that looks like a long option is not taken: `-o --quiet` is a forgotten value
+    /// more often than a file of that name, which `--output=--quiet` can still say.
+    std::string next_value(const Option& option)
+    {
+        if (next_ == arguments_.size() || arguments_[next_].compare(0, 2, "--") == 0)
+            throw UsageError(dashed(option) + " needs a value: " + dashed(option) + " " + std::string(option.argument));
+        return arguments_[next_++];
+    }
+
+    void record(const Option& option, const std::string& value)
+    {
+        if (!option.choices.empty())
+            require_choice(dashed(option), value, option.choices);
+        std::vector<std::string>& values = given[std::string(option.name)];
+        if (!values.empty() && !option.repeatable)
+            throw UsageError(dashed(option) + " is given twice");
+        values.push_back(value);
+    }
+
+    [[noreturn]] void refuse_unknown(const std::string& typed) const
+    {
+        std::vector<std::string> names = {"--help"};
+        for (const OptionGroup& group : table_.groups)
+            for (const Option& option : group.options)
+                if (!option.hidden)
+                    names.push_back(dashed(option));
+        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
+    }
+
+    void check_operands() const
+    {
+        const std::vector<Operand>& wanted = table_.operands;
+        const bool last_is_optional = !wanted.empty() && wanted.back().optional;
+        if (operands.size() + (last_is_optional ? 1 : 0) < wanted.size())
+            throw UsageError("missing " + operand_names(wanted, operands.size()));
+        if (operands.size() > wanted.size() && (wanted.empty() || !wanted.back().repeatable))
+            throw UsageError("unexpected argument " + quoted_argument(operands[wanted.size()]) + ": '" +
+                             std::string(table_.name) + "' takes " +
+                             (wanted.empty() ? "none" : operand_names(wanted, 0)));
+        for (std::size_t i = 0; i < operands.size(); ++i) {
+            const Operand& operand = wanted[std::min(i, wanted.size() - 1)];
+            if (!operand.choices.empty())
+                require_choice(operand.name, operands[i], operand.choices);
+        }
+    }
+
+    const CommandTable& table_;
+    const std::vector<std::string>& arguments_;
+    std::size_t next_ = 0;
+};
+
+} // namespace
+
+CommandLine::CommandLine(const CommandTable& table, const std::vector<std::string>& arguments) : table_(table)
+{
+    Reader reader(table_, arguments);
+    reader.read();
+    given_ = std::move(reader.given);
+    operands_ = std::move(reader.operands);
+}
+
+bool CommandLine::has(std::string_view name) const
+{
+    assert(name == "help" || find_option(table_, name) != nullptr);
+    return given_.find(name) != given_.end();
+}
+
+std::string CommandLine::text(std::string_view name) const
+{
+    if (has(name))
+        return given_.find(name)->second.back();
+    return default_text(name);
+}
+
+std::string CommandLine::default_text(std::string_view name) const
+{
+    return std::string(find_option(table_, name)->default_text);
+}
+
+std::vector<std::string> CommandLine::all(std::string_view name) const
+{
+    return has(name) ? given_.find(name)->second : std::vector<std::string>();
+}
+
+} // namespace multipath

@@ -1,0 +1,70 @@
+#include "commands/explain/story_drawing.h"
+
+namespace multipath {
+
+namespace {
+
+std::string label(const char* kind, const LineOrigin& origin)
+{
+    return std::string(kind) + " " + std::to_string(origin.number + 1);
+}
+
+Vec3 end_of(const Scene& scene, const Line& ray, const std::optional<Meeting>& meeting)
+{
+    constexpr double shown_outside = 0.2; // of the scene's diagonal
+    return meeting ? meeting->point : ray.at(shown_outside * scene.bounds().diagonal());
+}
+
+} // namespace
+
+std::vector<DrawnLine> drawn_lines(const GlobalStory& story)
+{
+    std::vector<DrawnLine> drawn;
+    for (const GlobalLine& line : story.lines) {
+        DrawnLine shape{label("line", line.origin), {}, {}};
+        Vec3 from = line.from;
+        for (const Meeting& meeting : line.meetings) {
+            shape.stretches.push_back({from, meeting.point, false});
+            shape.meetings.push_back(meeting.point);
+            from = meeting.point;
+        }
+        shape.stretches.push_back({from, line.to, false});
+        for (const Stretch& stretch : line.stretches)
+            shape.stretches[stretch.after].bold = stretch.segment.joins_patches();
+        drawn.push_back(shape);
+    }
+    return drawn;
+}
+
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotStory& story)
+{
+    std::vector<DrawnLine> drawn;
+    for (const ShotRay& ray : story.rays) {
+        DrawnLine shape{label("ray", ray.origin), {}, {}};
+        shape.stretches.push_back({ray.ray.origin, end_of(scene, ray.ray, ray.meeting), Segment::is_patch(ray.where)});
+        if (ray.meeting)
+            shape.meetings.push_back(ray.meeting->point);
+        drawn.push_back(shape);
+    }
+    return drawn;
+}
+
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleStory& story)
+{
+    std::vector<DrawnLine> drawn;
+    for (const ToldParticle& particle : story.particles) {
+        DrawnLine shape{label("particle", particle.origin), {}, {}};
+        for (const ToldStep& told : particle.steps) {
+            if (!shape.meetings.empty())
+                shape.stretches.push_back({shape.meetings.back(), told.ray.origin, false}); // within a patch
+            const Vec3 end = end_of(scene, told.ray, told.meeting);
+            shape.stretches.push_back({told.ray.origin, end, Segment::is_patch(told.step.where)});
+            if (told.meeting)
+                shape.meetings.push_back(end);
+        }
+        drawn.push_back(shape);
+    }
+    return drawn;
+}
+
+} // namespace multipath

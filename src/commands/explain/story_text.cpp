@@ -1,0 +1,322 @@
+#include "commands/explain/story_text.h"
+
+#include "cli/options/help_text.h"
+#include "explain/line_trace.h"
+#include "scene/text_format.h"
+#include "scene/utf8.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+/// Stands for a space at which no line ends.
+constexpr char tied = '\x1f';
+
+/// "0.7", or "(0.7, 0.6, 0.5)" where the channels differ; tied.
+std::string colour_text(Rgb c)
+{
+    const std::string r = format("%.4g", c.r);
+    const std::string g = format("%.4g", c.g);
+    const std::string b = format("%.4g", c.b);
+    return r == g && g == b ? r : "(" + r + "," + tied + g + "," + tied + b + ")";
+}
+
+/// "(1.234, 0.500, -2.000)"
+std::string point_text(Vec3 p)
+{
+    const auto tidy = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; }; // no "-0.000"
+    return format("(%.3f, %.3f, %.3f)", tidy(p.x), tidy(p.y), tidy(p.z));
+}
+
+/// "item 17 = (0.1, 0.2, 0.3, 0.4)"
+std::string origin_text(const LineOrigin& origin)
+{
+    return "item " + grouped(origin.item) + " = " +
+           format("(%.6f, %.6f, %.6f, %.6f)", origin.numbers[0], origin.numbers[1], origin.numbers[2],
+                  origin.numbers[3]);
+}
+
+constexpr std::size_t story_width = 110;
+constexpr std::size_t widest_name = 41;
+
+/// Cut or filled to a number of columns.
+std::string fitted(const std::string& text, std::size_t width)
+{
+    std::string cut = text;
+    if (column_count(text) > width) {
+        while (column_count(cut) > width - 2)
+            cut.pop_back();
+        cut += "..";
+    }
+    return cut + std::string(width - std::min(width, column_count(cut)), ' ');
+}
+
+std::string patch_number(std::uint32_t patch)
+{
+    return Segment::is_patch(patch) ? std::to_string(patch) : "-";
+}
+
+/// A table of the meetings, numbered from 1, in order.
+std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meetings)
+{
+    std::size_t name_width = 7;
+    for (const Meeting& meeting : meetings)
+        name_width = std::max(name_width, column_count(surface_name(scene, meeting.hit.surface)));
+    name_width = std::min(name_width, widest_name);
+    std::string text = "   no       t  " + fitted("surface", name_width) + "  side   arrives at  leaves  point\n";
+    for (std::size_t k = 0; k < meetings.size(); ++k) {
+        const Meeting& meeting = meetings[k];
+        text += format("  %3zu  %.4f  %s  %-5s  %10s  %6s  %s\n", k + 1, meeting.hit.t,
+                       fitted(surface_name(scene, meeting.hit.surface), name_width).c_str(),
+                       meeting.hit.front ? "front" : "back", patch_number(meeting.patches.arrives_at).c_str(),
+                       patch_number(meeting.patches.leaves).c_str(), point_text(meeting.point).c_str());
+    }
+    return text;
+}
+
+constexpr std::size_t name_column = 13; // of the patches of a stretch, below which stands
+constexpr std::size_t indent = 15;      // what they send
+
+std::string heading(const ToldRun& run, const std::string& stage)
+{
+    return wrapped(stage + " of a run with --method " + run.method + ", sequence " + run.sequence + ", " +
+                       grouped(run.options.lines) + " lines in all, " + grouped(run.scene.patch_count()) + " patches.",
+                   0, 0) +
+           "\n";
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* many)
+{
+    return grouped(count) + " " + (count == 1 ? one : many);
+}
+
+std::string title(const char* kind, const LineOrigin& origin, std::uint64_t of)
+{
+    return "\n" + std::string(kind) + " " + grouped(origin.number + 1) + " of " + grouped(of) + ": " +
+           origin_text(origin) + "\n";
+}
+
+/// Fate of power that no patch receives.
+std::string loss(std::uint32_t where)
+{
+    return where == Segment::behind ? "which is lost: it meets the back of a surface, where no patch is"
+                                    : "which is lost: it leaves the scene";
+}
+
+std::string before_the_pass(const GlobalStory& story)
+{
+    const std::string unshot = watts(story.unshot) + " on " + counted(story.unshot_patches, "patch", "patches") + ". ";
+    if (story.shot_passes.empty())
+        return "No rays are shot first: all that the sources emit is unshot when the global lines begin, " + unshot;
+    return "Before it, " + counted(story.shot_passes.size(), "pass", "passes") + " of shots took " +
+           grouped(story.local_lines) +
+           " of the lines. What patches reflected of them and what the sources kept is unshot: " + unshot;
+}
+
+/// Where the lines come from, and how many it takes (N1).
+std::string lines_drawn(const ToldRun& run, const GlobalStory& story)
+{
+    if (chords_of(run.options) == Chords::box)
+        return " from random points of the scene's bounding box, in directions that favour its inward normal by the "
+               "cosine: all of them meet the box (N1).";
+    return "; " + grouped(story.lines_cast) +
+           " chords between random points of a sphere around the scene are cast, so that this many meet the scene's "
+           "box (N1).";
+}
+
+std::string global_context(const ToldRun& run, const GlobalStory& story)
+{
+    const double area = run.scene.total_area() / run.scene.patch_count();
+    const double crossings = story.crossings_per_area * area;
+    const bool both = run.options.bidirectional;
+    const std::string per_patch = format("%.4g", both ? crossings : 0.5 * crossings);
+    return wrapped(before_the_pass(story) + "The pass distributes it with " +
+                       counted(story.lines_charged, "global line", "global lines") + lines_drawn(run, story),
+                   0, 0) +
+           wrapped("Such chords cross a patch in proportion to its area, " +
+                       format("%.4g times per square metre (G1). A patch of %.3g%cm^2, the mean, is crossed ",
+                              story.crossings_per_area, area, tied) +
+                       format("%.4g times, and ", crossings) +
+                       (both ? "each crossing leaves its front in one of the line's two directions (M2)"
+                             : "half of the lines leave its front") +
+                       ": so it can send " + per_patch + " times in all. That is known before any line is cast, so " +
+                       "each time it sends what was unshot divided by " + per_patch + ", its forecast (G3), " +
+                       "and with it all that it holds: what it has received and reflected since it sent last (M1).",
+                   0, 0) +
+           wrapped("Power flows where a line leaves one patch and arrives at another, which the columns 'leaves' and "
+                   "'arrives at' of two successive rows show.",
+                   0, 0);
+}
+
+/// The power that a patch sends, and its fate.
+std::string transfer_text(const Scene& scene, const Transfer& transfer, const Stretch& stretch)
+{
+    const bool received = Segment::is_patch(transfer.to);
+    const std::string to = received ? patch_name(scene, transfer.to) : "nowhere";
+    std::string text = wrapped(patch_name(scene, transfer.from) + " -> " + to, name_column, indent).substr(name_column);
+    if (transfer.sent() == Rgb{})
+        text += wrapped("sends nothing: it has no forecast and holds nothing", indent, indent);
+    else
+        text += wrapped("sends forecast " + colour_text(transfer.forecast) + " + held " + colour_text(transfer.held) +
+                            " = " + watts(transfer.sent()) + (received ? "" : ", " + loss(transfer.to)),
+                        indent, indent + 2);
+    if (!received)
+        return text + wrapped("then holds nothing", indent, indent);
+    const bool forwards = transfer.to == stretch.segment.to;
+    return text +
+           wrapped("patch " + std::to_string(transfer.to) + " reflects " + colour_text(scene.reflectance(transfer.to)) +
+                       " of what arrives and then holds " + watts(forwards ? stretch.to_holds : stretch.from_holds),
+                   indent, indent + 2);
+}
+
+std::string stretch_text(const ToldRun& run, const GlobalLine& line, const Stretch& stretch)
+{
+    const Scene& scene = run.scene;
+    const std::size_t after = stretch.after;
+    const std::string begin = after == 0 ? "start" : std::to_string(after);
+    const std::string end = after == line.meetings.size() ? "end" : std::to_string(after + 1);
+    std::string text = "  " + begin + " - " + end;
+    text.resize(std::max<std::size_t>(text.size() + 1, name_column), ' ');
+    if (stretch.transfers.empty())
+        return text + "begins where no patch is: nothing is sent along it\n";
+    for (std::size_t k = 0; k < stretch.transfers.size(); ++k)
+        text += (k == 0 ? "" : std::string(name_column, ' ')) + transfer_text(scene, stretch.transfers[k], stretch);
+    if (!run.options.bidirectional && stretch.segment.joins_patches())
+        text += wrapped("patch " + std::to_string(stretch.segment.from) + " then holds " + watts(stretch.from_holds),
+                        indent, indent + 2);
+    return text;
+}
+
+std::string line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t of)
+{
+    const bool box = chords_of(run.options) == Chords::box;
+    std::string text = title("line", line.origin, of) + "  from " + point_text(line.from) + " to " +
+                       point_text(line.to) + (box ? ", both just outside the box\n" : " on the sphere\n");
+    if (line.from == line.to)
+        return text + "  the two points are one: a chord of no length, which is counted as cast and meets nothing\n";
+    if (line.meetings.empty())
+        return text + "  meets nothing: it is cast, as (G1) counts it, but carries no power\n";
+    text += meetings_table(run.scene, line.meetings);
+    if (line.stretches.empty())
+        return text + "  no patch is on any side that the line meets: it carries no power\n";
+    for (const Stretch& stretch : line.stretches)
+        text += stretch_text(run, line, stretch);
+    return text;
+}
+
+std::string ray_text(const Scene& scene, const ShotRay& ray, std::uint64_t of)
+{
+    std::string text = title("ray", ray.origin, of) +
+                       wrapped("leaves " + patch_name(scene, ray.shooter) + " at " + point_text(ray.ray.origin) +
+                                   " in direction " + point_text(ray.ray.direction) + " with " + watts(ray.power),
+                               2, 4);
+    if (ray.meeting)
+        text += meetings_table(scene, {*ray.meeting});
+    if (!Segment::is_patch(ray.where))
+        return text + wrapped("carries " + watts(ray.power) + ", " + loss(ray.where), 2, 4);
+    const Rgb rho = scene.reflectance(ray.where);
+    return text + wrapped(patch_name(scene, ray.where) + " receives " + watts(ray.power) + " and reflects " +
+                              colour_text(rho) + " of it: " + watts(rho * ray.power) + " more is unshot; it then has " +
+                              watts(ray.unshot) + " unshot",
+                          2, 4);
+}
+
+std::string step_text(const Scene& scene, const ToldStep& told, std::size_t number)
+{
+    const ParticleStep& step = told.step;
+    std::string text =
+        format("  %zu  ", number) + point_text(told.ray.origin) + " of " + patch_name(scene, step.from) + " -> ";
+    text += told.meeting ? point_text(told.meeting->point) + " of " : "";
+    if (!Segment::is_patch(step.where))
+        return wrapped((text + "nothing: " + watts(step.power) + ", " + loss(step.where)).substr(2), 2, 5);
+    const double survival = mean(scene.reflectance(step.where));
+    text += patch_name(scene, step.where) + ": brings " + watts(step.power) + ", scored " + watts(told.counted);
+    text += step.goes_on == Rgb{}
+                ? format("; the number drawn, %.3f, is not below the reflectance, %.3g: it ends", step.drawn, survival)
+                : format("; the number drawn, %.3f, is below the reflectance, %.3g: it goes on with ", step.drawn,
+                         survival) +
+                      watts(step.goes_on);
+    return wrapped(text.substr(2), 2, 5);
+}
+
+} // namespace
+
+std::string wrapped(const std::string& text, std::size_t first, std::size_t others)
+{
+    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, story_width);
+    std::replace(result.begin(), result.end(), tied, ' ');
+    return result;
+}
+
+std::string watts(Rgb power)
+{
+    return colour_text(power) + tied + "W";
+}
+
+std::string surface_name(const Scene& scene, std::uint32_t surface)
+{
+    const SceneFile& file = scene.file();
+    const std::string& group = file.groups[file.group[surface]];
+    return (group.empty() ? file.materials[file.material[surface]].name : group) + " (line " +
+           std::to_string(file.line[surface]) + ")";
+}
+
+std::string patch_name(const Scene& scene, std::uint32_t patch)
+{
+    return "patch " + std::to_string(patch) + " of " + surface_name(scene, scene.surface_of(patch)) +
+           (scene.is_front(patch) ? "" : ", its back");
+}
+
+std::string story_text(const ToldRun& run, const GlobalStory& story)
+{
+    std::string text = heading(run, "Global pass") + global_context(run, story);
+    for (const GlobalLine& line : story.lines)
+        text += line_text(run, line, story.lines_cast);
+    return text;
+}
+
+std::string story_text(const ToldRun& run, const ShotStory& story)
+{
+    const ShotPass& pass = story.shot_passes[story.pass];
+    const std::string stage =
+        story.pass == 0 ? "First shot, pass 1" : "Extended first shot, pass " + std::to_string(story.pass + 1);
+    std::string text = heading(run, stage + " of " + std::to_string(story.shot_passes.size()) + ",");
+    text += wrapped("A patch whose unshot radiosity exceeds the threshold" +
+                        format(", %.4g W/m^2 (4), shoots the excess. ", story.threshold) + "In this pass " +
+                        counted(story.shooters, "patch shoots", "patches shoot") + format(" %.4g W with ", pass.power) +
+                        counted(pass.lines, "ray", "rays") +
+                        ", one after the other. A ray takes one item of four numbers: two for a uniform point of the "
+                        "patch, two for a direction that favours the normal by the cosine, as diffuse light does. "
+                        "Where it arrives its power is added to what has arrived, and the reflected part is unshot "
+                        "until a later pass or the global lines send it on (S1).",
+                    0, 0);
+    for (const ShotRay& ray : story.rays)
+        text += ray_text(run.scene, ray, pass.lines);
+    return text;
+}
+
+std::string story_text(const ToldRun& run, const ParticleStory& story)
+{
+    const bool collision = run.options.estimator == Estimator::collision;
+    std::string text = heading(run, "Local Monte Carlo");
+    text += wrapped(
+        "The sources, " + counted(story.sources, "patch", "patches") + ", send " +
+            counted(story.particles_in_all, "particle", "particles") +
+            " of equal power, as many as take the lines of the run in expectation: every segment of a path counts as a "
+            "line. At every patch that it meets a particle draws a number. If that is below the patch's reflectance, "
+            "it is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
+            (collision ? "Wherever it arrives, its power is scored as arrived (L1)."
+                       : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1)."),
+        0, 0);
+    for (const ToldParticle& particle : story.particles) {
+        text += title("particle", particle.origin, story.particles_in_all);
+        for (std::size_t k = 0; k < particle.steps.size(); ++k)
+            text += step_text(run.scene, particle.steps[k], k + 1);
+    }
+    return text;
+}
+
+} // namespace multipath

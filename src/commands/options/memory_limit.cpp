@@ -1,0 +1,110 @@
+#include "commands/options/memory_limit.h"
+
+#include "cli/options/number_text.h"
+#include "radiosity/memory_estimate.h"
+#include "radiosity/reuse/line_reuse.h"
+#include "radiosity/solve_options.h"
+#include "scene/input_error.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+namespace multipath {
+
+namespace {
+
+/// [bytes] What the machine has, or the container that the program runs in. Infinite where the system does not tell.
+double machine_memory()
+{
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    double bytes = pages > 0 ? static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE))
+                             : std::numeric_limits<double>::infinity();
+    // Linux's control groups, versions 2 and 1; "max" where there is no limit.
+    for (const char* limit : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+        std::ifstream file(limit);
+        if (double allowed = 0.0; file >> allowed && allowed > 0.0)
+            bytes = std::min(bytes, allowed);
+    }
+    return bytes;
+}
+
+double memory_limit(const CommandLine& line)
+{
+    return line.has("memory") ? static_cast<double>(read_bytes("--memory", line.text("memory"))) : machine_memory();
+}
+
+/// "400 GB"
+std::string size_text(double bytes)
+{
+    if (bytes < 1e6)
+        return format("%.3g kB", bytes / 1e3);
+    if (bytes < 1e9)
+        return format("%.3g MB", bytes / 1e6);
+    return bytes < 1e12 ? format("%.3g GB", bytes / 1e9) : format("%.0f TB", bytes / 1e12);
+}
+
+void require(const CommandLine& line, double bytes, const std::string& what, const std::string& expected)
+{
+    const double limit = memory_limit(line);
+    if (bytes > limit)
+        throw InputError(what + " about " + size_text(bytes) + " of memory, but " +
+                         (line.has("memory") ? "--memory allows " : "this machine has ") + size_text(limit) +
+                         "; expected " + expected);
+}
+
+} // namespace
+
+Option memory_option()
+{
+    return {"memory", 0, "SIZE", "",
+            "Most memory to use, such as 8GB: a run that needs more is refused before it starts. Without it, what the "
+            "machine has. The method reuse keeps its table of patch pairs within it too, without it within 2GB."};
+}
+
+void require_memory_for_file(const CommandLine& line, const std::string& path)
+{
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error); // of pipes there is none
+    if (!error)
+        require(line, static_cast<double>(size), path + ": reading it needs", "a smaller file");
+}
+
+void require_memory_for_patches(const CommandLine& line, const SceneFile& file, double patches)
+{
+    const auto surfaces = static_cast<double>(file.surfaces.size());
+    const double counted = std::min(patches, 1e15); // infinitely many may have been asked for
+    require(line, run_bytes(surfaces, counted),
+            file.path + ": " + grouped(static_cast<std::uint64_t>(counted)) +
+                (patches > counted ? " patches and more" : " patches") + " need",
+            patches > 2.0 * surfaces ? "fewer patches: a larger --patch-size" : "a smaller scene");
+}
+
+void require_memory_for_page(const CommandLine& line, const Scene& scene)
+{
+    require(line, page_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()),
+            scene.path() + ": a page of " + grouped(scene.patch_count()) + " patches needs",
+            "fewer patches, or no .html");
+}
+
+void require_memory_for_picture(const CommandLine& line, int width, int height, bool gathers)
+{
+    // The pixels as light, as colours and as a file; gathering keeps what it has found for every pixel.
+    const double bytes_per_pixel = gathers ? 220.0 : 40.0;
+    require(line, bytes_per_pixel * width * height, format("--size: a picture of %d x %d pixels needs", width, height),
+            "a smaller one");
+}
+
+int reuse_runs_at_a_time(const CommandLine& line, const Scene& scene, int threads)
+{
+    const double of_pairs = line.has("memory") ? memory_limit(line) : SolveOptions{}.memory;
+    const double runs = memory_limit(line) / std::min(of_pairs, reuse_bytes(scene));
+    return static_cast<int>(std::clamp(runs, 1.0, static_cast<double>(threads)));
+}
+
+} // namespace multipath

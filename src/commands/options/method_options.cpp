@@ -1,0 +1,215 @@
+#include "commands/options/method_options.h"
+
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
+#include "commands/options/scene_options.h"
+#include "sampling/sequence.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+Option method_option(bool with_reuse)
+{
+    Option option = {"method", 'm', "NAME", with_reuse ? "reuse" : "first-shot",
+                     "How the light is found; 'multipath help methods' describes them."};
+    for (const Method method : all_methods())
+        if (method->in_paper || with_reuse)
+            option.choices.push_back(method->name);
+    return option;
+}
+
+/// "first-shot or extended": the methods with which the option has an effect.
+std::string methods_with(std::string_view option)
+{
+    std::vector<std::string> names;
+    for (const Method method : all_methods())
+        if (has_option(method, option))
+            names.emplace_back(method->name);
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+    return text;
+}
+
+constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
+
+Option direct_option()
+{
+    return {"direct",
+            0,
+            "HOW",
+            "gather",
+            "Of reuse: find the light that comes straight from the sources by rays between pairs of patches, or shoot "
+            "it like the extended first shot.",
+            false,
+            {"shoot", "gather"}};
+}
+
+} // namespace
+
+OptionGroup method_option_group(const Option& line_count, bool with_reuse)
+{
+    OptionGroup group = {
+        "Method",
+        {method_option(with_reuse),
+         line_count,
+         {"ratio", 0, "R", "auto",
+          "Local lines per global line; auto takes the paper's optimum for the scene, for reuse 1."},
+         {"power-per-line", 0, "W", "",
+          "Instead of the ratio: the power of one ray of the (extended) first shot, in watts."},
+         {"threshold", 0, "B", "auto",
+          "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's; "
+          "with 0 extended is progressive ray refinement."},
+         {"steps", 0, "K", "1000", "Most passes of the extended first shot."},
+         {"estimator",
+          0,
+          "WHICH",
+          "collision",
+          "Of the local method: count a particle wherever it arrives, or only where it is absorbed.",
+          false,
+          {"collision", "absorption"}},
+         {"bidirectional",
+          0,
+          "WHETHER",
+          "yes",
+          "Let a global line carry power both ways at once.",
+          false,
+          {"yes", "no"}},
+         {"chords",
+          0,
+          "FROM",
+          "",
+          "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
+          "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
+          false,
+          {sphere_chords, box_chords}},
+         {"sequence", 's', "NAME", "sobol",
+          "Where the lines come from, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath help "
+          "sequences' lists them all."},
+         {"line-order",
+          0,
+          "HOW",
+          "shuffled",
+          "In which order the walk takes its global lines: shuffled in blocks, or that of the sequence, as in the "
+          "paper, "
+          "which with quasi-random sequences and few patches converges to something slightly wrong.",
+          false,
+          {"shuffled", "sequence"}},
+         {"pairing",
+          0,
+          "HOW",
+          "4d",
+          "One 4-D item per line, or two successive 2-D items: the arrangement that fails for quasi-random sequences.",
+          false,
+          {"4d", "2d"}},
+         {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
+         {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
+         threads_option()}};
+    if (with_reuse)
+        group.options.push_back(direct_option());
+    return group;
+}
+
+Pairing pairing_named(std::string_view name)
+{
+    return name == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
+}
+
+Chords chords_named(std::string_view name)
+{
+    return name == box_chords ? Chords::box : Chords::sphere;
+}
+
+std::string chords_name(Chords chords)
+{
+    return std::string(chords == Chords::box ? box_chords : sphere_chords);
+}
+
+LineOrder line_order_named(std::string_view name)
+{
+    return name == "sequence" ? LineOrder::sequence : LineOrder::shuffled;
+}
+
+SolveOptions read_settings(const CommandLine& line)
+{
+    SolveOptions options;
+    const bool power_given = line.knows("power-per-line") && line.has("power-per-line");
+    if (power_given && line.has("ratio"))
+        throw UsageError("--power-per-line and --ratio exclude each other; expected one of them");
+    if (power_given)
+        options.power_by_line = read_positive("--power-per-line", line.text("power-per-line"));
+    if (line.text("threshold") != "auto")
+        options.threshold = read_real("--threshold", line.text("threshold"));
+    options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
+    options.estimator = line.text("estimator") == "absorption" ? Estimator::absorption : Estimator::collision;
+    options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
+    options.seed = read_count("--seed", line.text("seed"));
+    if (line.text("ratio") != "auto")
+        options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
+    options.bidirectional = line.text("bidirectional") == "yes";
+    if (line.knows("direct"))
+        options.direct = line.text("direct") == "shoot" ? Direct::shoot : Direct::gather;
+    if (line.has("memory"))
+        options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
+    options.threads = thread_count(line);
+    return options;
+}
+
+SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count)
+{
+    SolveOptions options = read_settings(line);
+    options.method = method_named(line.text("method"));
+    options.sequence = line.text("sequence");
+    options.line_order = line_order_named(line.text("line-order"));
+    options.pairing = pairing_named(line.text("pairing"));
+    options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
+    if (line.has("chords"))
+        options.chords = chords_named(line.text("chords"));
+    return options;
+}
+
+void require_options_with_effect(const CommandLine& line)
+{
+    require_options_with_effect(line, {line.text("method")}, "--method " + line.text("method"));
+}
+
+void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
+                                 const std::string& given)
+{
+    const bool shoots = line.knows("direct") && line.text("direct") == "shoot";
+    const auto has_effect = [&](const std::string& method, std::string_view option) {
+        constexpr std::array<std::string_view, 3> of_shots = {"power-per-line", "threshold", "steps"};
+        return has_option(method_named(method), option) ||
+               (shoots && has_option(method_named(method), "direct") &&
+                std::find(of_shots.begin(), of_shots.end(), option) != of_shots.end());
+    };
+    std::set<std::string> special;
+    for (const Method method : all_methods())
+        for (const std::string_view option : options_of(method))
+            special.emplace(option);
+    for (const std::string& name : special)
+        if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name) &&
+            std::none_of(methods.begin(), methods.end(),
+                         [&](const std::string& method) { return has_effect(method, name); }))
+            throw UsageError("--" + name + " has no effect with " + given + "; expected --method " +
+                             methods_with(name) + " with it");
+}
+
+std::string checked_sequence_name(const SolveOptions& options, const std::string& option)
+{
+    try {
+        return make_line_sequence(options.sequence, options.seed, options.pairing)->name();
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(option + ": " + error.what());
+    }
+}
+
+} // namespace multipath

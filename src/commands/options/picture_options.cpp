@@ -1,0 +1,212 @@
+#include "commands/options/picture_options.h"
+
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
+#include "commands/options/memory_limit.h"
+#include "commands/solve/formats.h"
+#include "image/automatic_camera.h"
+#include "image/picture.h"
+#include "image/view_quality.h"
+#include "scene/text_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+std::vector<std::string_view> tone_names()
+{
+    std::vector<std::string_view> names;
+    for (const NamedToneOperator& named : tone_operators)
+        names.push_back(named.name);
+    return names;
+}
+
+/// The name is one of them.
+ToneOperator tone_operator(const std::string& name)
+{
+    return std::find_if(tone_operators.begin(), tone_operators.end(),
+                        [&](const NamedToneOperator& named) { return named.name == name; })
+        ->tone;
+}
+
+Shading shading_named(const std::string& name)
+{
+    if (name == "gather")
+        return Shading::gather;
+    return name == "smooth" ? Shading::smooth : Shading::flat;
+}
+
+Shown shown_named(const std::string& name)
+{
+    const std::array<std::pair<const char*, Shown>, 7> names = {{{"radiosity", Shown::radiosity},
+                                                                 {"direct", Shown::direct},
+                                                                 {"irradiance", Shown::irradiance},
+                                                                 {"error", Shown::error},
+                                                                 {"unshot", Shown::unshot},
+                                                                 {"patches", Shown::patches},
+                                                                 {"normals", Shown::normals}}};
+    return std::find_if(names.begin(), names.end(), [&](const auto& one) { return name == one.first; })->second;
+}
+
+Camera chosen_camera(const Scene& scene, const PictureOptions& options, const std::vector<Rgb>& radiosity)
+{
+    Camera camera;
+    if (options.eye) {
+        camera.eye = *options.eye;
+        camera.target = scene.bounds().centre();
+        camera.up = options.up;
+    } else {
+        const double aspect = static_cast<double>(options.render.width) / options.render.height;
+        camera = automatic_camera(scene, aspect, options.up, radiosity);
+    }
+    if (options.target)
+        camera.target = *options.target;
+    if (options.field_of_view)
+        camera.field_of_view = *options.field_of_view;
+    return camera;
+}
+
+Shown read_shown(const CommandLine& line)
+{
+    const std::string name = line.text("show");
+    const Shown shown = shown_named(name);
+    if (shows_room(shown))
+        return shown;
+    for (const std::string option : {"shading", "exposure", "tone-map"})
+        if (line.has(option) && line.text(option) != "flat")
+            throw UsageError("--" + option + " has no effect with --show " + name +
+                             "; expected --show radiosity or direct with it");
+    return shown;
+}
+
+} // namespace
+
+bool shows_room(Shown shown)
+{
+    return shown == Shown::radiosity || shown == Shown::direct;
+}
+
+OptionGroup picture_option_group()
+{
+    return {
+        "Picture",
+        {{"show",
+          0,
+          "WHAT",
+          "radiosity",
+          "What pictures show: radiosity, the room as an eye would see it; direct, the same with light that was "
+          "reflected once only; in false colours with a legend, irradiance, unshot, which the run has left unsent, "
+          "or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
+          "patches, each in a colour of its own; normals, 0.5 + 0.5 n as red, green and blue. A PFM holds the "
+          "values. Meshes hold the radiosity in any case.",
+          false,
+          {"radiosity", "direct", "irradiance", "error", "unshot", "patches", "normals"}},
+         {"size", 0, "WxH", "800x600", "Width and height in pixels."},
+         {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
+         {"shading",
+          0,
+          "HOW",
+          "smooth",
+          "Interpolate between patches; show each in one colour (flat); or, slowly, compute the last reflection for "
+          "every pixel (gather): shadows as sharp as they are, and no trace of patches.",
+          false,
+          {"smooth", "flat", "gather"}},
+         {"gather-rays", 0, "N", "64",
+          "Of --shading gather: rays per pixel in all directions, and twice as many to sources that something may "
+          "hide."},
+         {"eye", 0, "X,Y,Z", "",
+          "Where the camera stands. Without it, chosen to show most of the room where light is."},
+         {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
+         {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
+         {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
+         {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
+         {"tone-map", 0, "HOW", "reinhard", "How radiosity becomes screen brightness.", false, tone_names()}}};
+}
+
+PictureOptions read_picture_options(const CommandLine& line, int threads)
+{
+    PictureOptions options;
+    options.shown = read_shown(line);
+    const PixelSize size = read_pixel_size("--size", line.text("size"), largest_picture_side);
+    options.render.width = size.width;
+    options.render.height = size.height;
+    options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
+    options.render.shading = shows_room(options.shown) ? shading_named(line.text("shading")) : Shading::flat;
+    options.render.indirect = options.shown != Shown::direct;
+    options.mesh_shading = line.text("shading") == "flat" ? Shading::flat : Shading::smooth;
+    if (line.text("gather-rays") != line.default_text("gather-rays") && options.render.shading != Shading::gather)
+        throw UsageError("--gather-rays has no effect without --shading gather; expected both");
+    options.render.gather_rays = static_cast<int>(read_count("--gather-rays", line.text("gather-rays"), 1, 1 << 20));
+    options.render.threads = threads;
+    const bool is_share = line.knows("shard") && line.has("shard"); // without outputs of its own
+    if (wants_pictures(line.all("output")) && !(is_share && line.all("output").empty()))
+        require_memory_for_picture(line, size.width, size.height, options.render.shading == Shading::gather);
+    options.tone.tone = tone_operator(line.text("tone-map"));
+    options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);
+    options.up = read_direction("--up", line.text("up"));
+    if (line.has("eye"))
+        options.eye = read_vec3("--eye", line.text("eye"));
+    if (line.has("target"))
+        options.target = read_vec3("--target", line.text("target"));
+    if (options.eye && options.target && *options.eye == *options.target)
+        throw UsageError("--target: the camera stands there (--eye); expected another point to look at");
+    if (options.eye && options.target && length(cross(*options.target - *options.eye, options.up)) == 0.0)
+        throw UsageError("--up: the camera looks along it; expected another direction");
+    if (line.has("fov"))
+        options.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
+    return options;
+}
+
+void require_view(const Scene& scene, const PictureOptions& options)
+{
+    if (options.eye || options.target)
+        PixelRays(camera_for(scene, options), options.render.width, options.render.height);
+}
+
+Camera camera_for(const Scene& scene, const PictureOptions& options)
+{
+    return chosen_camera(scene, options, {});
+}
+
+PictureOptions with_camera(PictureOptions options, const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    const Camera camera = chosen_camera(scene, options, radiosity);
+    options.eye = camera.eye;
+    options.target = camera.target;
+    options.field_of_view = camera.field_of_view;
+    return options;
+}
+
+std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& radiosity, const PictureOptions& options)
+{
+    constexpr double tolerated = 0.9; // of the pixels
+    constexpr std::uint8_t black = 4; // of 255: an eye sees no more in darker pixels
+    const Camera camera = camera_for(scene, options);
+    const RenderOptions render = preview_options(options.render);
+    const ScreenImage screen = picture(scene, radiosity, camera, render, options.tone);
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < screen.bytes.size(); i += 3)
+        dark += std::max({screen.bytes[i], screen.bytes[i + 1], screen.bytes[i + 2]}) <= black ? 1 : 0;
+    const double share = static_cast<double>(3 * dark) / static_cast<double>(screen.bytes.size());
+    const bool has_light = std::any_of(radiosity.begin(), radiosity.end(), [](Rgb b) { return mean(b) > 0.0; });
+    if (share <= tolerated || !has_light)
+        return "";
+
+    const double aspect = static_cast<double>(render.width) / render.height;
+    const ViewQuality view = view_quality(LitScene(scene, radiosity), camera, aspect, std::min(render.height, 36));
+    const auto percent = [](double part) { return std::lround(100.0 * part); };
+    const std::string start = format("warning    %ld %% of the picture is black: ", percent(share));
+    if (view.escaped_share + view.dark_share < 0.5)
+        return start + "what the camera sees is too dim for this exposure; expected a higher --exposure\n";
+    return start + format("%ld %% of the view meets surfaces without light and %ld %% meets nothing; expected another "
+                          "view with --eye and --target\n",
+                          percent(view.dark_share), percent(view.escaped_share));
+}
+
+} // namespace multipath

@@ -1,0 +1,106 @@
+#include "commands/options/scene_options.h"
+
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
+#include "commands/options/memory_limit.h"
+#include "scene/obj_reader.h"
+#include "scene/patch_size.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The path of a scene: the name itself if there is such a file, otherwise for a bare name, with or without `.obj`, the
+/// bundled scene of that name. Without one the name itself, so that the reader's message has what was typed.
+std::string find_scene(const std::string& name)
+{
+    std::error_code error;
+    if (name.empty() || name.find('/') != std::string::npos || fs::exists(name, error))
+        return name;
+    const std::string folder = bundled_scenes_folder();
+    if (!folder.empty())
+        for (const std::string& file : {folder + "/" + name, folder + "/" + name + ".obj"})
+            if (fs::is_regular_file(file, error) && fs::path(file).extension() == ".obj")
+                return file;
+    return name;
+}
+
+} // namespace
+
+OptionGroup scene_option_group()
+{
+    return {
+        "Scene",
+        {{"patch-size", 'p', "SIZE", "",
+          "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
+         {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
+         {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
+         {"flip", 0, "", "", "Turn every face over, for a room that was modelled to be seen from outside."},
+         memory_option(),
+         {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
+}
+
+std::string scene_path(const CommandLine& line)
+{
+    return find_scene(line.operands()[0]);
+}
+
+Scene read_scene(const CommandLine& line, int threads)
+{
+    if (line.has("patch-size") && line.has("patches"))
+        throw UsageError("--patches and --patch-size exclude each other; expected one of them");
+    // Checked before the file is read, which may take a while.
+    const double given_size = line.has("patch-size") ? read_positive("--patch-size", line.text("patch-size")) : 0.0;
+    const std::uint64_t wanted =
+        line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
+
+    const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
+    const std::string path = scene_path(line);
+    require_memory_for_file(line, path);
+    SceneFile file = read_obj(path, emission);
+    if (line.has("flip"))
+        file = flipped(std::move(file));
+    double patch_size = given_size;
+    if (wanted > 0)
+        patch_size = patch_size_for_count(file.surfaces, wanted);
+    else if (!line.has("patch-size"))
+        patch_size = default_patch_size(file.surfaces);
+    const double sides = line.has("two-sided") ? 2.0 : 1.0;
+    require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
+    return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
+}
+
+Option threads_option()
+{
+    return {"threads", 't', "N", "", "Threads to use; the result does not depend on it. Without it, all processors."};
+}
+
+int thread_count(const CommandLine& line)
+{
+    if (line.has("threads"))
+        return static_cast<int>(read_count("--threads", line.text("threads"), 1, 1024));
+    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+std::string bundled_scenes_folder()
+{
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error); // of systems without it: empty
+    if (error || !program.has_parent_path())
+        return "";
+    const fs::path folder = program.parent_path();
+    for (const fs::path& scenes : {folder.parent_path() / "share" / "multipath" / "scenes", folder / "scenes"})
+        if (fs::is_directory(scenes, error))
+            return scenes.string();
+    return "";
+}
+
+} // namespace multipath

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "cli/options/command_line.h"
+#include "cli/options/option_table.h"
+#include "scene/scene.h"
+
+#include <string>
+
+namespace multipath {
+
+/// The options of every command that reads an OBJ scene.
+OptionGroup scene_option_group();
+
+/// The file of the scene that the first operand names: as given, or the bundled one of that name.
+std::string scene_path(const CommandLine& line);
+
+/// That scene, cut into patches as the options say. Throws UsageError, InputError.
+Scene read_scene(const CommandLine& line, int threads = 1);
+
+/// `--threads`: a definition for the tables, and its value; without it, all processors.
+Option threads_option();
+int thread_count(const CommandLine& line);
+
+/// The folder of the scenes that come with the program: of an installed one PREFIX/share/multipath/scenes, of one that
+/// was built beside its sources their folder `scenes`. Empty when there is none or the program cannot tell where it is.
+std::string bundled_scenes_folder();
+
+} // namespace multipath

@@ -1,0 +1,87 @@
+#include "commands/solve/accuracy.h"
+
+#include "cli/options/number_text.h"
+#include "cli/options/usage_error.h"
+#include "radiosity/runs/replicates.h"
+#include "sampling/sequence.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr int replicates_of_rounds = 4; ///< without the user's word: an error to stop at needs a few
+constexpr std::uint64_t first_round_lines = 1u << 16;
+
+} // namespace
+
+bool RoundLimit::go_on(const Round& round, double seconds)
+{
+    const double after_next = seconds + 2.0 * (seconds - round_start_);
+    round_start_ = seconds;
+    const bool reached =
+        accuracy_.tolerance && round.lines >= least_lines_ && round.relative_standard_error <= *accuracy_.tolerance;
+    const bool too_late = accuracy_.seconds && after_next > *accuracy_.seconds;
+    const bool too_many = accuracy_.most_lines && 2 * round.lines > *accuracy_.most_lines;
+    return !reached && !too_late && !too_many;
+}
+
+OptionGroup accuracy_option_group()
+{
+    return {
+        "Accuracy",
+        {{"replicates", 0, "R", "1",
+          "Solve R times with independent randomisations of the sequence, which share the lines; tells the standard "
+          "error of every patch and of the whole."},
+         {"tolerance", 0, "SHARE", "",
+          "Double the lines until the relative standard error is below this, such as 1%. Takes 4 replicates unless "
+          "told otherwise; --lines, if given, bounds the last round."},
+         {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s; otherwise the same."}}};
+}
+
+Accuracy read_accuracy(const CommandLine& line)
+{
+    Accuracy accuracy;
+    if (line.has("tolerance")) {
+        accuracy.tolerance = read_share("--tolerance", line.text("tolerance"));
+        if (!(*accuracy.tolerance > 0.0))
+            throw UsageError("--tolerance: an error of 0 is never reached; expected more, such as 1%");
+    }
+    if (line.has("time"))
+        accuracy.seconds = read_seconds("--time", line.text("time"));
+    if (accuracy.in_rounds() && line.has("lines"))
+        accuracy.most_lines = read_count("--lines", line.text("lines"), 1);
+    accuracy.replicates = accuracy.in_rounds() && !line.has("replicates")
+                              ? replicates_of_rounds
+                              : static_cast<int>(read_count("--replicates", line.text("replicates"), 1, 10000));
+    if (accuracy.in_rounds() && accuracy.replicates < 2)
+        throw UsageError("--replicates: the error to stop at needs at least 2; expected more");
+    if (accuracy.replicates > 1) {
+        try {
+            (void)randomised_name(line.text("sequence"));
+        } catch (const std::invalid_argument& error) {
+            throw UsageError(std::string("--sequence: ") + error.what());
+        }
+    }
+    return accuracy;
+}
+
+Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
+                          const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
+{
+    if (!accuracy.in_rounds())
+        return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, share);
+    RoundLimit limit(accuracy, lines_for_error(scene, options.method, accuracy.replicates));
+    const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto go_on = [&](const Round& round) {
+        return limit.go_on(round, std::chrono::duration<double>(Clock::now() - start).count());
+    };
+    return solve_until(scene, options, accuracy.replicates, first, go_on, progress, checkpoint);
+}
+
+} // namespace multipath

@@ -1,0 +1,220 @@
+#include "commands/solve/saved_run.h"
+
+#include "cli/files/interrupt.h"
+#include "cli/files/output_file.h"
+#include "cli/provenance.h"
+#include "commands/options/scene_options.h"
+#include "commands/options/solve_table.h"
+#include "commands/solve/accuracy.h"
+#include "radiosity/solution.h"
+#include "scene/input_error.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+/// Options of which a run may have other values than the one that it goes on from.
+constexpr std::array<std::string_view, 3> may_change = {"lines", "tolerance", "time"};
+
+std::vector<Option> options_that_matter()
+{
+    std::vector<Option> options;
+    for (const OptionGroup& group : {solve_method_group(), accuracy_option_group(), scene_option_group()})
+        for (const Option& option : group.options)
+            if (is_recorded(option.name))
+                options.push_back(option);
+    return options;
+}
+
+bool is_share(const RunDescription& description)
+{
+    return description.share.of > 1;
+}
+
+/// "--sequence halton", "no --two-sided"
+std::string said(const Option& option, const CommandLine& line)
+{
+    const std::string name = "--" + std::string(option.name);
+    if (option.argument.empty())
+        return line.has(option.name) ? name : "no " + name;
+    return line.text(option.name).empty() ? "no " + name : name + " " + line.text(option.name);
+}
+
+/// Writes or reads the head of a state file: the description of the run and the names of its parts.
+void visit_head(Archive& archive, RunDescription& description, std::vector<std::string>& parts)
+{
+    description.visit(archive);
+    archive.texts("parts", parts);
+}
+
+} // namespace
+
+void RunDescription::visit(Archive& archive)
+{
+    archive.texts("arguments", arguments);
+    archive.value<std::uint64_t>("share", share);
+    if (share.of == 0 || share.number >= share.of)
+        throw ArchiveError("the state is damaged: no such share");
+    const Archive::Inner inner(archive, "scene");
+    scene.visit(archive);
+}
+
+RunDescription description_of(const CommandLine& line, const Scene& scene, Share share)
+{
+    RunDescription description;
+    for (const Option& option : options_that_matter())
+        if (line.has(option.name))
+            description.arguments.push_back("--" + std::string(option.name) +
+                                            (option.argument.empty() ? "" : "=" + line.text(option.name)));
+    description.arguments.emplace_back("--");
+    description.arguments.push_back(line.operands()[0]);
+    description.scene = archived(scene);
+    description.share = share;
+    return description;
+}
+
+CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words)
+{
+    std::vector<std::string> words = more_words;
+    words.insert(words.end(), description.arguments.begin(), description.arguments.end());
+    return {solve_table(), words};
+}
+
+std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line)
+{
+    std::vector<std::string> words;
+    for (const OptionGroup& group : table.groups)
+        for (const Option& option : group.options)
+            for (const std::string& value : line.all(option.name))
+                words.push_back("--" + std::string(option.name) + (option.argument.empty() ? "" : "=" + value));
+    return words;
+}
+
+void require_same_run(const RunDescription& saved, const std::string& path, const RunDescription& wanted)
+{
+    const CommandLine of_saved = command_line_of(saved, {});
+    const CommandLine of_wanted = command_line_of(wanted, {});
+    const auto refuse = [&](const std::string& difference) {
+        throw InputError(path + ": the state of another run: " + difference +
+                         "; expected the same options, or another file");
+    };
+    if (saved.share.number != wanted.share.number || saved.share.of != wanted.share.of)
+        refuse("of another share of the work");
+    for (const Option& option : options_that_matter()) {
+        const bool fixed =
+            is_share(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
+        const std::string before = said(option, of_saved);
+        const std::string now = said(option, of_wanted);
+        if (fixed && before != now)
+            refuse("made with " + before + ", not with " + now);
+    }
+    if (saved.scene.hash != wanted.scene.hash)
+        refuse("of the scene " + saved.scene.file->path + " as it was then, which is not the one given now");
+}
+
+SavedRun read_saved_run(std::unique_ptr<StateReader> arrays)
+{
+    SavedRun saved;
+    visit_head(*arrays, saved.description, saved.parts);
+    saved.arrays = std::move(arrays);
+    return saved;
+}
+
+SavedRun read_saved_run(const std::string& path)
+{
+    return read_saved_run(std::make_unique<StateReader>(path));
+}
+
+bool is_finished(const SavedRun& saved)
+{
+    return saved.parts == std::vector<std::string>{RunRecord::part};
+}
+
+Solution finished_solution(const SavedRun& saved, const Scene& scene)
+{
+    RunRecord record;
+    const Archive::Inner inner(*saved.arrays, RunRecord::part);
+    record.visit(*saved.arrays, scene.patch_count());
+    if (record.pieces == 0)
+        throw InputError(saved.name() + ": the run is not finished; expected 'multipath solve --state " + saved.name() +
+                         " --resume' first");
+    return std::move(record.solution);
+}
+
+StateKeeper::StateKeeper(StatePlan plan, RunDescription description)
+    : plan_(std::move(plan)),
+      description_(std::move(description)),
+      next_save_(Clock::now() +
+                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan_.save_every)))
+{
+}
+
+void StateKeeper::resume(SavedRun saved)
+{
+    resumed_ = std::move(saved);
+    resume_from(*resumed_->arrays, resumed_->parts);
+}
+
+bool StateKeeper::wants_pause() const
+{
+    worked_ = true;
+    return interrupted() || (!plan_.path.empty() && Clock::now() >= next_save_);
+}
+
+void StateKeeper::write(const StateWriter::Sink& sink)
+{
+    std::vector<std::string> names = parts();
+    StateWriter writer(sink);
+    visit_head(writer, description_, names);
+    save(writer);
+    writer.finish();
+}
+
+void StateKeeper::keep_in_memory()
+{
+    last_bytes_.clear();
+    write([&](std::string_view bytes) { last_bytes_ += bytes; });
+}
+
+void StateKeeper::keep()
+{
+    if (!plan_.path.empty()) {
+        OutputFile file(plan_.path);
+        const InterruptDelay delay;
+        write([&](std::string_view bytes) { file.write(bytes); });
+        file.commit();
+    }
+    if (plan_.keep_last)
+        keep_in_memory();
+}
+
+bool StateKeeper::pause_now()
+{
+    const Clock::time_point start = Clock::now();
+    keep();
+    const auto interval = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan_.save_every));
+    // A large state is saved less often, so that saving stays a small part of the time.
+    next_save_ = Clock::now() + std::max(interval, 10 * (Clock::now() - start));
+    return interrupted();
+}
+
+void StateKeeper::hand_in_now()
+{
+    keep();
+    handed_in_ = true;
+}
+
+void StateKeeper::finish_now()
+{
+    if (!resumed_ || worked_)
+        keep();
+    else if (plan_.keep_last) // the file says it already
+        keep_in_memory();
+}
+
+} // namespace multipath

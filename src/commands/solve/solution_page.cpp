@@ -1,0 +1,246 @@
+#include "commands/solve/solution_page.h"
+
+#include "commands/explain/story_drawing.h"
+#include "image/quantity.h"
+#include "radiosity/reuse/gathered_light.h"
+#include "scene/input_error.h"
+#include "scene/text_format.h"
+#include "viewer/viewer_page.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 16; ///< to reach the global lines within a second
+constexpr const char* of_reuse =
+    " The method reuse only counts such lines and solves for the light afterwards: these are the lines of --method "
+    "extended.";
+
+std::uint32_t receiver(std::uint32_t where)
+{
+    return Segment::is_patch(where) ? where : Scene::no_patch;
+}
+
+std::vector<ViewerLine> told(const GlobalStory& story)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(story);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < story.lines.size(); ++n) {
+        ViewerLine line{drawn[n], {}};
+        for (const Stretch& stretch : story.lines[n].stretches)
+            for (const Transfer& transfer : stretch.transfers)
+                line.transfers.push_back({stretch.after, transfer.from, receiver(transfer.to), transfer.forecast,
+                                          transfer.held, transfer.sent()});
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+std::vector<ViewerLine> told(const Scene& scene, const ShotStory& story)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, story);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < story.rays.size(); ++n) {
+        const ShotRay& ray = story.rays[n];
+        lines.push_back({drawn[n], {{0, ray.shooter, receiver(ray.where), {}, ray.power, ray.power}}});
+    }
+    return lines;
+}
+
+std::vector<ViewerLine> told(const Scene& scene, const ParticleStory& story)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, story);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < story.particles.size(); ++n) {
+        ViewerLine line{drawn[n], {}};
+        // Between two of its steps the particle moves within a patch, which is a stretch of the drawing too.
+        std::size_t stretch = 0;
+        for (const ToldStep& told : story.particles[n].steps) {
+            line.transfers.push_back(
+                {stretch, told.step.from, receiver(told.step.where), {}, told.step.power, told.counted});
+            stretch += 2;
+        }
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+ViewerChapter shots(const ToldRun& run, const ToldRange& range)
+{
+    const ShotStory story = tell_shot_pass(run.scene, run.options, 0, range);
+    return {"First shot",
+            "Rays carry the light of the sources to the patches that they see, each the same power. What a patch "
+            "reflects of it is unshot until it is sent on. The first " +
+                grouped(story.rays.size()) + " of " + grouped(story.shot_passes.front().lines) + " rays.",
+            told(run.scene, story)};
+}
+
+ViewerChapter global_lines(const ToldRun& run, const ToldRange& range)
+{
+    const GlobalStory story = tell_global_pass(run.scene, run.options, range);
+    const std::string before =
+        story.local_lines > 0 ? ", after " + grouped(story.local_lines) + " rays of the first shot" : "";
+    return {"Global lines",
+            "A line crosses the whole scene. Where it leaves one patch and meets another, the two exchange power: each "
+            "sends its forecast, a share of what was unshot, and all that it has received and reflected since. The "
+            "first " +
+                grouped(story.lines.size()) + " of " + grouped(story.lines_cast) + " lines" + before + ".",
+            told(story)};
+}
+
+ViewerChapter particles(const ToldRun& run, const ToldRange& range)
+{
+    const ParticleStory story = tell_particles(run.scene, run.options, range);
+    return {"Particles",
+            "Particles leave the sources and are reflected from patch to patch, until they are absorbed or leave the "
+            "scene. The first " +
+                grouped(story.particles.size()) + " of " + grouped(story.particles_in_all) + " particles.",
+            told(run.scene, story)};
+}
+
+/// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
+void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const ToldRange&)>& tell)
+{
+    for (const std::uint64_t count : {100u, 10u, 1u}) {
+        try {
+            chapters.push_back(tell({0, count}));
+            return;
+        } catch (const InputError&) {
+            continue; // the stage has fewer lines
+        }
+    }
+}
+
+constexpr int first_power = 8;                ///< of two: the fewest lines
+constexpr std::uint64_t most_values = 300000; ///< patches of all stages: some eleven bytes of the page each
+
+/// Nothing where the method cannot work with so few lines.
+std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
+                                const ProgressCallback& progress)
+{
+    try {
+        const Solution solution = solve(scene, preparation, options, progress);
+        return mean(solution.balance.absorbed) > 0.0 ? solution.radiosity : std::vector<Rgb>{};
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
+std::vector<Rgb> patch_areas(const Scene& scene)
+{
+    std::vector<Rgb> areas;
+    for (const double area : scene.areas())
+        areas.push_back({area, area, area});
+    return areas;
+}
+
+/// The quantities to choose from; the radiosity first.
+std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solution, int threads)
+{
+    std::vector<ViewerQuantity> result = {
+        {"radiosity", "Radiosity", "W/m²", ViewerColours::light, solution.radiosity},
+        {"direct", "Direct light", "W/m²", ViewerColours::light, direct_radiosity(scene, threads)},
+        {"irradiance", "Irradiance", "W/m²", ViewerColours::scale, irradiance(scene, solution.radiosity)},
+        {"area", "Patch size", "m²", ViewerColours::scale, patch_areas(scene)}};
+    if (!solution.standard_error.empty())
+        result.push_back({"error", "Standard error", "W/m²", ViewerColours::scale, solution.standard_error});
+    return result;
+}
+
+/// The quantity that pictures would show, or the radiosity.
+std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, Shown shown)
+{
+    const std::string key = shown == Shown::direct       ? "direct"
+                            : shown == Shown::irradiance ? "irradiance"
+                            : shown == Shown::error      ? "error"
+                                                         : "radiosity";
+    for (std::size_t k = 0; k < quantities.size(); ++k)
+        if (quantities[k].key == key)
+            return k;
+    return 0;
+}
+
+} // namespace
+
+std::vector<ViewerChapter> viewer_story(const ToldRun& run)
+{
+    const Method method = run.options.method;
+    SolveOptions options = run.options;
+    options.lines = std::min(options.lines, most_lines_of_run);
+    if (method == Method::reuse) {
+        options.method = Method::extended;
+        options.ratio.reset(); // it means something else there
+    }
+    const ToldRun walk{run.scene, options, run.method, run.sequence};
+    std::vector<ViewerChapter> chapters;
+    if (method == Method::local) {
+        append(chapters, [&](const ToldRange& range) { return particles(walk, range); });
+        return chapters;
+    }
+    if (method != Method::global)
+        append(chapters, [&](const ToldRange& range) { return shots(walk, range); });
+    append(chapters, [&](const ToldRange& range) { return global_lines(walk, range); });
+    if (method == Method::reuse)
+        for (ViewerChapter& chapter : chapters)
+            chapter.note += of_reuse;
+    return chapters;
+}
+
+std::vector<std::uint64_t> stage_lines(std::uint64_t lines, std::uint32_t patches)
+{
+    const std::uint64_t most = std::min<std::uint64_t>(most_values / patches, 20);
+    if (most == 0)
+        return {};
+    for (int step = 2;; step += 2) {
+        std::vector<std::uint64_t> result;
+        for (int power = first_power; power < 64 && std::uint64_t{1} << power < lines; power += step)
+            result.push_back(std::uint64_t{1} << power);
+        if (result.size() <= most)
+            return result;
+    }
+}
+
+std::vector<ViewerStage> solve_stages(const Scene& scene, const SolveOptions& options,
+                                      const std::vector<std::uint64_t>& lines, const ProgressCallback& progress)
+{
+    std::vector<ViewerStage> stages;
+    if (lines.empty())
+        return stages;
+    const Preparation preparation = prepare(scene, options);
+    const auto all = static_cast<double>(std::accumulate(lines.begin(), lines.end(), std::uint64_t{0}));
+    double done = 0.0;
+    for (const std::uint64_t count : lines) {
+        SolveOptions fewer = options;
+        fewer.lines = count;
+        const double share = static_cast<double>(count) / all;
+        std::vector<Rgb> radiosity =
+            radiosity_with(scene, preparation, fewer, [&](double part) { progress(done + share * part); });
+        done += share;
+        if (!radiosity.empty())
+            stages.push_back({count, std::move(radiosity)});
+    }
+    return stages;
+}
+
+std::string solution_page(const ToldRun& run, const Solution& solution, const PictureOptions& picture_options,
+                          const std::vector<std::string>& comments, const ProgressCallback& progress)
+{
+    ViewerContent content;
+    content.record = comments;
+    content.camera = camera_for(run.scene, picture_options);
+    content.render = picture_options.render;
+    content.tone = picture_options.tone;
+    content.quantities = quantities(run.scene, solution, run.options.threads);
+    content.shown = shown_first(content.quantities, picture_options.shown);
+    content.lines = solution.local_lines + solution.global_lines;
+    content.stages =
+        solve_stages(run.scene, run.options, stage_lines(content.lines, run.scene.patch_count()), progress);
+    content.chapters = viewer_story(run);
+    return viewer_page(run.scene, content);
+}
+
+} // namespace multipath

@@ -1,0 +1,218 @@
+#include "cli/files/output_file.h"
+
+#include "cli/files/standard_streams.h"
+
+#include <doctest/doctest.h>
+
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace output_file_test {
+
+using namespace multipath;
+
+namespace {
+
+/// An empty folder that vanishes at the end of the test.
+class Folder
+{
+public:
+    Folder()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "multipath_output.XXXXXX").string();
+        path_ = mkdtemp(&name[0]);
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+    std::ptrdiff_t file_count() const
+    {
+        return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
+    }
+
+private:
+    std::string path_;
+};
+
+std::string content(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void put(const std::string& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+mode_t mode_of(const std::string& path)
+{
+    struct stat status = {};
+    REQUIRE(stat(path.c_str(), &status) == 0);
+    return status.st_mode & 07777;
+}
+
+std::string error_of(const std::string& path)
+{
+    try {
+        OutputFile file(path);
+    } catch (const OutputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+} // namespace
+
+TEST_CASE("a file appears complete, under its name, at the commit and not before")
+{
+    const Folder folder;
+    const std::string bytes("a\0b\r\n\xff", 6);
+    OutputFile file(folder / "room.png");
+    file.write(bytes);
+    file.write("end");
+    CHECK_FALSE(std::filesystem::exists(folder / "room.png"));
+    CHECK(folder.file_count() == 1);
+    file.commit();
+    CHECK(content(folder / "room.png") == bytes + "end");
+    CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("without a commit nothing remains and the old file is as it was")
+{
+    const Folder folder;
+    put(folder / "room.png", "old");
+    {
+        OutputFile file(folder / "room.png");
+        file.write("new");
+        OutputFile moved = std::move(file);
+        moved.write("newer");
+        CHECK(folder.file_count() == 2);
+    }
+    CHECK(content(folder / "room.png") == "old");
+    CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("two files of one name are written side by side; the last commit stays")
+{
+    const Folder folder;
+    OutputFile first(folder / "a.csv");
+    OutputFile second(folder / "a.csv");
+    second.write("second");
+    first.write("first");
+    second.commit();
+    first.commit();
+    CHECK(content(folder / "a.csv") == "first");
+    CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("an existing file keeps its permissions, a new one gets what the umask leaves")
+{
+    const Folder folder;
+    put(folder / "old.csv", "old");
+    REQUIRE(chmod((folder / "old.csv").c_str(), 0640) == 0);
+    const mode_t before = umask(027);
+    for (const char* name : {"old.csv", "new.csv"})
+        OutputFile(folder / name).commit();
+    umask(before);
+    CHECK(mode_of(folder / "old.csv") == 0640);
+    CHECK(mode_of(folder / "new.csv") == 0640);
+    REQUIRE(chmod((folder / "old.csv").c_str(), 0604) == 0);
+    OutputFile(folder / "old.csv").commit();
+    CHECK(mode_of(folder / "old.csv") == 0604);
+}
+
+TEST_CASE("a symbolic link is followed, also when it leads nowhere yet")
+{
+    const Folder folder;
+    std::filesystem::create_directory(folder / "store");
+    put(folder / "store/old.png", "old");
+    std::filesystem::create_symlink("store/old.png", folder / "old.png");
+    std::filesystem::create_symlink("old.png", folder / "twice.png");
+    std::filesystem::create_symlink("store/new.png", folder / "new.png");
+    for (const char* name : {"twice.png", "new.png"}) {
+        OutputFile file(folder / name);
+        file.write("fresh");
+        file.commit();
+        CHECK(std::filesystem::is_symlink(folder / name));
+    }
+    CHECK(content(folder / "store/old.png") == "fresh");
+    CHECK(content(folder / "store/new.png") == "fresh");
+    CHECK(folder.file_count() == 4);
+}
+
+TEST_CASE("what cannot be written is reported before the work, in one plain line")
+{
+    const Folder folder;
+    put(folder / "file", "");
+    std::filesystem::create_symlink("loop", folder / "loop");
+    CHECK(error_of(folder / "none/room.png") ==
+          "cannot write " + folder / "none/room.png" + ": No such file or directory");
+    CHECK(error_of(folder / "") == "cannot write " + (folder / "") + ": Is a directory");
+    CHECK(error_of(folder / "new/") == "cannot write " + (folder / "new/") + ": Is a directory");
+    CHECK(error_of(folder / "file/room.png") == "cannot write " + (folder / "file/room.png") + ": Not a directory");
+    CHECK(error_of(folder / "loop").find("cannot write ") == 0);
+    CHECK(error_of("").find("cannot write ") == 0);
+    CHECK(error_of(folder / std::string(300, 'n')).find("cannot write ") == 0);
+    CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("protected files and folders are refused")
+{
+    if (geteuid() == 0)
+        return; // nothing is protected from root
+    const Folder folder;
+    put(folder / "kept.png", "old");
+    REQUIRE(chmod((folder / "kept.png").c_str(), 0444) == 0);
+    CHECK(error_of(folder / "kept.png") == "cannot write " + (folder / "kept.png") + ": Permission denied");
+    std::filesystem::create_directory(folder / "locked");
+    REQUIRE(chmod((folder / "locked").c_str(), 0555) == 0);
+    CHECK(error_of(folder / "locked/a.png") == "cannot write " + (folder / "locked/a.png") + ": Permission denied");
+}
+
+TEST_CASE("a name as long as the file system permits can be written")
+{
+    const Folder folder;
+    const std::string name = folder / std::string(255, 'n');
+    OutputFile file(name);
+    file.write("x");
+    file.commit();
+    CHECK(content(name) == "x");
+}
+
+TEST_CASE("devices are written, not replaced")
+{
+    OutputFile null("/dev/null");
+    null.write("gone");
+    null.commit();
+    CHECK(std::filesystem::is_character_file("/dev/null"));
+    if (std::filesystem::exists("/dev/full")) {
+        OutputFile full("/dev/full");
+        CHECK_THROWS_WITH_AS(full.write("x"), "cannot write /dev/full: No space left on device", OutputError);
+    }
+}
+
+TEST_CASE("a named pipe is written to its reader")
+{
+    prepare_standard_streams();
+    const Folder folder;
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    OutputFile file(folder / "pipe");
+    file.write("hello");
+    char bytes[8] = {};
+    CHECK(read(reader, bytes, sizeof bytes) == 5);
+    CHECK(std::string(bytes) == "hello");
+    close(reader);
+    CHECK_THROWS_WITH_AS(file.write("x"), ("cannot write " + (folder / "pipe") + ": Broken pipe").c_str(), OutputError);
+    CHECK(std::filesystem::is_fifo(folder / "pipe"));
+}
+
+} // namespace output_file_test

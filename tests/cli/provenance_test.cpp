@@ -1,0 +1,164 @@
+#include "cli/provenance.h"
+
+#include "commands/commands.h"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace provenance_test {
+
+using namespace multipath;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The words of a command as a shell has them (POSIX 2024, 2.2): plain characters, \c, '...' and $'...' with \c and
+/// three octal digits.
+Words shell_words(std::string_view text)
+{
+    Words words(1);
+    enum { plain, quoted, escaped } state = plain;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (state != plain && c == '\'')
+            state = plain;
+        else if (state == quoted)
+            words.back() += c;
+        else if (state == escaped && c == '\\' && text[i + 1] >= '0' && text[i + 1] <= '7') {
+            words.back() += static_cast<char>(std::stoi(std::string(text.substr(i + 1, 3)), nullptr, 8));
+            i += 3;
+        } else if (c == '\\')
+            words.back() += text[++i];
+        else if (state == escaped)
+            words.back() += c;
+        else if (c == ' ')
+            words.emplace_back();
+        else if (c == '\'')
+            state = quoted;
+        else if (text.substr(i, 2) == "$'") {
+            state = escaped;
+            ++i;
+        } else
+            words.back() += c;
+    }
+    return words;
+}
+
+Command command_named(const std::string& name)
+{
+    for (const Command& command : commands())
+        if (command.table.name == name)
+            return command;
+    throw std::out_of_range(name);
+}
+
+/// What is recorded of the command, in one line.
+std::string recorded_text(const CommandTable& table, const CommandLine& line)
+{
+    const std::string key = "command: ";
+    const std::string fact = provenance(table, line).at(1);
+    REQUIRE(fact.substr(0, key.size()) == key);
+    return fact.substr(key.size());
+}
+
+CommandLine recorded_line(const CommandTable& table, const CommandLine& line)
+{
+    const Words words = shell_words(recorded_text(table, line));
+    REQUIRE(words.at(0) == "multipath");
+    REQUIRE(words.at(1) == table.name);
+    return {table, {words.begin() + 2, words.end()}};
+}
+
+/// An operand of `check` as it is recorded.
+std::string recorded_operand(const std::string& word)
+{
+    const CommandTable table = {"check", "", {{"SCENE.obj"}}, {}, ""};
+    const std::string start = "multipath check ";
+    const std::string text = recorded_text(table, CommandLine(table, {"--", word}));
+    REQUIRE(text.substr(0, start.size()) == start);
+    return text.substr(start.size());
+}
+
+} // namespace
+
+TEST_CASE("plain words are recorded as they are, others are quoted as in every shell")
+{
+    CHECK(recorded_operand("halton:2,7,3,5") == "halton:2,7,3,5");
+    CHECK(recorded_operand("2^20") == "2^20");
+    CHECK(recorded_operand("my room.obj") == "'my room.obj'");
+    CHECK(recorded_operand("it's") == "'it'\\''s'");
+    CHECK(recorded_operand("$HOME") == "'$HOME'");
+    CHECK(recorded_operand("~") == "'~'");
+    CHECK(recorded_operand("#") == "'#'");
+    CHECK(recorded_operand("a\nb") == "$'a\\012b'");
+    CHECK(recorded_operand("\x1b\\'") == "$'\\033\\\\\\''");
+}
+
+TEST_CASE("every byte but zero comes back from the recorded command, which is one line")
+{
+    for (int code = 1; code < 256; ++code) {
+        const std::string byte(1, static_cast<char>(code));
+        CAPTURE(code);
+        for (const std::string& word : {"x" + byte, "1" + byte + "2'", "'" + byte + byte}) {
+            const std::string text = recorded_operand(word);
+            CHECK(shell_words(text) == Words{word});
+            CHECK(text.find_first_of("\n\r\t\x1b\x7f") == std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("operands and values that look like options are recorded so that they are read as what they are")
+{
+    const CommandTable table = command_named("study").table;
+    for (const Words& words : {Words{"--reference=--quick.csv", "room.obj"}, Words{"--seed", "2", "--", "-room.obj"},
+                               Words{"--", "--two-sided"}, Words{"-"}, Words{"two\nlines.obj", "--methods=--x"}}) {
+        const CommandLine line(table, words);
+        const CommandLine again = recorded_line(table, line);
+        CHECK(again.operands() == line.operands());
+        for (const char* option : {"reference", "seed", "methods", "to"})
+            CHECK(again.text(option) == line.text(option));
+        CHECK_FALSE(again.has("two-sided"));
+    }
+}
+
+TEST_CASE("what was not given is recorded with its default, unless that would be refused or mean something else")
+{
+    const CommandTable table = command_named("solve").table;
+    const auto recorded = [&](Words words, const char* option) {
+        words.insert(words.begin(), "room.obj");
+        return recorded_line(table, CommandLine(table, words)).has(option);
+    };
+    for (const char* option : {"lines", "replicates", "ratio", "shading", "exposure", "tone-map", "seed"})
+        CHECK_MESSAGE(recorded({}, option), option);
+    for (const char* option : {"lines", "replicates"}) {
+        CHECK_FALSE(recorded({"--tolerance", "1%"}, option));
+        CHECK_FALSE(recorded({"--time", "3s"}, option));
+        CHECK(recorded({"--tolerance", "1%", "--" + std::string(option), "4"}, option));
+    }
+    CHECK_FALSE(recorded({"--power-per-line", "2"}, "ratio"));
+    CHECK_FALSE(recorded({"--show", "error"}, "tone-map"));
+    CHECK(recorded({"--show", "radiosity"}, "tone-map"));
+    CHECK(recorded({"--show", "error", "--shading", "flat"}, "shading"));
+    CHECK_FALSE(recorded({}, "gather-rays"));
+    CHECK_FALSE(recorded({"--show", "error"}, "gather-rays"));
+    CHECK(recorded({"--shading", "gather"}, "gather-rays"));
+    CHECK(recorded({"--shading", "gather", "--gather-rays", "9"}, "gather-rays"));
+}
+
+TEST_CASE("options that do not change the result are not recorded")
+{
+    const CommandTable table = command_named("solve").table;
+    const CommandLine line(table, {"room.obj", "--threads", "2", "-o", "x.png", "--quiet", "--json", "--verbose"});
+    const CommandLine again = recorded_line(table, line);
+    for (const char* option : {"threads", "output", "quiet", "json", "verbose", "progress"}) {
+        CHECK_FALSE(is_recorded(option));
+        CHECK_FALSE(again.has(option));
+    }
+}
+
+} // namespace provenance_test

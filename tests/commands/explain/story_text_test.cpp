@@ -1,0 +1,56 @@
+#include "commands/explain/story_text.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <sstream>
+
+namespace story_text_test {
+
+using namespace multipath;
+
+TEST_CASE("wrapped text has the same words in the same order on lines of at most 110 columns, indented as asked")
+{
+    std::string text;
+    for (int k = 0; k < 200; ++k)
+        text += (k == 0 ? "" : " ") + std::to_string(k * k * k);
+    std::istringstream lines(wrapped(text, 3, 5));
+    std::string words;
+    std::size_t count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {
+        CHECK(line.size() <= 110);
+        CHECK(line.find_first_not_of(' ') == (count == 0 ? 3 : 5));
+        words += (words.empty() ? "" : " ") + line.substr(line.find_first_not_of(' '));
+    }
+    CHECK(count > 5);
+    CHECK(words == text);
+}
+
+TEST_CASE("no line ends between a number and its unit or within a colour")
+{
+    std::string text;
+    for (int k = 0; k < 60; ++k)
+        text += watts({1.0 + k, 2.0, 3.0}) + " ";
+    std::istringstream lines(wrapped(text, 0, 0));
+    for (std::string line; std::getline(lines, line);)
+        CHECK((line.front() == '(' && line.substr(line.size() - 3) == ") W"));
+}
+
+TEST_CASE("one number stands for equal channels")
+{
+    CHECK(wrapped(watts({0.5, 0.5, 0.5}), 0, 0) == "0.5 W\n");
+    CHECK(wrapped(watts({0.5, 0.25, 0.5}), 0, 0) == "(0.5, 0.25, 0.5) W\n");
+}
+
+TEST_CASE("a surface without a name has its material's, and a back is called one")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.7, 1.0));
+    const Scene scene = builder.scene(1.0, true);
+    CHECK(surface_name(scene, 0) == "material0 (line 1)");
+    CHECK(patch_name(scene, 0) == "patch 0 of material0 (line 1)");
+    CHECK(patch_name(scene, 1) == "patch 1 of material0 (line 1), its back");
+}
+
+} // namespace story_text_test

@@ -1,0 +1,53 @@
+#include "commands/solve/accuracy.h"
+
+#include <doctest/doctest.h>
+
+namespace accuracy_test {
+
+using namespace multipath;
+
+namespace {
+
+constexpr Round round_of(std::uint64_t lines, double error = 0.1)
+{
+    return {lines, error};
+}
+
+} // namespace
+
+// Rounds of 1, 2 and 4 s: after the second, 3 s are gone, and the third would end after 7 s.
+TEST_CASE("rounds end where the next one, twice as long as the last, would exceed the time")
+{
+    Accuracy accuracy;
+    accuracy.seconds = 6.9;
+    RoundLimit limit(accuracy, 0);
+    CHECK(limit.go_on(round_of(1000), 1.0));
+    CHECK_FALSE(limit.go_on(round_of(2000), 3.0));
+    accuracy.seconds = 7.1;
+    RoundLimit longer(accuracy, 0);
+    CHECK(longer.go_on(round_of(1000), 1.0));
+    CHECK(longer.go_on(round_of(2000), 3.0));
+    CHECK_FALSE(longer.go_on(round_of(4000), 7.0));
+}
+
+TEST_CASE("rounds end where the next one, of twice the lines, would exceed the lines")
+{
+    Accuracy accuracy;
+    accuracy.tolerance = 1e-9;
+    accuracy.most_lines = 131071;
+    CHECK_FALSE(RoundLimit(accuracy, 0).go_on(round_of(65536), 1.0));
+    accuracy.most_lines = 131072;
+    CHECK(RoundLimit(accuracy, 0).go_on(round_of(65536), 1.0));
+}
+
+TEST_CASE("rounds end when the tolerance is reached by as many lines as make the error believable")
+{
+    Accuracy accuracy;
+    accuracy.tolerance = 0.01;
+    RoundLimit limit(accuracy, 3000);
+    CHECK(limit.go_on(round_of(1000, 0.001), 1.0));
+    CHECK(limit.go_on(round_of(4000, 0.011), 2.0));
+    CHECK_FALSE(limit.go_on(round_of(4000, 0.01), 3.0));
+}
+
+} // namespace accuracy_test

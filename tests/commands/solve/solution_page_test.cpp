@@ -1,0 +1,136 @@
+#include "commands/solve/solution_page.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution_page_test {
+
+using namespace multipath;
+
+namespace {
+
+Scene lit_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.6, 0.0);
+    const std::uint32_t lamp = builder.grey(0.5, 3.0);
+    return builder.room({0, 0, 0}, {2, 1, 3}, {wall, lamp, wall, wall, wall, wall}).scene(0.5);
+}
+
+std::vector<ViewerChapter> story(const Scene& scene, Method method, std::uint64_t lines)
+{
+    SolveOptions options;
+    options.method = method;
+    options.lines = lines;
+    return viewer_story({scene, options, "method", "sequence"});
+}
+
+/// Is the place one of the patch, a rectangle?
+bool lies_on(const Scene& scene, std::uint32_t patch, Vec3 place)
+{
+    const Surface shape = scene.patch(patch).shape;
+    const Vec3 from = place - shape.origin;
+    const double u = dot(from, shape.edge_u) / dot(shape.edge_u, shape.edge_u);
+    const double v = dot(from, shape.edge_v) / dot(shape.edge_v, shape.edge_v);
+    const double off = std::abs(dot(from, shape.normal()));
+    return off < 1e-9 && std::min(u, v) > -1e-9 && std::max(u, v) < 1.0 + 1e-9; // rounding
+}
+
+} // namespace
+
+TEST_CASE("power goes along its stretch of a told line, from a patch at one end to the patch at the other")
+{
+    const Scene scene = lit_room();
+    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+        std::size_t transfers = 0;
+        for (const ViewerChapter& chapter : story(scene, method, 4096)) {
+            CHECK(chapter.lines.size() == 100);
+            for (const ViewerLine& line : chapter.lines)
+                for (const ViewerTransfer& transfer : line.transfers) {
+                    const DrawnStretch& stretch = line.shape.stretches.at(transfer.stretch);
+                    CHECK(stretch.bold == (transfer.to != Scene::no_patch));
+                    if (transfer.to == Scene::no_patch)
+                        continue;
+                    const bool forwards = lies_on(scene, transfer.to, stretch.to);
+                    CHECK(lies_on(scene, transfer.to, forwards ? stretch.to : stretch.from));
+                    CHECK(lies_on(scene, transfer.from, forwards ? stretch.from : stretch.to));
+                    ++transfers;
+                }
+        }
+        CHECK(transfers > 100);
+    }
+}
+
+TEST_CASE("each method has its chapters, the lines of reuse being those of the extended walk")
+{
+    const Scene scene = lit_room();
+    CHECK(story(scene, Method::local, 4096).size() == 1);
+    CHECK(story(scene, Method::global, 4096).size() == 1);
+    CHECK(story(scene, Method::extended, 4096).size() == 2);
+    const std::vector<ViewerChapter> reuse = story(scene, Method::reuse, 4096);
+    REQUIRE(reuse.size() == 2);
+    CHECK(reuse[1].title == "Global lines");
+    CHECK(reuse[1].note.find("--method extended") != std::string::npos);
+    CHECK(reuse[1].lines[7].shape.stretches[0].to ==
+          story(scene, Method::extended, 4096)[1].lines[7].shape.stretches[0].to);
+}
+
+TEST_CASE("a run with few lines has a shorter story")
+{
+    const Scene scene = lit_room();
+    const std::vector<ViewerChapter> chapters = story(scene, Method::global, 20);
+    REQUIRE(chapters.size() == 1);
+    CHECK(chapters[0].lines.size() == 10);
+}
+
+TEST_CASE("stages go from 2^8 lines in steps of four to below the lines asked for")
+{
+    CHECK(stage_lines(1u << 14, 1000) == std::vector<std::uint64_t>{256, 1024, 4096});
+    CHECK(stage_lines((1u << 14) + 1, 1000) == std::vector<std::uint64_t>{256, 1024, 4096, 16384});
+    CHECK(stage_lines(256, 1000).empty());
+    CHECK(stage_lines(1, 1).empty());
+}
+
+TEST_CASE("a page of many patches has fewer stages, and one of very many none")
+{
+    CHECK(stage_lines(std::uint64_t{1} << 40, 300001).empty());
+    for (const std::uint32_t patches : {1u, 1000u, 100000u, 300000u}) {
+        const std::vector<std::uint64_t> lines = stage_lines(std::uint64_t{1} << 40, patches);
+        REQUIRE(!lines.empty());
+        CHECK(lines.size() * patches <= 300000);
+        CHECK(lines.front() == 256);
+        CHECK(lines.back() < std::uint64_t{1} << 40);
+    }
+}
+
+TEST_CASE("a stage is what solve gives for its lines, and one that cannot be is left out")
+{
+    SceneBuilder builder;
+    const Scene scene =
+        builder.room({0, 0, 0}, {2, 1, 1}, {builder.grey(0.5, 0), builder.grey(0.5, 1), 0, 0, 0, 0}).scene(0.5);
+    SolveOptions options;
+    options.method = Method::first_shot;
+    double last = 0.0;
+    const auto rises = [&](double done) {
+        CHECK(done >= last);
+        last = done;
+    };
+    const std::vector<ViewerStage> stages = solve_stages(scene, options, {256, 1024}, rises);
+    REQUIRE(stages.size() == 2);
+    CHECK(last <= 1.0 + 1e-12);
+    CHECK(stages[1].lines == 1024);
+    options.lines = 1024;
+    CHECK(stages[1].radiosity == solve(scene, options, [](double) {}).radiosity);
+
+    // The source has 2 W: at 1/500 W each it takes 1000 rays, more than 256 lines.
+    options.power_by_line = 1.0 / 500.0;
+    const std::vector<ViewerStage> some = solve_stages(scene, options, {256, 4096}, [](double) {});
+    REQUIRE(some.size() == 1);
+    CHECK(some[0].lines == 4096);
+}
+
+} // namespace solution_page_test

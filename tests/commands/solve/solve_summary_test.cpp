@@ -1,0 +1,54 @@
+#include "commands/solve/solve_summary.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+namespace solve_summary_test {
+
+using namespace multipath;
+
+namespace {
+
+/// The summary of a run in a cube of this reflectance, of which so much of 1 W is unshot and so much lost behind
+/// surfaces.
+std::string summary_of(double unshot, double behind, double rho = 0.5)
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(rho, 1.0)).scene(1.0);
+    const SolveOptions options;
+    const auto grey = [](double power) { return Rgb{power, power, power}; };
+    Solution solution;
+    solution.radiosity.resize(scene.patch_count(), grey(1.0 / 6.0));
+    solution.unshot.resize(scene.patch_count(), grey(unshot / 6.0));
+    solution.balance.emitted = solution.balance.source = grey(1.0);
+    solution.balance.unshot = grey(unshot);
+    solution.balance.behind = grey(behind);
+    solution.balance.absorbed = grey(1.0 - unshot - behind);
+    return summary_text({scene, options, solution, "reuse", "sobol"});
+}
+
+bool warns(const std::string& text, const char* of)
+{
+    const std::size_t warning = text.find("warning ");
+    return warning != std::string::npos && text.find(of, warning) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("power that is not distributed is warned of above 5 %, power lost behind surfaces above 0.01 %")
+{
+    CHECK(warns(summary_of(0.06, 0.0), "6 % of the power is not distributed yet"));
+    CHECK(warns(summary_of(0.0, 0.0002), "0.02 % of the power met surfaces from behind"));
+    CHECK_FALSE(warns(summary_of(0.04, 0.00005), ""));
+}
+
+TEST_CASE("little unshot power is warned of where it would be reflected many times")
+{
+    CHECK(warns(summary_of(0.02, 0.0, 0.9), "brighter by 20 %"));
+    CHECK_FALSE(warns(summary_of(0.02, 0.0, 0.75), ""));
+}
+
+} // namespace solve_summary_test
