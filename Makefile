@@ -32,7 +32,7 @@ test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' !
 # Never joined: kernels, which have the same names for every instruction set, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
 # Folders in which no line flies.
-cold  = src/cli src/commands src/exam src/export src/study src/viewer
+cold  = src/cli src/commands src/export src/selftest src/study src/viewer
 
 ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)

@@ -14,11 +14,11 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
         below["radiosity"] = below["transport"] "transport "
         below["check"] = below["explain"] = below["radiosity"] "radiosity "
-        below["exam"] = below["radiosity"] "export radiosity "
+        below["selftest"] = below["radiosity"] "export radiosity "
         below["viewer"] = below["image"] "image export "
         below["study"] = below["radiosity"] "image export radiosity check "
         below["cli"] = " geometry scene parallel "
-        below["commands"] = below["study"] "study exam viewer explain cli "
+        below["commands"] = below["study"] "study selftest viewer explain cli "
         below["main.cpp"] = below["commands"] "commands "
         for (i = 1; i < ARGC; ++i)
             if (!(room_of(ARGV[i]) in below))

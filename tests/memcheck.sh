@@ -25,7 +25,6 @@ for shard in 1 2; do
 done
 check "merge" clean merge shard-1.state shard-2.state --threads 2 -q -o merged.csv -o merged.state
 check "render" clean render merged.state --threads 2 -q --size 24x18 --samples 1 -o merged.ppm
-check "selftest" clean selftest --case points --threads 2
 check "check" clean check 5cubes.obj --lines 1000 --threads 2
 check "explain" clean explain 5cubes.obj -n 2 --of 500 --threads 2 -o lines.svg
 check "compare" clean compare local.csv global.csv

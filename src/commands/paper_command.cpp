@@ -9,8 +9,8 @@
 #include "scene/obj_reader.h"
 #include "scene/patch_size.h"
 #include "scene/text_format.h"
-#include "study/paper_report.h"
-#include "study/study_reader.h"
+#include "study/report/paper_report.h"
+#include "study/study_table.h"
 
 #include <algorithm>
 #include <array>

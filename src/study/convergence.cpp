@@ -2,12 +2,12 @@
 
 #include "parallel/ordered_blocks.h"
 #include "radiosity/error_measure.h"
+#include "radiosity/statistics.h"
 #include "sampling/random.h"
-#include "study/processor_time.h"
 #include "transport/lines/global_lines.h"
 
 #include <algorithm>
-#include <cmath>
+#include <ctime>
 #include <memory>
 #include <mutex>
 
@@ -17,12 +17,29 @@ namespace {
 
 constexpr double clearly_above = 10.0; ///< times the reference's own error: it then moves a point by a tenth at most
 
+/// Processor time of the calling thread since this object was made. It excludes the time taken by other programs.
+class ProcessorTime
+{
+public:
+    double seconds() const { return now() - start_; } ///< [s]
+
+private:
+    static double now()
+    {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    double start_ = now();
+};
+
 std::string curve_name(const CurveKind& kind)
 {
     return kind.method + " " + kind.sequence + " " + kind.pairing + " " + kind.chords + " " + kind.line_order;
 }
 
-/// Does the seed choose among sequences of this name?
+/// True if the seed randomises the sequence.
 bool is_random(const std::string& sequence, Pairing pairing)
 {
     const auto first_item = [&](std::uint64_t seed) { return make_line_sequence(sequence, seed, pairing)->item(0); };
@@ -40,7 +57,7 @@ std::uint64_t stretch(const Scene& scene, const SolveOptions& options)
     return items;
 }
 
-/// The executions of one curve, which share what can be prepared once.
+/// The executions of one curve, which share one preparation.
 class CurveRuns
 {
 public:
@@ -96,7 +113,8 @@ struct PlannedRun
     ExecutionKey key;
 };
 
-/// Those that the journal does not know, the longest first: threads that end with short ones end together.
+/// Executions that are not in the journal, the longest first: with short ones last all threads end at about the same
+/// time.
 std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal)
 {
     std::vector<PlannedRun> runs;
@@ -112,22 +130,27 @@ std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal
 
 CurvePoint mean_point(const CurveKind& kind, std::uint64_t lines, int executions, const Journal& journal)
 {
-    CurvePoint point;
-    point.lines = lines;
-    double squares = 0.0;
+    RunningMean relative;
+    RunningMean mean_square;
+    RunningMean local_lines;
+    RunningMean global_lines;
+    RunningMean seconds;
     for (int number = 0; number < executions; ++number) {
         const Execution e = *journal.find({curve_name(kind), lines, number});
-        const double before = e.relative - point.relative; // running mean and squares (Welford)
-        const double share = 1.0 / (number + 1);
-        point.relative += share * before;
-        squares += before * (e.relative - point.relative);
-        point.mean_square += share * (e.mean_square - point.mean_square);
-        point.local_lines += share * (static_cast<double>(e.local_lines) - point.local_lines);
-        point.global_lines += share * (static_cast<double>(e.global_lines) - point.global_lines);
-        point.seconds += share * (e.seconds - point.seconds);
+        relative.add(e.relative);
+        mean_square.add(e.mean_square);
+        local_lines.add(static_cast<double>(e.local_lines));
+        global_lines.add(static_cast<double>(e.global_lines));
+        seconds.add(e.seconds);
     }
-    if (executions > 1)
-        point.relative_error = std::sqrt(squares / (executions - 1.0) / executions);
+    CurvePoint point;
+    point.lines = lines;
+    point.local_lines = local_lines.mean();
+    point.global_lines = global_lines.mean();
+    point.mean_square = mean_square.mean();
+    point.relative = relative.mean();
+    point.relative_error = executions > 1 ? relative.standard_error() : 0.0;
+    point.seconds = seconds.mean();
     return point;
 }
 

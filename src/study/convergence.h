@@ -3,12 +3,19 @@
 #include "radiosity/solve.h"
 #include "study/curve.h"
 #include "study/journal.h"
-#include "study/reference.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace multipath {
+
+/// The solution against which the error of a study is measured.
+struct Reference
+{
+    std::vector<Rgb> radiosity;            ///< [W/m^2] per patch
+    std::optional<double> relative_square; ///< [1] its own relative MSE (1), as its standard errors let expect
+};
 
 /// One curve to be measured; lines, seed, skip and threads of its options are set run by run.
 struct CurvePlan

@@ -1,15 +1,17 @@
 #include "study/convergence_plot.h"
 
-#include "export/clear_place.h"
 #include "export/log_axis.h"
-#include "study/curve_legend.h"
-#include "study/guide_lines.h"
-#include "study/plotted_curve.h"
+#include "export/svg_marks.h"
+#include "export/svg_plot.h"
+#include "scene/utf8.h"
+#include "study/number_words.h"
 #include "study/study_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace multipath {
 
@@ -22,9 +24,100 @@ constexpr double plot_top = 42.0;
 constexpr double plot_width = 552.0;
 constexpr double plot_height = 400.0;
 constexpr double legend_left = 44.0;
-constexpr double legend_width = 578.0;
 constexpr double legend_top = plot_top + plot_height + 46.0;
+constexpr double row_height = 19.0; ///< of the legend
+constexpr double sample_width = 20.0;
 constexpr double note_height = 16.0;
+constexpr double guide_label_width = 80.0;
+constexpr double guide_label_size = 11.0;
+constexpr double character_width = 6.6; ///< of a font of 12 px, at most, on average
+
+constexpr const char* line_grey = "#808080";
+constexpr const char* label_grey = "#555555";
+
+const LineStyle reference_style = {line_grey, 1.2, "6 4"};
+
+/// One standard error to either side of a point; coordinates are decimal logarithms.
+struct ErrorBar
+{
+    PlotPoint middle;
+    double low; ///< minus infinity if the error reaches down to 0
+    double high;
+};
+
+/// A curve with what is drawn of it; coordinates are decimal logarithms.
+struct PlottedCurve
+{
+    MarkStyle style;
+    std::vector<PlotPoint> fitted; ///< points above the reference
+    std::vector<PlotPoint> others;
+    std::vector<ErrorBar> bars;  ///< one per point
+    std::optional<PowerLaw> law; ///< against the plot's abscissa
+    std::vector<PlotPoint> line; ///< of the law, over the fitted points; empty without one
+};
+
+/// Two thin lines from one point, of slopes -1 (random lines) and -1.25 (the best of stratified sampling in four
+/// dimensions): their vertical extent for each decade across.
+constexpr std::array<double, 2> guide_slopes = {1.0, 1.25};
+constexpr std::array<const char*, 2> guide_labels = {"slope \u22121", "slope \u22121.25"};
+
+double abscissa(const CurvePoint& point, Abscissa against)
+{
+    return against == Abscissa::lines ? static_cast<double>(point.lines) : point.seconds;
+}
+
+/// Least ratio of the longest to the shortest time for a fit: where the preparation of a run takes most of the time,
+/// all points have nearly the same abscissa and a slope means nothing.
+constexpr double least_span_of_seconds = 4.0;
+
+std::optional<PowerLaw> law_of(const Curve& curve, Abscissa against)
+{
+    if (against == Abscissa::lines)
+        return curve.law;
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (const CurvePoint& point : curve.points)
+        if (point.above_reference && point.seconds > 0.0 && point.relative > 0.0) {
+            xs.push_back(point.seconds);
+            ys.push_back(point.relative);
+        }
+    const auto [shortest, longest] = std::minmax_element(xs.begin(), xs.end());
+    if (xs.empty() || *longest < least_span_of_seconds * *shortest)
+        return {};
+    return fit_power_law(xs, ys);
+}
+
+ErrorBar error_bar(PlotPoint middle, const CurvePoint& point)
+{
+    const double low = point.relative - point.relative_error;
+    return {middle, low > 0.0 ? std::log10(low) : -std::numeric_limits<double>::infinity(),
+            std::log10(point.relative + point.relative_error)};
+}
+
+std::vector<PlotPoint> law_line(const PowerLaw& law, const std::vector<PlotPoint>& fitted)
+{
+    const auto [first, last] =
+        std::minmax_element(fitted.begin(), fitted.end(), [](PlotPoint a, PlotPoint b) { return a.x < b.x; });
+    const auto at = [&](double x) { return PlotPoint{x, std::log10(law.factor) + law.exponent * x}; };
+    return {at(first->x), at(last->x)};
+}
+
+/// Points whose error and abscissa are above 0; others have no place on logarithmic axes.
+PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t series)
+{
+    PlottedCurve result{svg_series_mark(series), {}, {}, {}, law_of(curve, against), {}};
+    for (const CurvePoint& point : curve.points) {
+        const double x = abscissa(point, against);
+        if (!(x > 0.0 && point.relative > 0.0))
+            continue;
+        const PlotPoint place = {std::log10(x), std::log10(point.relative)};
+        (point.above_reference ? result.fitted : result.others).push_back(place);
+        result.bars.push_back(error_bar(place, point));
+    }
+    if (result.law && !result.fitted.empty())
+        result.line = law_line(*result.law, result.fitted);
+    return result;
+}
 
 struct Extent
 {
@@ -45,7 +138,29 @@ std::optional<double> reference_level(const Study& study)
     return square > 0.0 ? std::optional<double>(std::log10(square)) : std::nullopt;
 }
 
-Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> reference, Abscissa against)
+/// Where both guides begin: left of all points, so high that the steeper one passes above them, but at most a decade
+/// above the highest.
+std::optional<PlotPoint> guides_begin(const std::vector<PlottedCurve>& curves)
+{
+    Extent across;
+    Extent up;
+    Extent above_steeper;
+    for (const PlottedCurve& curve : curves)
+        for (const ErrorBar& bar : curve.bars) {
+            across.include(bar.middle.x);
+            up.include(bar.middle.y);
+            up.include(bar.high);
+            above_steeper.include(bar.high + guide_slopes.back() * bar.middle.x);
+        }
+    if (!(across.low <= across.high))
+        return {};
+    const double least = above_steeper.high - guide_slopes.back() * across.low;
+    const double distance = std::max(0.2, 0.08 * (up.high - up.low)); // [decades] leaves room for the labels
+    return PlotPoint{across.low, std::min(least, up.high + 1.0) + distance};
+}
+
+Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> reference, std::optional<PlotPoint> guides,
+             Abscissa against)
 {
     Extent across;
     Extent up;
@@ -60,6 +175,8 @@ Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> refe
     }
     if (reference && *reference > up.low - 1.0 && *reference < up.high + 1.0)
         up.include(*reference);
+    if (guides)
+        up.include(guides->y);
     const char* name = against == Abscissa::lines ? "lines" : "processor time on one thread [s]";
     return {plot_left,
             plot_top,
@@ -69,6 +186,27 @@ Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> refe
             log_axis(name, across.low, across.high),
             log_axis("relative mean square error", up.low, up.high),
             51.0};
+}
+
+/// Both guides, as long as the frame has room for their labels to the right of their ends.
+std::string guides_text(const Plot& plot, PlotPoint begin)
+{
+    const double decade_across = plot.width / (plot.across.high - plot.across.low); // [px]
+    const double decade_down = plot.height / (plot.up.high - plot.up.low);
+    const SvgPoint from = plot.at(begin);
+    const double room_across = plot.left + plot.width - guide_label_width - from.x;
+    const double room_down = plot.top + plot.height - guide_label_size - from.y;
+    const double decades = std::min(room_across / decade_across, room_down / (guide_slopes.back() * decade_down));
+    std::string text;
+    double least_y = 0.0; // of the next label
+    for (std::size_t k = 0; k < guide_slopes.size(); ++k) {
+        const SvgPoint to = {from.x + decades * decade_across, from.y + decades * guide_slopes[k] * decade_down};
+        const double label_y = std::max(to.y + 4.0, least_y);
+        text += svg_polyline({from, to}, {line_grey, 1.0}) +
+                svg_text(to.x + 5.0, label_y, guide_labels[k], SvgAnchor::start, guide_label_size, label_grey);
+        least_y = label_y + 1.2 * guide_label_size;
+    }
+    return text;
 }
 
 std::vector<SvgPoint> places(const Plot& plot, const std::vector<PlotPoint>& points)
@@ -93,25 +231,6 @@ std::vector<VerticalBar> visible_bars(const Plot& plot, const PlottedCurve& curv
     return bars;
 }
 
-/// Points of all that guides and labels should keep away from.
-std::vector<SvgPoint> obstacles_of(const Plot& plot, const std::vector<PlottedCurve>& curves)
-{
-    std::vector<SvgPoint> result;
-    const auto add_line = [&](SvgPoint from, SvgPoint to) {
-        const std::vector<SvgPoint> points = points_of_line(from, to, 8.0);
-        result.insert(result.end(), points.begin(), points.end());
-    };
-    for (const PlottedCurve& curve : curves) {
-        for (const ErrorBar& bar : curve.bars)
-            result.push_back(plot.at(bar.middle));
-        for (const VerticalBar& bar : visible_bars(plot, curve))
-            add_line({bar.x, bar.top}, {bar.x, bar.bottom});
-        if (!curve.line.empty())
-            add_line(plot.at(curve.line.front()), plot.at(curve.line.back()));
-    }
-    return result;
-}
-
 /// All marks above all lines. Points without a law are joined by dots.
 std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curves)
 {
@@ -128,7 +247,7 @@ std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curve
     return lines + marks;
 }
 
-/// What the signs mean that the plot holds.
+/// Explanation of the signs in the plot.
 std::vector<std::string> notes_of(const Study& study, const std::vector<PlottedCurve>& curves)
 {
     const auto any = [&](auto holds) { return std::any_of(curves.begin(), curves.end(), holds); };
@@ -138,6 +257,8 @@ std::vector<std::string> notes_of(const Study& study, const std::vector<PlottedC
     if (any([](const PlottedCurve& curve) { return curve.law.has_value(); }))
         note += " \u00b1 after a slope: 95 % interval.";
     std::vector<std::string> notes = {note};
+    if (any([](const PlottedCurve& curve) { return !curve.law.has_value(); }))
+        notes.push_back("No slope: the points are too few or too close.");
     if (any([](const PlottedCurve& curve) { return !curve.others.empty(); }))
         notes.push_back("Hollow: the reference's own error is not small beside it; left out of the fit.");
     return notes;
@@ -153,16 +274,51 @@ std::string notes_text(const std::vector<std::string>& notes, double top)
 }
 
 /// Everything inside the frame.
-std::string plot_text(const Plot& plot, const std::vector<PlottedCurve>& curves, std::optional<double> reference)
+std::string plot_text(const Plot& plot, const std::vector<PlottedCurve>& curves, std::optional<PlotPoint> guides,
+                      std::optional<double> reference)
 {
-    std::vector<SvgPoint> obstacles = obstacles_of(plot, curves);
     std::string text = svg_grid(plot);
-    if (reference && *reference > plot.up.low && *reference < plot.up.high) {
-        const LabelledLevel level = labelled_level(plot, *reference, "error of the reference", obstacles);
-        obstacles.insert(obstacles.end(), level.points.begin(), level.points.end());
-        text += level.text;
+    if (reference) {
+        const double y = plot.at({0.0, *reference}).y;
+        text += svg_polyline({{plot.left, y}, {plot.left + plot.width, y}}, reference_style);
     }
-    return text + guide_lines(plot, obstacles) + curves_text(plot, curves);
+    return text + (guides ? guides_text(plot, *guides) : "") + curves_text(plot, curves);
+}
+
+/// "slope −1.10 ± 0.01" with the 95 % interval, three decimals where two would leave nothing of it.
+std::string slope_text(const std::optional<PowerLaw>& law)
+{
+    if (!law)
+        return "no slope";
+    const double interval = exponent_interval(*law);
+    const int decimals = interval < 0.01 ? 3 : 2;
+    return "slope " + fixed(law->exponent, decimals) + " ± " + fixed(interval, decimals);
+}
+
+/// Mark and label of each curve in a row of its own, the slopes below each other; then the reference.
+std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vector<std::string>& labels, bool reference)
+{
+    std::size_t longest = 0;
+    for (const std::string& label : labels)
+        longest = std::max(longest, column_count(label));
+    const double label_x = legend_left + sample_width + 6.0;
+    const double slope_x = label_x + character_width * static_cast<double>(longest) + 14.0;
+    double y = legend_top + 0.7 * row_height;
+    const auto line = [&](const LineStyle& style) {
+        return svg_polyline({{legend_left, y - 4.0}, {legend_left + sample_width, y - 4.0}}, style);
+    };
+    std::string text;
+    for (std::size_t k = 0; k < curves.size(); ++k, y += row_height) {
+        const PlottedCurve& curve = curves[k];
+        text += (curve.law ? line({curve.style.colour, 1.2}) : "") +
+                svg_marks({{legend_left + 0.5 * sample_width, y - 4.0}}, curve.style,
+                          curve.fitted.empty() && !curve.others.empty()) +
+                svg_text(label_x, y, labels[k], SvgAnchor::start) +
+                svg_text(slope_x, y, slope_text(curve.law), SvgAnchor::start);
+    }
+    if (reference)
+        text += line(reference_style) + svg_text(label_x, y, "error of the reference", SvgAnchor::start);
+    return text;
 }
 
 } // namespace
@@ -176,16 +332,19 @@ std::string convergence_plot(const Study& study, Abscissa against, const std::st
         curves.push_back(plotted_curve(curve, against, curves.size()));
         labels.push_back(curve_label(study, curve));
     }
-    const std::optional<double> reference = reference_level(study);
-    const Plot plot = plot_of(curves, reference, against);
-    const CurveLegend legend = curve_legend(curves, labels, legend_left, legend_top, legend_width);
+    const std::optional<PlotPoint> guides = guides_begin(curves);
+    std::optional<double> reference = reference_level(study);
+    const Plot plot = plot_of(curves, reference, guides, against);
+    if (reference && !(*reference > plot.up.low && *reference < plot.up.high))
+        reference.reset();
     const std::vector<std::string> notes = notes_of(study, curves);
-    const double notes_top = legend_top + legend.height + 6.0;
+    const double notes_top = legend_top + row_height * static_cast<double>(curves.size() + (reference ? 1 : 0)) + 6.0;
     const double height = notes_top + note_height * static_cast<double>(notes.size()) + 8.0;
     const double title_size = std::clamp(1.6 * width / static_cast<double>(title.size() + 1), 8.0, 15.0);
     return svg_head(width, height, title, comments) +
-           svg_text(0.5 * width, 25.0, title, SvgAnchor::middle, title_size) + plot_text(plot, curves, reference) +
-           svg_axes(plot) + legend.text + notes_text(notes, notes_top) + svg_end();
+           svg_text(0.5 * width, 25.0, title, SvgAnchor::middle, title_size) +
+           plot_text(plot, curves, guides, reference) + svg_axes(plot) +
+           legend_text(curves, labels, reference.has_value()) + notes_text(notes, notes_top) + svg_end();
 }
 
 } // namespace multipath

@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-/// What the error of a convergence plot is drawn against.
+/// Abscissa of a convergence plot.
 enum class Abscissa {
     lines,  ///< of an execution, both kinds together
     seconds ///< [s] of an execution on one thread
@@ -17,8 +17,9 @@ enum class Abscissa {
 /// standard error below to one above where the mark does not hide it, and the curve's power law (2) with its slope and
 /// the 95 % interval of that. Against seconds the law is fitted in these coordinates, through the points above the
 /// reference; the others are hollow. Points whose error or abscissa is not above 0 have no place and are left out. The
-/// error of the reference is a dashed line if it is at most a decade outside the range of the points. The comments go
-/// into the document's description.
+/// error of the reference is a dashed line if it is at most a decade outside the range of the points. Thin lines above
+/// the points show the slopes -1 and -1.25, and the legend stands below the frame. The comments go into the document's
+/// description.
 std::string convergence_plot(const Study& study, Abscissa against, const std::string& title,
                              const std::vector<std::string>& comments);
 

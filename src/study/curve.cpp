@@ -1,8 +1,76 @@
 #include "study/curve.h"
 
+#include "radiosity/statistics.h"
+
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace multipath {
+
+namespace {
+
+double mean_of(const std::vector<double>& values)
+{
+    double sum = 0.0;
+    for (const double value : values)
+        sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+std::vector<double> logarithms(const std::vector<double>& values)
+{
+    std::vector<double> logs;
+    for (const double value : values)
+        logs.push_back(std::log(value));
+    return logs;
+}
+
+bool has_three_different(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return std::unique(values.begin(), values.end()) - values.begin() >= 3;
+}
+
+} // namespace
+
+double PowerLaw::at(double x) const
+{
+    return factor * std::pow(x, exponent);
+}
+
+std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::vector<double>& ys)
+{
+    if (!has_three_different(xs))
+        return {};
+    const std::vector<double> across = logarithms(xs);
+    const std::vector<double> up = logarithms(ys);
+    const double centre = mean_of(across);
+    const double level = mean_of(up);
+    double spread = 0.0;
+    double joint = 0.0;
+    for (std::size_t k = 0; k < xs.size(); ++k) {
+        spread += (across[k] - centre) * (across[k] - centre);
+        joint += (across[k] - centre) * (up[k] - level);
+    }
+    PowerLaw law;
+    law.exponent = joint / spread;
+    law.factor = std::exp(level - law.exponent * centre);
+    law.points = static_cast<int>(xs.size());
+    double scatter = 0.0;
+    for (std::size_t k = 0; k < xs.size(); ++k) {
+        const double beside = up[k] - level - law.exponent * (across[k] - centre);
+        scatter += beside * beside;
+    }
+    law.exponent_error = std::sqrt(scatter / static_cast<double>(law.points - 2) / spread);
+    return law;
+}
+
+double exponent_interval(const PowerLaw& law)
+{
+    constexpr double tail = 0.05; // beyond either end of the interval
+    return student_quantile(tail, law.points - 2) * law.exponent_error;
+}
 
 bool operator==(const CurveKind& a, const CurveKind& b)
 {

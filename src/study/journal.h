@@ -1,7 +1,6 @@
 #pragma once
 
-#include "study/execution.h"
-
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -9,13 +8,30 @@
 
 namespace multipath {
 
-/// The finished runs of a study, kept in a file as they end, so that a study that was cut off goes on where it was.
-/// Each run is one line with a checksum of its own: what a crash left half written is not read back. Safe to use from
-/// several threads.
+/// Identifies an execution of a study.
+struct ExecutionKey
+{
+    std::string curve; ///< a name without tabs and line ends
+    std::uint64_t lines = 0;
+    int number = 0; ///< among those with the same curve and lines
+};
+
+/// Result of one run of a study.
+struct Execution
+{
+    std::uint64_t local_lines = 0;  ///< N_l
+    std::uint64_t global_lines = 0; ///< N_g
+    double mean_square = 0.0;       ///< MSE (1) [W^2/m^4]
+    double relative = 0.0;          ///< relative MSE [1]
+    double seconds = 0.0;           ///< [s] processor time on one thread
+};
+
+/// Log of the finished runs of a study in a file, from which an interrupted study resumes. Each run is one line with a
+/// checksum of its own; lines that a crash left incomplete are ignored. Thread-safe.
 class Journal
 {
 public:
-    /// Remembers nothing beyond this run of the program.
+    /// Without a file.
     Journal() = default;
 
     /// Reads what the file holds, if there is one, and appends to it. `identity` says in one line what the runs have in

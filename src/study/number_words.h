@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/power_law.h"
+#include "study/curve.h"
 
 #include <optional>
 #include <string>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cinttypes>
+#include <cstdlib>
 
 namespace multipath {
 
@@ -13,7 +14,7 @@ namespace {
 
 using KindPart = std::string CurveKind::*;
 
-/// Is there another curve of the same method that differs in this part?
+/// True if another curve of the same method differs in this part.
 bool differs(const Study& study, const Curve& curve, KindPart part)
 {
     return std::any_of(study.curves.begin(), study.curves.end(), [&](const Curve& other) {
@@ -38,7 +39,7 @@ std::string point_text(const Study& study, const CurvePoint& point)
                   point.global_lines, point.relative, spread.c_str(), point.above_reference ? " " : "*", point.seconds);
 }
 
-std::string slope_text(const Curve& curve)
+std::string law_text(const Curve& curve)
 {
     if (!curve.law)
         return "slope: too few points\n";
@@ -46,6 +47,42 @@ std::string slope_text(const Curve& curve)
                   curve.law->exponent - exponent_interval(*curve.law),
                   curve.law->exponent + exponent_interval(*curve.law));
 }
+
+/// The table of a study as study_csv() writes it.
+class StudyTable
+{
+public:
+    explicit StudyTable(const std::string& path) : table_(read_csv(path)) {}
+
+    const CsvTable& table() const { return table_; }
+    const std::string& text(const CsvRow& row, const char* column) const { return row.fields[table_.column(column)]; }
+    double number(const CsvRow& row, const char* column) const { return table_.number(row, table_.column(column)); }
+    double number_or_zero(const CsvRow& row, const char* column) const
+    {
+        return text(row, column).empty() ? 0.0 : number(row, column);
+    }
+    CurveKind kind(const CsvRow& row) const
+    {
+        return {text(row, "method"), text(row, "sequence"), text(row, "pairing"), text(row, "chords"),
+                text(row, "line_order")};
+    }
+    CurvePoint point(const CsvRow& row) const
+    {
+        CurvePoint point;
+        point.lines = static_cast<std::uint64_t>(number(row, "lines"));
+        point.local_lines = number(row, "local_lines");
+        point.global_lines = number(row, "global_lines");
+        point.mean_square = number(row, "mse");
+        point.relative = number(row, "relative_mse");
+        point.relative_error = number_or_zero(row, "standard_error");
+        point.seconds = number(row, "seconds");
+        point.above_reference = number(row, "in_fit") > 0.0;
+        return point;
+    }
+
+private:
+    CsvTable table_;
+};
 
 } // namespace
 
@@ -72,7 +109,7 @@ std::string study_text(const Study& study)
                        study.executions > 1 ? "        " : "", "seconds");
         for (const CurvePoint& point : curve.points)
             text += point_text(study, point);
-        text += "  " + slope_text(curve);
+        text += "  " + law_text(curve);
     }
     return text;
 }
@@ -96,6 +133,24 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
                    curve.kind.chords + "," + curve.kind.line_order + "\n";
         }
     return csv;
+}
+
+Study read_study(const std::string& path)
+{
+    const StudyTable rows(path);
+    Study study;
+    if (const auto square = comment_value(rows.table().comments, "reference_relative_mse"))
+        study.reference_relative_square = std::strtod(square->c_str(), nullptr);
+    for (const CsvRow& row : rows.table().rows) {
+        const CurveKind kind = rows.kind(row);
+        if (study.curves.empty() || !(study.curves.back().kind == kind))
+            study.curves.push_back({kind, {}, {}});
+        study.curves.back().points.push_back(rows.point(row));
+        study.executions = static_cast<int>(rows.number(row, "replicates"));
+    }
+    for (Curve& curve : study.curves)
+        curve.law = fit(curve.points);
+    return study;
 }
 
 } // namespace multipath

@@ -7,8 +7,8 @@
 
 namespace multipath {
 
-/// "first-shot, sobol": what tells a curve from others. Chords and line order are named where another curve of the same
-/// method has other ones, the pairing also if it is not 4d.
+/// Label of a curve: "first-shot, sobol". Chords and line order follow where another curve of the same method has other
+/// ones, the pairing also if it is not 4d.
 std::string curve_label(const Study& study, const Curve& curve);
 
 /// A report to read: every point, and the slope of each curve with its standard error.
@@ -18,5 +18,8 @@ std::string study_text(const Study& study);
 /// (of relative_mse), seconds, slope and slope_error of the curve (empty without a fit), and besides whether the point
 /// is part of the fit, replicates, pairing, chords and line order.
 std::string study_csv(const Study& study, const std::vector<std::string>& comments);
+
+/// A study as study_csv() wrote it; the fits are made anew. Throws InputError for a file that is no such table.
+Study read_study(const std::string& path);
 
 } // namespace multipath

@@ -1,22 +1,121 @@
 #include "viewer/room_json.h"
 
 #include "export/covered_patches.h"
-#include "export/json.h"
 #include "image/colour_map.h"
 #include "image/legend.h"
 #include "image/picture.h"
+#include "image/smooth_shading.h"
 #include "image/srgb.h"
-#include "viewer/corner_values.h"
+#include "scene/text_format.h"
 #include "viewer/packed_values.h"
-#include "viewer/story_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 
 namespace multipath {
 
 namespace {
+
+/// A triangle's rows get shorter.
+std::size_t grid_number(const Tessellation& tessellation, GridPoint point)
+{
+    const std::size_t row = point.j;
+    const std::size_t missing = tessellation.shape == Shape::triangle && row > 0 ? row * (row - 1) / 2 : 0;
+    return row * (tessellation.cells_u + std::size_t{1}) - missing + point.i;
+}
+
+std::size_t grid_size(const Tessellation& tessellation)
+{
+    const std::uint32_t last = tessellation.shape == Shape::triangle ? 0 : tessellation.cells_u;
+    return grid_number(tessellation, {last, tessellation.cells_v}) + 1;
+}
+
+/// Takes the patches of one side of a surface.
+void append_side(const Scene& scene, std::uint32_t surface, bool front, const SmoothShading& shading,
+                 CornerValues& result)
+{
+    const std::uint32_t first_patch = scene.first_patch(surface, front);
+    const Tessellation& tessellation = scene.tessellation(surface);
+    const bool source = scene.surface_material(surface).emittance != Rgb{};
+    const std::size_t first = result.shared.size();
+    result.shared.resize(first + grid_size(tessellation));
+    std::vector<bool> known(grid_size(tessellation), false);
+    for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+        const CellCorners corners = tessellation.corners(cell);
+        const std::array<Rgb, 4> values = shading.at_corners(first_patch + cell);
+        for (std::uint32_t k = 0; k < corners.count; ++k) {
+            const std::size_t number = grid_number(tessellation, corners.points[k]);
+            if (!known[number]) {
+                known[number] = true;
+                result.shared[first + number] = values[k];
+            } else if (!source && result.shared[first + number] != values[k]) {
+                result.places.push_back(4 * (first_patch + cell) + k);
+                result.own.push_back(values[k]);
+            }
+        }
+    }
+}
+
+double six_digits(double value)
+{
+    return std::strtod(format("%.6g", value).c_str(), nullptr);
+}
+
+void append_point(std::vector<double>& numbers, Vec3 point)
+{
+    for (const double x : {point.x, point.y, point.z})
+        numbers.push_back(six_digits(x));
+}
+
+/// One number where the channels agree.
+std::vector<double> power_channels(Rgb power)
+{
+    const Rgb p = {six_digits(power.r), six_digits(power.g), six_digits(power.b)};
+    return p.r == p.g && p.g == p.b ? std::vector<double>{p.r} : std::vector<double>{p.r, p.g, p.b};
+}
+
+JsonObject transfer_json(const ViewerTransfer& transfer)
+{
+    JsonObject json;
+    json.count("stretch", transfer.stretch);
+    json.count("from", transfer.from);
+    if (transfer.to == Scene::no_patch)
+        json.null("to");
+    else
+        json.count("to", transfer.to);
+    json.numbers("forecast", power_channels(transfer.forecast));
+    json.numbers("held", power_channels(transfer.held));
+    json.numbers("counted", power_channels(transfer.counted));
+    return json;
+}
+
+JsonObject line_json(const ViewerLine& line)
+{
+    std::vector<double> points;
+    std::string bold;
+    for (const DrawnStretch& stretch : line.shape.stretches) {
+        if (points.empty())
+            append_point(points, stretch.from);
+        append_point(points, stretch.to);
+        bold += stretch.bold ? '1' : '0';
+    }
+    std::vector<double> meetings;
+    for (const Vec3& meeting : line.shape.meetings)
+        append_point(meetings, meeting);
+    std::vector<JsonObject> transfers;
+    for (const ViewerTransfer& transfer : line.transfers)
+        transfers.push_back(transfer_json(transfer));
+    JsonObject json;
+    json.text("label", line.shape.label);
+    json.numbers("points", points);
+    json.text("bold", bold);
+    json.numbers("meetings", meetings);
+    json.objects("transfers", transfers);
+    return json;
+}
 
 std::vector<double> coordinates(Vec3 v)
 {
@@ -181,6 +280,31 @@ std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& con
 }
 
 } // namespace
+
+CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+{
+    const SmoothShading shading(scene, values_per_patch, threads);
+    CornerValues result;
+    const auto surfaces = static_cast<std::uint32_t>(scene.surfaces().size());
+    for (std::uint32_t surface = 0; surface < surfaces; ++surface)
+        append_side(scene, surface, true, shading, result);
+    if (scene.two_sided())
+        for (std::uint32_t surface = 0; surface < surfaces; ++surface)
+            append_side(scene, surface, false, shading, result);
+    return result;
+}
+
+JsonObject story_json(const ViewerChapter& chapter)
+{
+    std::vector<JsonObject> lines;
+    for (const ViewerLine& line : chapter.lines)
+        lines.push_back(line_json(line));
+    JsonObject json;
+    json.text("title", chapter.title);
+    json.text("note", chapter.note);
+    json.objects("lines", lines);
+    return json;
+}
 
 std::string room_json(const Scene& scene, const ViewerContent& content)
 {

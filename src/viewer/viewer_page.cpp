@@ -1,17 +1,27 @@
-// The page is written as a web page that could be opened as it is: page.html names its style sheet and its scripts,
-// each on a line of its own. Here their text takes the place of these lines, and the data that of a comment.
+// The page is written as an ordinary web page: page.html names its style sheet and its scripts, each on a line of its
+// own. Their text replaces these lines here, and the data replace a comment.
 
 #include "viewer/viewer_page.h"
 
 #include "export/html_text.h"
-#include "viewer/page_files.h"
 #include "viewer/room_json.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace multipath {
 
 namespace {
+
+struct PageFile
+{
+    std::string_view name;
+    std::string_view text;
+};
+
+constexpr PageFile page_files[] = {
+#include "viewer/page_files.inc"
+};
 
 bool starts_with(std::string_view text, std::string_view start)
 {
@@ -67,6 +77,14 @@ std::string viewer_page(const Scene& scene, const ViewerContent& content)
             page += std::string(line) + "\n";
     }
     return page;
+}
+
+std::string_view page_file(std::string_view name)
+{
+    for (const PageFile& file : page_files)
+        if (file.name == name)
+            return file.text;
+    throw std::logic_error("the program holds no page file " + std::string(name));
 }
 
 } // namespace multipath

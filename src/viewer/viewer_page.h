@@ -4,6 +4,7 @@
 #include "viewer/viewer_content.h"
 
 #include <string>
+#include <string_view>
 
 namespace multipath {
 
@@ -16,5 +17,9 @@ constexpr const char* room_data_end = "</script>";
 
 /// A page (HTML) to walk through the solved room in a browser: complete in itself, it loads nothing.
 std::string viewer_page(const Scene& scene, const ViewerContent& content);
+
+/// The text of a file of the folder src/viewer/page, by its name; the Makefile puts the files into the program. Throws
+/// std::logic_error for an unknown name.
+std::string_view page_file(std::string_view name);
 
 } // namespace multipath

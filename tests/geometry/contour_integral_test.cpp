@@ -1,7 +1,7 @@
 #include "geometry/contour_integral.h"
 
-#include "exam/rectangle_exchange.h"
 #include "geometry/surface_pieces.h"
+#include "selftest/rectangle_exchange.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

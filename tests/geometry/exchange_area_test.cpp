@@ -1,8 +1,8 @@
 #include "geometry/exchange_area.h"
 
-#include "exam/rectangle_exchange.h"
 #include "geometry/surface_pieces.h"
 #include "random_surfaces.h"
+#include "selftest/rectangle_exchange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,11 @@
 #include "radiosity/first_shot.h"
 
+#include "form_factor.h"
 #include "test_scenes.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 namespace first_shot_test {
@@ -65,6 +67,28 @@ TEST_CASE("shooting moves power and loses none")
     }
     CHECK(incident == doctest::Approx(9 * 5.0)); // closed: all of it arrives
     CHECK(power_balance(scene, state).relative_error() < 1e-12);
+}
+
+// In a black cube whose floor emits 1 W the ceiling receives F of two facing squares, each wall a quarter of the rest.
+// Counts of rays are binomial at most: 4 standard deviations of 2^16 of them.
+TEST_CASE("the first shot lights the ceiling of a cube with F and its walls with a quarter of the rest")
+{
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    const std::uint32_t lamp = builder.grey(0.0, 1.0);
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {lamp, black, black, black, black, black}).scene(1.0);
+    const double f = opposite_form_factor();
+    constexpr std::uint64_t rays = 1 << 16;
+    for (const char* sequence : {"random", "sobol-owen", "halton"}) {
+        CAPTURE(sequence);
+        PowerState state(scene);
+        const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
+        spend(scene, 0.0, shots, state);
+        shoot(scene, *make_sequence(sequence, 1), 0, shots, {1}, state);
+        CHECK(std::abs(state.incident[1].g - f) < 4.0 * std::sqrt(f * (1.0 - f) / rays));
+        for (const std::uint32_t wall : {2u, 3u, 4u, 5u})
+            CHECK(std::abs(state.incident[wall].g - 0.25 * (1.0 - f)) < 4.0 * std::sqrt(f * (1.0 - f) / rays));
+    }
 }
 
 // Sobol's item 0 is a corner of the patch: there and everywhere else a ray starts on the patch and goes to its front.

@@ -92,13 +92,16 @@ TEST_CASE("finer intervals than promised are not filled evenly by these directio
     CHECK(!fills_intervals({0, 1, 2, 3}, 10, 0, 0));
 }
 
-TEST_CASE("point 0 is the origin, point 1 the centre")
+// The Gray code of n tells which direction numbers are added without carry (Antonov and Saleev). Those of the first
+// four dimensions begin with 1/2; 3/4, 1/4, 3/4, 3/4; 5/8, 7/8, 7/8, 3/8.
+TEST_CASE("point 0 is the origin, point 1 the centre, and the next are those found by hand")
 {
     const auto sequence = make_sequence("sobol", 0);
     CHECK(sequence->item(0) == Item{0, 0, 0, 0});
     CHECK(sequence->item(1) == Item{0.5, 0.5, 0.5, 0.5});
-    CHECK(sequence->item(2)[0] == 0.25); // the order of Antonov and Saleev: gray code 11 = 1/2 xor 3/4
-    CHECK(sequence->item(3)[0] == 0.75);
+    CHECK(sequence->item(2) == Item{0.25, 0.75, 0.25, 0.25});
+    CHECK(sequence->item(3) == Item{0.75, 0.25, 0.75, 0.75});
+    CHECK(sequence->item(4) == Item{0.375, 0.625, 0.125, 0.625});
 }
 
 } // namespace sobol_test

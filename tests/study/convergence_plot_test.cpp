@@ -198,7 +198,48 @@ TEST_CASE("every curve has a row of the legend, with the label that tells it fro
     const std::size_t second = svg.find(">slope \u22121.200 \u00b1 0.000<");
     CHECK(first < second);
     CHECK(second != std::string::npos);
-    CHECK(contains(plotted(study_of({power_curve(3.0, -1.25, 2)})), ">no slope: points too few or too close<"));
+    CHECK(contains(plotted(study_of({power_curve(3.0, -1.25, 2)})), ">no slope<"));
+}
+
+TEST_CASE("a slope has the half width of its interval, with three decimals where two would show nothing")
+{
+    Study study = study_of({power_curve(1.0, -1.0, 3)});
+    const auto slope_with = [&](double exponent, double error) {
+        study.curves[0].law = PowerLaw{1.0, exponent, error, 12}; // Student's t for 10 degrees of freedom is 2.228
+        const std::string svg = plotted(study);
+        const std::size_t begin = svg.find(">slope", svg.find(">first-shot, sobol<"));
+        return svg.substr(begin + 1, svg.find('<', begin) - begin - 1);
+    };
+    CHECK(slope_with(-1.104, 0.01) == "slope \u22121.10 \u00b1 0.02");
+    CHECK(slope_with(-1.104, 0.001) == "slope \u22121.104 \u00b1 0.002");
+    CHECK(slope_with(0.25, 0.001) == "slope 0.250 \u00b1 0.002");
+}
+
+// Over four decades the steeper guide begins a decade above a curve of slope -1, which is the most.
+TEST_CASE("the guides and their labels lie above all points, and the labels are apart")
+{
+    for (const double exponent : {-0.8, -1.0, -1.25, -2.0})
+        for (const int count : {3, 4, 5}) {
+            CAPTURE(exponent);
+            CAPTURE(count);
+            const std::string svg =
+                plotted(study_of({power_curve(1.0, exponent, count), power_curve(0.1, exponent, count)}));
+            const std::vector<Place> guides = places(lines(svg, guide).at(1)); // the steeper one
+            REQUIRE(guides.size() == 2);
+            for (const Place mark : filled_marks(svg)) {
+                const double above = guides[0].y + slope(guides[0], guides[1]) * (mark.x - guides[0].x);
+                CHECK((exponent > -1.0 || above < mark.y - 5.0));
+            }
+            std::vector<double> labels;
+            for (const char* label : {">slope \u22121<", ">slope \u22121.25<"}) {
+                const std::size_t begin = svg.rfind("<text", svg.find(label));
+                Place place{};
+                REQUIRE(std::sscanf(svg.c_str() + begin, "<text x=\"%lf\" y=\"%lf\"", &place.x, &place.y) == 2);
+                CHECK(place.x < 622.0 - 65.0); // the frame's right edge less the width of the text
+                labels.push_back(place.y);
+            }
+            CHECK(labels[1] - labels[0] > 12.0); // letters are 11 px high
+        }
 }
 
 // Seconds ~ sqrt(N), so that N^-1 is seconds^-2; the last point, far off that, is not above the reference.

@@ -2,7 +2,6 @@
 
 #include "scene/input_error.h"
 #include "scene/scratch_folder.h"
-#include "study/study_reader.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,7 +1,6 @@
 #include "viewer/viewer_page.h"
 
 #include "test_scenes.h"
-#include "viewer/page_files.h"
 #include "viewer/typed_array.h"
 
 #include <cmath>

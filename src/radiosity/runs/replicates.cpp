@@ -2,6 +2,7 @@
 
 #include "radiosity/error_measure.h"
 #include "radiosity/solution.h"
+#include "radiosity/statistics.h"
 #include "sampling/random.h"
 #include "scene/input_error.h"
 #include "transport/lines/global_lines.h"
@@ -16,7 +17,7 @@ namespace multipath {
 
 namespace {
 
-/// Running mean and sum of squared deviations of each patch (Welford), which do not cancel.
+/// Mean and sum of squared deviations of each patch.
 class PatchMoments
 {
 public:
@@ -26,9 +27,9 @@ public:
     {
         count_ += 1.0;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const Rgb before = values[i] - mean_[i];
-            mean_[i] += (1.0 / count_) * before;
-            squares_[i] += before * (values[i] - mean_[i]);
+            const Moments<Rgb> moments = with_sample({mean_[i], squares_[i]}, values[i], count_);
+            mean_[i] = moments.mean;
+            squares_[i] = moments.squares;
         }
     }
     const std::vector<Rgb>& mean() const { return mean_; }
@@ -42,9 +43,9 @@ public:
     std::vector<Rgb> standard_errors() const
     {
         std::vector<Rgb> errors(squares_);
-        const double scale = 1.0 / (count_ * (count_ - 1.0));
         for (Rgb& e : errors)
-            e = {std::sqrt(scale * e.r), std::sqrt(scale * e.g), std::sqrt(scale * e.b)};
+            e = {standard_error_of_mean(e.r, count_), standard_error_of_mean(e.g, count_),
+                 standard_error_of_mean(e.b, count_)};
         return errors;
     }
 

@@ -1,9 +1,9 @@
 // What the report of the paper shows is what the commands before it have made, and its tables say what was found.
 
-#include "study/paper_report.h"
+#include "study/report/paper_report.h"
 
 #include "commands/study/paper_steps.h"
-#include "study/agreeing_findings.h"
+#include "study/report/agreeing_findings.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>

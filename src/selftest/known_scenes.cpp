@@ -1,0 +1,157 @@
+#include "selftest/known_scenes.h"
+
+#include "scene/scene_builder.h"
+#include "selftest/rectangle_exchange.h"
+
+namespace multipath {
+
+namespace {
+
+constexpr Vec3 x_axis = {1, 0, 0};
+constexpr Vec3 y_axis = {0, 1, 0};
+constexpr Vec3 z_axis = {0, 0, 1};
+constexpr Interval unit = {0.0, 1.0};
+
+/// F of two unit squares that face each other at distance 1.
+double opposite_squares()
+{
+    return parallel_rectangles(unit, unit, unit, unit, 1.0);
+}
+
+/// B of a patch. Of a watt left unshot, at most 1 / (1 - rho) watts arrive anywhere, rho the highest reflectance, and
+/// the patch reflects its share.
+KnownAnswer radiosity_of(const std::string& what, std::uint32_t patch, double Rgb::*channel, double value,
+                         double highest_reflectance, double reflectance, double area)
+{
+    return {"B of " + what + " [W/m^2]", value,
+            [=](const Scene&, const Solution& solution) { return solution.radiosity[patch].*channel; },
+            reflectance / (1.0 - highest_reflectance) / area};
+}
+
+/// A F from the only lamp, of radiosity 1 and black, to a patch that reflects only what comes from it.
+KnownAnswer exchange_with(std::uint32_t patch, double reflectance, double value)
+{
+    return {"A F [m^2]", value,
+            [=](const Scene& scene, const Solution& solution) {
+                return scene.area(patch) * solution.radiosity[patch].g / reflectance;
+            },
+            1.0};
+}
+
+KnownAnswer escaping(double value)
+{
+    return {"power that escapes [W]", value,
+            [](const Scene&, const Solution& solution) { return solution.balance.escaped.g; }, 1.0};
+}
+
+/// A closed room, a box on its floor, all of E and rho: every reflection returns the share rho of the light, so
+/// B = E (1 + rho + rho^2 + ...) = E / (1 - rho) on every patch, also where the box covers the floor. Nothing is lost.
+KnownScene furnace()
+{
+    constexpr Rgb reflectance = {0.2, 0.4, 0.6};
+    constexpr Rgb emittance = {0.8, 1.2, 1.2};
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.material(reflectance, emittance);
+    builder.room({0, 0, 0}, {1, 2, 3}, wall).box({0.2, 0, 0.5}, {0.7, 0.8, 1.5}, wall);
+    const auto answer = [&](const std::string& what, std::uint32_t patch, double Rgb::*channel, double area) {
+        const double rho = reflectance.*channel;
+        return radiosity_of(what, patch, channel, emittance.*channel / (1.0 - rho), rho, rho, area);
+    };
+    return {"furnace",
+            builder.file(),
+            {answer("the floor, red", 0, &Rgb::r, 3.0), answer("a wall, green", 3, &Rgb::g, 6.0),
+             answer("the box's top, blue", 7, &Rgb::b, 0.5), escaping(0.0)}};
+}
+
+/// Two unit squares that face each other at distance 1: B_1 = E + rho_1 F B_2, B_2 = rho_2 F B_1. Of all that leaves
+/// them, 1 - F escapes.
+KnownScene facing_squares()
+{
+    constexpr double emittance = 2.0;
+    constexpr double rho_1 = 0.4;
+    constexpr double rho_2 = 0.7;
+    const double f = opposite_squares();
+    const double b_1 = emittance / (1.0 - rho_1 * rho_2 * f * f);
+    const double b_2 = rho_2 * f * b_1;
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, z_axis, x_axis, builder.grey(rho_1, emittance));
+    builder.rectangle({0, 1, 0}, x_axis, z_axis, builder.grey(rho_2, 0.0));
+    return {"facing-squares",
+            builder.file(),
+            {radiosity_of("the lamp", 0, &Rgb::g, b_1, rho_2, rho_1, 1.0),
+             radiosity_of("the other", 1, &Rgb::g, b_2, rho_2, rho_2, 1.0), escaping((1.0 - f) * (b_1 + b_2))}};
+}
+
+/// A small lamp below a large rectangle, to one side of it.
+KnownScene parallel()
+{
+    SceneBuilder builder;
+    builder.rectangle({0.5, 0, 0}, 0.5 * z_axis, 0.5 * x_axis, builder.grey(0.0, 1.0));
+    builder.rectangle({0, 0.7, 0}, 2.0 * x_axis, z_axis, builder.grey(0.5, 0.0));
+    const double exchange = parallel_rectangles({0.5, 1.0}, {0.0, 0.5}, {0.0, 2.0}, {0.0, 1.0}, 0.7);
+    return {"parallel", builder.file(), {exchange_with(1, 0.5, exchange)}};
+}
+
+/// A lamp and a wall that share a part of an edge.
+KnownScene perpendicular()
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, x_axis, y_axis, builder.grey(0.0, 1.0));
+    builder.rectangle({0.25, 0, 0}, 0.5 * z_axis, 1.75 * x_axis, builder.grey(0.5, 0.0));
+    const double exchange = perpendicular_rectangles({0.0, 1.0}, {0.0, 1.0}, {0.25, 2.0}, {0.0, 0.5});
+    return {"perpendicular", builder.file(), {exchange_with(1, 0.5, exchange)}};
+}
+
+/// The facing squares with a black screen between their middles, from one to the other: each half sees only the half
+/// on its own side, A F = 2 (A F of the halves).
+KnownScene screened()
+{
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    builder.rectangle({0, 0, 0}, z_axis, x_axis, builder.grey(0.0, 1.0));
+    builder.rectangle({0, 1, 0}, x_axis, z_axis, builder.grey(0.5, 0.0));
+    builder.rectangle({0.5, 0, 0}, y_axis, z_axis, black);
+    builder.rectangle({0.5, 0, 0}, z_axis, y_axis, black);
+    const double half = parallel_rectangles({0.0, 0.5}, {0.0, 1.0}, {0.0, 0.5}, {0.0, 1.0}, 1.0);
+    return {"screened", builder.file(), {exchange_with(1, 0.5, 2.0 * half)}};
+}
+
+/// A glowing cube in the middle of a closed one. All light of the inner one reaches the outer, so reciprocity gives
+/// F_oi = A_i / A_o, and the rest of the outer one's light comes back to it: B_i = E + rho_i B_o,
+/// B_o = rho_o (F_oi B_i + (1 - F_oi) B_o). The six faces of either are alike.
+KnownScene nested_cubes()
+{
+    constexpr double emittance = 3.0;
+    constexpr double rho_i = 0.6;
+    constexpr double rho_o = 0.5;
+    constexpr double f_oi = 0.4 * 0.4;
+    constexpr double b_i = emittance / (1.0 - rho_i * rho_o * f_oi / (1.0 - rho_o * (1.0 - f_oi)));
+    constexpr double b_o = (b_i - emittance) / rho_i;
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(rho_o, 0.0));
+    builder.box({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7}, builder.grey(rho_i, emittance));
+    return {"nested-cubes",
+            builder.file(),
+            {radiosity_of("the outer", 1, &Rgb::g, b_o, rho_i, rho_o, 1.0),
+             radiosity_of("the inner", 8, &Rgb::g, b_i, rho_i, rho_i, 0.16)}};
+}
+
+/// A cube without a ceiling, black but for the light of its floor: the share F of two facing squares escapes.
+KnownScene open_cube()
+{
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    builder.rectangle({0, 0, 0}, z_axis, x_axis, builder.grey(0.0, 1.0));
+    builder.rectangle({0, 0, 0}, y_axis, z_axis, black).rectangle({1, 0, 0}, z_axis, y_axis, black);
+    builder.rectangle({0, 0, 0}, x_axis, y_axis, black).rectangle({0, 0, 1}, y_axis, x_axis, black);
+    return {"open-cube", builder.file(), {escaping(opposite_squares())}};
+}
+
+} // namespace
+
+std::vector<KnownScene> known_scenes()
+{
+    return {furnace(), facing_squares(), parallel(), perpendicular(), screened(), nested_cubes(), open_cube()};
+}
+
+} // namespace multipath

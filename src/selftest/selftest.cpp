@@ -1,0 +1,306 @@
+#include "selftest/selftest.h"
+
+#include "parallel/ordered_blocks.h"
+#include "radiosity/statistics.h"
+#include "sampling/random.h"
+#include "sampling/sequence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace multipath {
+
+namespace {
+
+constexpr double whole_surfaces = 1e3;          ///< patch size [m] above any edge
+constexpr double rounding = 1e-6;               ///< [1] of what is kept in single precision
+constexpr double known_scene_resolution = 0.05; ///< [1]
+constexpr double scene_resolution = 0.25;       ///< [1] scenes may be hard
+constexpr std::size_t most_materials = 4;
+
+using Channel = double Rgb::*;
+
+struct NamedMethod
+{
+    const char* name;
+    Method method;
+};
+
+constexpr std::array<NamedMethod, 5> checked_methods = {{{"local", Method::local}, // first: the others are compared
+                                                         {"global", Method::global},
+                                                         {"first-shot", Method::first_shot},
+                                                         {"extended", Method::extended},
+                                                         {"reuse", Method::reuse}}};
+constexpr std::array<const char*, 6> checked_sequences = {"random", "sobol",           "sobol-owen",
+                                                          "halton", "halton-permuted", "kronecker"};
+constexpr const char* scene_sequence = "sobol-owen";
+
+bool is_randomised(const std::string& sequence)
+{
+    return randomised_name(sequence) == sequence;
+}
+
+/// Options of the independent run `number`: another randomisation or, of a sequence without one, another stretch. A run
+/// may take 16 times as many items as lines.
+SolveOptions options_of_run(Method method, const std::string& sequence, const SelftestSettings& settings, int number)
+{
+    const auto run = static_cast<std::uint64_t>(number);
+    SolveOptions options;
+    options.method = method;
+    options.sequence = sequence;
+    options.seed = random_bits(mix_bits(settings.seed), run);
+    options.skip = is_randomised(sequence) ? 0 : 16 * settings.lines * run;
+    options.lines = settings.lines;
+    options.threads = settings.threads;
+    return options;
+}
+
+Preparation preparation_for(const Scene& scene, Method method)
+{
+    SolveOptions options;
+    options.method = method;
+    return prepare(scene, options);
+}
+
+std::vector<Solution> solved_runs(const Scene& scene, const Preparation& preparation, Method method,
+                                  const std::string& sequence, const SelftestSettings& settings)
+{
+    std::vector<Solution> runs;
+    for (int number = 0; number < settings.replicates; ++number)
+        runs.push_back(solve(scene, preparation, options_of_run(method, sequence, settings, number), [](double) {}));
+    return runs;
+}
+
+/// Sets mean, standard error and degrees of freedom from quantity(run). The stretches of a sequence that is not
+/// randomised have errors in common, which their scatter does not show: 1/200 of the expected value is allowed for
+/// them.
+template <class Run, class Quantity>
+Check measured_by(Check check, const std::vector<Run>& runs, const Quantity& quantity)
+{
+    RunningMean mean;
+    for (const Run& run : runs)
+        mean.add(quantity(run));
+    check.measured = mean.mean();
+    check.standard_error = mean.standard_error();
+    check.degrees = static_cast<int>(runs.size()) - 1;
+    if (!is_randomised(check.sequence))
+        check.allowance += check.expected / 200.0;
+    return check;
+}
+
+/// Mean power that the runs left unshot [W]. Zero for the local method: Russian roulette is right in expectation.
+double mean_unshot(const std::vector<Solution>& runs, Method method)
+{
+    if (method == Method::local)
+        return 0.0;
+    RunningMean mean;
+    for (const Solution& run : runs) {
+        const Rgb unshot = run.balance.unshot;
+        mean.add(std::max({std::abs(unshot.r), std::abs(unshot.g), std::abs(unshot.b)}));
+    }
+    return mean.mean();
+}
+
+/// Whether emitted = absorbed + unshot + escaped + behind in all runs.
+Check balance_check(const std::string& topic, const char* method, const std::vector<Solution>& runs)
+{
+    Check check = {topic, method, "all", "power gained or lost [1]"};
+    check.allowance = 1e-9;
+    check.resolution = 1e-9;
+    for (const Solution& run : runs)
+        check.measured = std::max(check.measured, run.balance.relative_error());
+    return check;
+}
+
+/// The checks of one known scene by one method.
+std::vector<Check> known_scene_checks_by(const KnownScene& known, const NamedMethod& named,
+                                         const SelftestSettings& settings)
+{
+    const Scene scene(known.file, whole_surfaces);
+    const Preparation preparation = preparation_for(scene, named.method);
+    const double most_power = mean(scene.source_power());
+    std::vector<Check> checks;
+    std::vector<Solution> all;
+    for (const std::string sequence : checked_sequences) {
+        const std::vector<Solution> runs = solved_runs(scene, preparation, named.method, sequence, settings);
+        const double unshot = mean_unshot(runs, named.method);
+        for (const KnownAnswer& answer : known.answers) {
+            Check check = {known.name, named.name, sequence, answer.quantity, answer.value};
+            check.allowance = rounding * answer.value + unshot * answer.per_unshot_watt;
+            check.resolution = known_scene_resolution * (answer.value > 0.0 ? answer.value : most_power);
+            checks.push_back(measured_by(check, runs, [&](const Solution& run) { return answer.read(scene, run); }));
+        }
+        all.insert(all.end(), runs.begin(), runs.end());
+    }
+    checks.push_back(balance_check(known.name, named.name, all));
+    return checks;
+}
+
+struct NamedChannel
+{
+    const char* name;
+    Channel channel;
+};
+
+/// One channel of a grey scene, else all three.
+std::vector<NamedChannel> channels_of(const Scene& scene)
+{
+    const auto is_grey = [](Rgb c) { return c.r == c.g && c.g == c.b; };
+    const std::vector<Material>& materials = scene.materials();
+    if (std::all_of(materials.begin(), materials.end(),
+                    [&](const Material& m) { return is_grey(m.reflectance) && is_grey(m.emittance); }))
+        return {{"grey", &Rgb::g}};
+    return {{"red", &Rgb::r}, {"green", &Rgb::g}, {"blue", &Rgb::b}};
+}
+
+/// Power that the patches of each material reflect [W], for each run.
+std::vector<std::vector<Rgb>> reflected_powers(const Scene& scene, const std::vector<Solution>& runs)
+{
+    std::vector<std::vector<Rgb>> powers;
+    for (const Solution& run : runs) {
+        std::vector<Rgb>& power = powers.emplace_back(scene.materials().size());
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            power[scene.file().material[scene.surface_of(i)]] +=
+                scene.area(i) * (run.radiosity[i] - scene.emittance(i));
+    }
+    return powers;
+}
+
+/// The materials that reflect most power.
+std::vector<std::size_t> brightest_materials(const std::vector<std::vector<Rgb>>& powers)
+{
+    std::vector<double> sums(powers.front().size());
+    std::vector<std::size_t> order;
+    for (std::size_t m = 0; m < sums.size(); ++m) {
+        for (const std::vector<Rgb>& power : powers)
+            sums[m] += mean(power[m]);
+        if (sums[m] > 0.0)
+            order.push_back(m);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sums[a] > sums[b]; });
+    order.resize(std::min(order.size(), most_materials));
+    return order;
+}
+
+/// Bound of the power that the light left unshot would still add to a material: twice that of light which is spread
+/// evenly over the scene.
+double missing_power(const Scene& scene, std::size_t material, double unshot, Channel channel)
+{
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        area += scene.file().material[scene.surface_of(i)] == material ? scene.area(i) : 0.0;
+    const double absorbed = std::max(0.01, 1.0 - scene.average_reflectance().*channel);
+    return 2.0 * unshot * scene.materials()[material].reflectance.*channel * area / scene.total_area() / absorbed;
+}
+
+/// The reflected power of these materials in each channel, without an expected value.
+std::vector<Check> material_checks(const Scene& scene, const NamedMethod& named,
+                                   const std::vector<std::size_t>& materials,
+                                   const std::vector<std::vector<Rgb>>& powers, double unshot)
+{
+    std::vector<Check> checks;
+    for (const std::size_t m : materials)
+        for (const NamedChannel& colour : channels_of(scene)) {
+            const Material& material = scene.materials()[m];
+            if (material.reflectance.*colour.channel <= 0.0)
+                continue;
+            Check check = {"agreement", named.name, scene_sequence, material.name + ", " + colour.name + " [W]"};
+            check.allowance = missing_power(scene, m, unshot, colour.channel);
+            checks.push_back(
+                measured_by(check, powers, [&](const std::vector<Rgb>& power) { return power[m].*colour.channel; }));
+        }
+    return checks;
+}
+
+/// The check with the result of another method as the expected value: the errors of both count.
+Check compared_with(Check check, const Check& other)
+{
+    check.expected = other.measured;
+    check.standard_error = std::hypot(check.standard_error, other.standard_error);
+    check.degrees = std::min(check.degrees, other.degrees);
+    check.resolution = scene_resolution * other.measured;
+    return check;
+}
+
+/// No patch reflects less than nothing. Noise may make the exchange of two patches negative in a single run; the mean
+/// of all runs may be negative by up to 6 standard errors.
+Check reflected_check(const Scene& scene, const char* method, const std::vector<Solution>& runs)
+{
+    double least = 0.0;
+    double most = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (const NamedChannel& colour : channels_of(scene)) {
+            RunningMean reflected;
+            for (const Solution& run : runs)
+                reflected.add((run.radiosity[i] - scene.emittance(i)).*colour.channel);
+            least = std::min(least, reflected.mean() + 6.0 * reflected.standard_error());
+            most = std::max(most, reflected.mean());
+        }
+    Check check = {"power", method, scene_sequence, "least B - E, or 0 [W/m^2]", 0.0, least};
+    check.allowance = 1e-6 * most;
+    check.resolution = check.allowance;
+    return check;
+}
+
+Check emitted_check(const Scene& scene, const char* method, const std::vector<Solution>& runs)
+{
+    Check check = {"power", method, scene_sequence, "emitted [W]", mean(scene.source_power())};
+    check.allowance = 1e-9 * check.expected;
+    check.resolution = scene_resolution * check.expected;
+    return measured_by(check, runs, [](const Solution& run) { return mean(run.balance.emitted); });
+}
+
+} // namespace
+
+std::vector<Check> known_scene_checks(const std::vector<KnownScene>& scenes, const SelftestSettings& settings,
+                                      const ProgressCallback& progress)
+{
+    SelftestSettings of_run = settings;
+    of_run.threads = 1;
+    const std::uint64_t pieces = scenes.size() * checked_methods.size();
+    std::vector<std::vector<Check>> slots(static_cast<std::size_t>(slot_count(settings.threads)));
+    std::vector<Check> checks;
+    const auto solve_piece = [&](std::uint64_t number, int slot) {
+        const auto piece = static_cast<std::size_t>(number);
+        slots[static_cast<std::size_t>(slot)] = known_scene_checks_by(
+            scenes[piece / checked_methods.size()], checked_methods[piece % checked_methods.size()], of_run);
+    };
+    const auto collect = [&](std::uint64_t number, int slot) {
+        const std::vector<Check>& found = slots[static_cast<std::size_t>(slot)];
+        checks.insert(checks.end(), found.begin(), found.end());
+        progress(static_cast<double>(number + 1) / static_cast<double>(pieces));
+    };
+    ordered_blocks(pieces, settings.threads, solve_piece, collect);
+    return checks;
+}
+
+std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& settings, const ProgressCallback& progress)
+{
+    std::vector<Check> checks;
+    std::vector<std::size_t> materials;
+    std::vector<Check> local;
+    double done = 0.0;
+    for (const NamedMethod& named : checked_methods) {
+        const std::vector<Solution> runs =
+            solved_runs(scene, preparation_for(scene, named.method), named.method, scene_sequence, settings);
+        checks.push_back(balance_check("power", named.name, runs));
+        checks.push_back(emitted_check(scene, named.name, runs));
+        checks.push_back(reflected_check(scene, named.name, runs));
+        const std::vector<std::vector<Rgb>> powers = reflected_powers(scene, runs);
+        if (named.method == Method::local)
+            materials = brightest_materials(powers);
+        const std::vector<Check> found =
+            material_checks(scene, named, materials, powers, mean_unshot(runs, named.method));
+        if (named.method == Method::local)
+            local = found;
+        else
+            for (std::size_t k = 0; k < found.size(); ++k)
+                checks.push_back(compared_with(found[k], local[k]));
+        progress(++done / static_cast<double>(checked_methods.size()));
+    }
+    return checks;
+}
+
+} // namespace multipath

@@ -1,0 +1,260 @@
+#include "study/report/paper_claims.h"
+
+#include "radiosity/statistics.h"
+#include "study/number_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const CurvePoint& last_point(const Curve& curve)
+{
+    return curve.points.back();
+}
+
+/// A number that was measured: where it lies with 95 %.
+struct Measured
+{
+    double value;
+    double interval; ///< half its width
+};
+
+/// A ratio of two means [1] and its standard error.
+struct Ratio
+{
+    double value;
+    double error;
+    int executions; ///< that each of the means is of
+};
+
+Ratio ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
+{
+    const double value = above.relative / below.relative;
+    return {value, value * std::hypot(above.relative_error / above.relative, below.relative_error / below.relative),
+            executions};
+}
+
+/// Relative MSE with random lines at the most lines over that of another method.
+Ratio error_ratio(const Study& study, const char* method, const char* other)
+{
+    return ratio_of(last_point(curve_of(study, method, "random")), last_point(curve_of(study, other, "random")),
+                    study.executions);
+}
+
+/// Student's t, the scatter of both means being known from their executions alone.
+Measured measured(const Ratio& ratio)
+{
+    if (ratio.executions < 2)
+        return {ratio.value, infinity};
+    return {ratio.value, student_quantile(0.05, 2 * (ratio.executions - 1)) * ratio.error};
+}
+
+Measured measured(const std::optional<PowerLaw>& slope)
+{
+    return slope ? Measured{slope->exponent, exponent_interval(*slope)} : Measured{0.0, infinity};
+}
+
+Measured difference(const Measured& a, const Measured& b)
+{
+    return {a.value - b.value, std::hypot(a.interval, b.interval)};
+}
+
+std::string words(const Ratio& ratio, int decimals)
+{
+    return fixed(ratio.value, decimals) + " ± " + fixed(ratio.error, decimals);
+}
+
+std::string words(const Measured& measured, int decimals)
+{
+    return fixed(measured.value, decimals) + " ± " + fixed(measured.interval, decimals);
+}
+
+/// Whether a number lies between two limits. While its interval reaches over one of them, nothing is decided.
+Verdict between(const Measured& measured, double low, double high)
+{
+    const double least = measured.value - measured.interval;
+    const double largest = measured.value + measured.interval;
+    if (least > low && largest < high)
+        return Verdict::holds;
+    return largest < low || least > high ? Verdict::differs : Verdict::undecided;
+}
+
+Verdict between(const Ratio& ratio, double low, double high)
+{
+    return between(measured(ratio), low, high);
+}
+
+/// Of both together.
+Verdict worse(Verdict a, Verdict b)
+{
+    return std::max(a, b);
+}
+
+Claim random_slope(const PaperFindings& f)
+{
+    Claim claim{"With random lines the error falls as 1/N, formula (2)", "slope −1 ± 0.05 on both scenes", "",
+                Verdict::holds, ""};
+    for (const char* name : {"figure3", "figure4"}) {
+        const Curve& curve = curve_of(f.study(name), "first-shot", "random");
+        claim.found += (claim.found.empty() ? "" : " and ") + slope_words(curve.law);
+        claim.verdict = worse(claim.verdict, between(measured(curve.law), -1.05, -0.95));
+    }
+    return claim;
+}
+
+Claim sobol_below(const PaperFindings& f)
+{
+    Claim claim{"Sobol's lines do better on both scenes", "slope below −1", "", Verdict::holds, ""};
+    for (const char* name : {"figure3", "figure4"}) {
+        const Curve& curve = curve_of(f.study(name), "first-shot", "sobol");
+        claim.found += (claim.found.empty() ? "" : " and ") + slope_words(curve.law);
+        claim.verdict = worse(claim.verdict, between(measured(curve.law), -infinity, -1.0));
+    }
+    return claim;
+}
+
+Claim sobol_as_printed(const PaperFindings& f)
+{
+    const PublishedSlope& printed = published_slopes.back();
+    Claim claim{"Sobol's slopes are those of Table 1", "−1.102 and −1.122, within 0.1", "", Verdict::holds, ""};
+    for (const auto& [name, slope] : {std::pair{"figure3", printed.five_cubes}, {"figure4", printed.four_chairs}}) {
+        Measured off = measured(curve_of(f.study(name), "first-shot", "sobol").law);
+        off.value -= slope;
+        claim.found += (claim.found.empty() ? "" : " and ") + words(off, 3);
+        claim.verdict = worse(claim.verdict, between(off, -0.1, 0.1));
+    }
+    claim.found += " off";
+    return claim;
+}
+
+/// The larger bases on one scene cut coarsely and finely.
+Claim halton_varies(const PaperFindings& f)
+{
+    const char* const large_bases = "halton:11,13,17,19";
+    const auto slope = [&](const char* sequence, const char* order) {
+        return curve_of(f.study("order"), "first-shot", sequence, order).law;
+    };
+    const auto small = slope("halton:2,7,3,5", "sequence");
+    const auto large = slope(large_bases, "sequence");
+    const auto shuffled = slope(large_bases, "shuffled");
+    const auto fine = curve_of(f.study("figure3"), "first-shot", large_bases).law;
+    Claim claim{"Halton's slope depends on bases and scene", "−0.844 to −1.113",
+                slope_words(small) + " and " + slope_words(large) + " with patches of 0.5, the latter " +
+                    slope_words(fine) + " with smaller ones",
+                between(difference(measured(large), measured(fine)), 0.0, infinity), ""};
+    claim.remark = "It is the order of the lines, not how evenly they fill space: shuffled, the same lines give " +
+                   slope_words(shuffled) + " for the larger bases.";
+    return claim;
+}
+
+Claim pairs_fail(const PaperFindings& f)
+{
+    const auto fall = [&](const char* pairing) {
+        const Curve& curve = curve_of(f.study("pairs"), "first-shot", "sobol", "", pairing);
+        return ratio_of(curve.points.front(), curve.points.back(), f.study("pairs").executions);
+    };
+    const double lines = static_cast<double>(curve_of(f.study("pairs"), "first-shot", "sobol").points.back().lines) /
+                         static_cast<double>(curve_of(f.study("pairs"), "first-shot", "sobol").points.front().lines);
+    return {"Two 2-D items a line do not converge, one 4-D item does", "error “enormous”",
+            "with " + fixed(lines, 0) + " times the lines the error falls by " + fixed(fall("2d").value, 1) +
+                " with pairs, by " + fixed(fall("4d").value, 0) + " without",
+            worse(between(fall("2d"), 0.0, 4.0), between(fall("4d"), 0.7 * lines, infinity)), ""};
+}
+
+Claim budget(const std::string& what, const PublishedBudget& printed, const BudgetFigures& figures, double ratio)
+{
+    const bool near = std::abs(ratio - printed.ratio) <= 0.015;
+    return {"(3) for " + what, fixed(printed.ratio, 2), fixed(ratio, 3), near ? Verdict::holds : Verdict::differs,
+            "R_ave " + fixed(figures.average_reflectance, 3) + ", R_s' " + fixed(figures.secondary_reflectance, 3) +
+                ", f " + fixed(figures.lit_fraction, 3) + ", n_int " + fixed(figures.intersections, 2)};
+}
+
+Claim ceiling_lit(const PaperFindings& f)
+{
+    const Ratio ratio = error_ratio(f.study("figure7"), "first-shot", "extended");
+    return {"Figure 7: lit upwards, the extended first shot is better than the first shot", "far better",
+            words(ratio, 1) + " times less error", between(ratio, 2.0, infinity), ""};
+}
+
+Claim ceiling_lit_local(const PaperFindings& f)
+{
+    const Ratio ratio = error_ratio(f.study("figure8"), "extended", "local");
+    return {"Figure 8: lit upwards, the extended first shot is like local Monte Carlo", "“of similar quality”",
+            words(ratio, 2) + " times its error", between(ratio, 0.5, 2.0), ""};
+}
+
+Claim floor_lit(const PaperFindings& f)
+{
+    const Ratio first = error_ratio(f.study("figure9"), "first-shot", "local");
+    const Ratio extended = error_ratio(f.study("figure9"), "extended", "local");
+    return {"Figure 9: lit downwards, the multi-path methods beat local Monte Carlo", "both better",
+            "first shot " + words(first, 2) + ", extended " + words(extended, 2) + " times its error",
+            worse(between(first, 0.0, 1.0), between(extended, 0.0, 1.0)),
+            "First shot over local is " + words(error_ratio(f.study("figure9-coarse"), "first-shot", "local"), 2) +
+                " with patches of 0.5 and " + words(error_ratio(f.study("figure9-fine"), "first-shot", "local"), 2) +
+                " with patches of 0.15. How far they are apart depends on what the paper does not tell of its scene"};
+}
+
+Claim floor_lit_extended(const PaperFindings& f)
+{
+    const Ratio ratio = error_ratio(f.study("figure9"), "extended", "first-shot");
+    return {"Figure 9: extending the first shot does not pay there", "no noticeable improvement",
+            words(ratio, 2) + " times the error of the first shot", between(ratio, 0.7, 1.3), ""};
+}
+
+} // namespace
+
+const Curve& curve_of(const Study& study, const std::string& method, const std::string& sequence,
+                      const std::string& line_order, const std::string& pairing)
+{
+    for (const Curve& curve : study.curves)
+        if (curve.kind.method == method && curve.kind.sequence == sequence &&
+            (line_order.empty() || curve.kind.line_order == line_order) &&
+            (pairing.empty() || curve.kind.pairing == pairing))
+            return curve;
+    throw std::out_of_range("the study has no curve " + method + ", " + sequence);
+}
+
+std::vector<Claim> paper_claims(const PaperFindings& f)
+{
+    const SceneReport& up = f.four_chairs_up.report;
+    const SceneReport& down = f.four_chairs.report;
+    return {random_slope(f),
+            sobol_below(f),
+            sobol_as_printed(f),
+            halton_varies(f),
+            pairs_fail(f),
+            budget("4CHAIRS lit upwards, first shot", published_up, up.figures, up.ratio_first_shot.value()),
+            budget("4CHAIRS lit downwards, first shot", published_down, down.figures, down.ratio_first_shot.value()),
+            budget("4CHAIRS, extended first shot", published_extended, extended_figures(down.figures),
+                   down.ratio_extended.value()),
+            ceiling_lit(f),
+            ceiling_lit_local(f),
+            floor_lit(f),
+            floor_lit_extended(f)};
+}
+
+std::string verdict_word(Verdict verdict)
+{
+    return verdict == Verdict::holds ? "holds" : verdict == Verdict::undecided ? "undecided" : "differs";
+}
+
+std::string claims_text(const std::vector<Claim>& claims)
+{
+    std::string text;
+    for (const Claim& claim : claims) {
+        const std::string verdict = verdict_word(claim.verdict);
+        text += verdict + std::string(11 - verdict.size(), ' ') + claim.statement + "\n" + std::string(11, ' ') +
+                claim.found + " (paper: " + claim.expected + ")\n";
+    }
+    return text;
+}
+
+} // namespace multipath
