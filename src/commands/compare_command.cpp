@@ -6,7 +6,7 @@
 #include "commands/solve/saved_run.h"
 #include "export/comments.h"
 #include "export/json.h"
-#include "export/patch_table_reader.h"
+#include "export/patch_table.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"

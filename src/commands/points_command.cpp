@@ -6,7 +6,7 @@
 #include "commands/commands.h"
 #include "export/comments.h"
 #include "export/discrepancy_table.h"
-#include "export/point_plots.h"
+#include "export/svg/point_plots.h"
 #include "scene/text_format.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// How far the first `count` points are from uniform.
+/// Discrepancy of the first `count` points.
 struct DiscrepancyRow
 {
     std::uint64_t count;

@@ -35,7 +35,7 @@ private:
     int number_;
 };
 
-/// Of what cannot be mapped, such as a pipe, which may have no end.
+/// All bytes of a file that cannot be mapped, such as a pipe, up to a limit.
 std::vector<char> read_all(const Descriptor& file)
 {
     constexpr std::size_t most = std::size_t{1} << 30;

@@ -8,13 +8,11 @@
 
 namespace multipath {
 
-/// The bytes of a file, in whose memory the system keeps only what is being read: of many large files at a time, too.
-/// Immutable; copies share the bytes.
+/// The bytes of a memory-mapped file. Immutable; copies share the mapping.
 class FileBytes
 {
 public:
-    /// Of a file, or of what a pipe brings until it ends. Throws std::runtime_error that says why there are none:
-    /// "Permission denied".
+    /// Maps a file, or reads a pipe to its end. Throws std::runtime_error with the reason: "Permission denied".
     explicit FileBytes(const std::string& path);
     /// Bytes that are in memory already.
     explicit FileBytes(std::vector<char> bytes);

@@ -17,4 +17,7 @@ std::string html_record_line(const std::string& fact);
 std::string replaced_between(const std::string& text, std::string_view open, std::string_view close,
                              const std::function<std::string(const std::string& between)>& new_text);
 
+/// Bytes as text (RFC 4648), for a page that holds files.
+std::string base64(const std::string& bytes);
+
 } // namespace multipath

@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-/// A JSON object that is written key by key, in the order of the calls. Texts that are no UTF-8 become it.
+/// A JSON object that is written key by key, in the order of the calls. Bytes that are not UTF-8 are read as Latin-1.
 class JsonObject
 {
 public:

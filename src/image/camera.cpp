@@ -3,6 +3,7 @@
 #include "sampling/trigonometry.h"
 #include "scene/input_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -66,6 +67,24 @@ PixelRays::PixelRays(const Camera& camera, int width, int height) : eye_(camera.
 Line PixelRays::through(double x, double y) const
 {
     return {eye_, normalized(top_left_ + x * per_x_ + y * per_y_)};
+}
+
+std::optional<Hit> VisibleHits::first(const Line& ray)
+{
+    if (passed_back_)
+        return first_front(ray);
+    const std::optional<Hit> nearest = scene_.intersector().closest_hit(ray);
+    if (!nearest || nearest->front || scene_.two_sided())
+        return nearest;
+    return first_front(ray);
+}
+
+std::optional<Hit> VisibleHits::first_front(const Line& ray)
+{
+    scene_.intersector().all_hits(ray, hits_);
+    passed_back_ = !hits_.empty() && !hits_.front().front;
+    const auto front = std::find_if(hits_.begin(), hits_.end(), [](const Hit& hit) { return hit.front; });
+    return front == hits_.end() ? std::nullopt : std::optional<Hit>(*front);
 }
 
 } // namespace multipath

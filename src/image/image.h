@@ -14,7 +14,7 @@ inline std::size_t pixel_index(int width, int x, int y)
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
 }
 
-/// What the camera sees, in linear light: radiosity [W/m^2] per pixel, row by row from the top left.
+/// A picture in linear light: radiosity [W/m^2] per pixel, row by row from the top left.
 struct Image
 {
     int width = 0;
@@ -25,7 +25,7 @@ struct Image
     Rgb& at(int x, int y) { return pixels[pixel_index(width, x, y)]; }
 };
 
-/// What a screen shows: sRGB, one byte for each of red, green, blue per pixel, row by row from the top left.
+/// A picture for the screen: sRGB, one byte for each of red, green, blue per pixel, row by row from the top left.
 struct ScreenImage
 {
     int width = 0;

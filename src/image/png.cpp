@@ -1,97 +1,268 @@
-// PNG (ISO/IEC 15948): a signature and chunks. Each row is first turned into differences from its neighbours by one of
-// five filters, then all rows are compressed together.
+// PNG (ISO/IEC 15948): a signature and chunks. Rows are stored as differences from the pixel to the left or from the
+// row above and compressed together by deflate (RFC 1951): literals and copies of earlier bytes (Ziv and Lempel 1977)
+// in one block with the format's fixed Huffman code.
 
 #include "image/png.h"
 
-#include "image/big_endian.h"
 #include "image/checksum.h"
-#include "image/deflate.h"
-#include "image/png_chunks.h"
 #include "scene/utf8.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace multipath {
 
 namespace {
 
-constexpr std::size_t channels = 3;
+constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+
+/// Beginning of the data of a chunk with a comment: the keyword and, for UTF-8 (iTXt), neither compression nor language
+/// (ISO/IEC 15948, 11.3.4).
+constexpr std::string_view plain_comment("Comment\0", 8);
+constexpr std::string_view utf8_comment("Comment\0\0\0\0\0", 12);
+
+/// Four bytes, the highest first.
+std::string big_endian(std::uint32_t value)
+{
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes += static_cast<char>((value >> shift) & 0xffu);
+    return bytes;
+}
+
+struct CodeWord
+{
+    std::uint16_t bits = 0; ///< the first bit lowest, as deflate stores code words
+    std::uint8_t length = 0;
+};
+
+constexpr CodeWord code_word(std::uint32_t number, int length)
+{
+    std::uint32_t reversed = 0;
+    for (int bit = 0; bit < length; ++bit)
+        reversed |= (number >> bit & 1u) << (length - 1 - bit);
+    return {static_cast<std::uint16_t>(reversed), static_cast<std::uint8_t>(length)};
+}
+
+/// The fixed code of literals, the end of the block and lengths (RFC 1951, section 3.2.6).
+constexpr std::array<CodeWord, 288> make_fixed_code()
+{
+    std::array<CodeWord, 288> words{};
+    for (std::uint32_t symbol = 0; symbol < words.size(); ++symbol)
+        words[symbol] = symbol < 144   ? code_word(0x30 + symbol, 8)
+                        : symbol < 256 ? code_word(0x190 + symbol - 144, 9)
+                        : symbol < 280 ? code_word(symbol - 256, 7)
+                                       : code_word(0xc0 + symbol - 280, 8);
+    return words;
+}
+
+constexpr std::array<CodeWord, 288> fixed_code = make_fixed_code();
+constexpr std::uint32_t end_of_block = 256;
+
+constexpr std::size_t window = 32768; ///< greatest distance of a copy
+constexpr std::size_t shortest_copy = 3;
+constexpr std::size_t longest_copy = 258;
+
+/// A deflate stream of one block.
+class DeflateWriter
+{
+public:
+    DeflateWriter() { put(1 | 1 << 1, 3); } // the last block, fixed code
+
+    void literal(char byte) { put(fixed_code[static_cast<unsigned char>(byte)]); }
+
+    void copy(std::size_t length, std::size_t distance)
+    {
+        if (length == longest_copy) {
+            put(fixed_code[285]);
+        } else {
+            const Range range = doubling_range(static_cast<std::uint32_t>(length - shortest_copy), 4);
+            put(fixed_code[257 + range.code]);
+            put(range.offset, range.offset_bits);
+        }
+        const Range range = doubling_range(static_cast<std::uint32_t>(distance - 1), 2);
+        put(code_word(range.code, 5));
+        put(range.offset, range.offset_bits);
+    }
+
+    std::string finished()
+    {
+        put(fixed_code[end_of_block]);
+        put(0, 7); // completes the last byte
+        return std::move(bytes_);
+    }
+
+private:
+    struct Range
+    {
+        std::uint32_t code;
+        std::uint32_t offset; ///< of the value from the range's first
+        int offset_bits;
+    };
+
+    /// Deflate's numbering of lengths and distances, from zero: ranges that double in size every `per_size` codes.
+    static Range doubling_range(std::uint32_t value, std::uint32_t per_size)
+    {
+        int bits = 0;
+        while (value >> bits >= 2 * per_size)
+            ++bits;
+        return {static_cast<std::uint32_t>(bits) * per_size + (value >> bits), value & ((1u << bits) - 1u), bits};
+    }
+
+    void put(CodeWord word) { put(word.bits, word.length); }
+    /// Bits fill bytes from the lowest.
+    void put(std::uint32_t bits, int count)
+    {
+        buffer_ |= std::uint64_t{bits} << filled_;
+        for (filled_ += count; filled_ >= 8; filled_ -= 8, buffer_ >>= 8)
+            bytes_ += static_cast<char>(buffer_ & 0xffu);
+    }
+
+    std::string bytes_;
+    std::uint64_t buffer_ = 0;
+    int filled_ = 0;
+};
+
+/// Finds earlier occurrences through chains of positions that start with the same three bytes (or have the same hash).
+class MatchFinder
+{
+public:
+    explicit MatchFinder(const std::string& bytes)
+        : bytes_(bytes), newest_(std::size_t{1} << hash_bits, none), older_(window)
+    {
+    }
+
+    /// Positions are added in order.
+    void add(std::size_t position)
+    {
+        if (position + shortest_copy > bytes_.size())
+            return;
+        std::uint32_t& newest = newest_[hash(position)];
+        older_[position % window] = newest;
+        newest = static_cast<std::uint32_t>(position);
+    }
+
+    struct Match
+    {
+        std::size_t length = 0;
+        std::size_t distance = 0;
+    };
+
+    /// The longest match for the bytes at `position` that is longer than `to_beat`; length 0 if there is none.
+    Match longest(std::size_t position, std::size_t to_beat) const
+    {
+        const std::size_t limit = std::min(longest_copy, bytes_.size() - position);
+        if (limit < shortest_copy)
+            return {};
+        Match best;
+        to_beat = std::max(to_beat, shortest_copy - 1);
+        std::uint32_t earlier = newest_[hash(position)];
+        for (int step = 0; step < chain_limit && earlier != none && to_beat < limit; ++step) {
+            const std::size_t distance = position - earlier;
+            if (distance > window)
+                break;
+            const std::size_t length = common_length(earlier, position, limit, to_beat);
+            if (length > to_beat && !(length == shortest_copy && distance > far)) {
+                best = {length, distance};
+                to_beat = length;
+            }
+            earlier = older_[earlier % window];
+        }
+        return best;
+    }
+
+private:
+    static constexpr int hash_bits = 15;
+    static constexpr std::uint32_t none = 0xffffffffu;
+    // Effort that pays on pictures.
+    static constexpr int chain_limit = 128;  ///< earlier positions that are compared
+    static constexpr std::size_t far = 8192; ///< a copy of three bytes from beyond takes no less bits than literals
+
+    std::size_t hash(std::size_t position) const
+    {
+        const auto byte = [&](std::size_t n) {
+            return std::uint32_t{static_cast<unsigned char>(bytes_[position + n])};
+        };
+        return (byte(0) | byte(1) << 8 | byte(2) << 16) * 0x9e3779b1u >> (32 - hash_bits);
+    }
+
+    /// The number of equal bytes, or 0 if not more than `to_beat`: most candidates differ at the byte that would beat
+    /// it.
+    std::size_t common_length(std::size_t a, std::size_t b, std::size_t limit, std::size_t to_beat) const
+    {
+        if (bytes_[a + to_beat] != bytes_[b + to_beat])
+            return 0;
+        std::size_t length = 0;
+        while (length < limit && bytes_[a + length] == bytes_[b + length])
+            ++length;
+        return length;
+    }
+
+    const std::string& bytes_;
+    std::vector<std::uint32_t> newest_; ///< per hash
+    std::vector<std::uint32_t> older_;  ///< per position modulo the window: the position before it with the same hash
+};
+
+/// The bytes as a zlib stream (RFC 1950): header, deflate stream, Adler-32. A match is used only if the next position
+/// has no longer one (lazy matching, RFC 1951, section 4).
+std::string compressed(const std::string& bytes)
+{
+    constexpr std::size_t no_delay = 16; // length of a match that is used at once
+    DeflateWriter writer;
+    MatchFinder finder(bytes);
+    MatchFinder::Match match;
+    for (std::size_t position = 0; position < bytes.size();) {
+        finder.add(position);
+        const MatchFinder::Match next =
+            match.length < no_delay ? finder.longest(position + 1, match.length) : MatchFinder::Match{};
+        if (match.length == 0 || next.length > 0) {
+            writer.literal(bytes[position++]);
+            match = next;
+            continue;
+        }
+        writer.copy(match.length, match.distance);
+        const std::size_t end = position + match.length;
+        while (++position < end)
+            finder.add(position);
+        match = finder.longest(position, 0);
+    }
+    const std::string header = "\x78\x9c"; // deflate with a window of 32768 bytes, check bits
+    return header + writer.finished() + big_endian(adler32(bytes));
+}
+
+/// Each row after the number of its filter: 1, differences from the left, or 2, from above. With a dither pattern of
+/// few columns (tone_map.cpp) those from the left repeat along smooth walls, which is worth more than a few zeros.
+std::string filtered_rows(const ScreenImage& image)
+{
+    constexpr std::size_t channels = 3;
+    const std::size_t row_size = channels * static_cast<std::size_t>(image.width);
+    const std::vector<std::uint8_t>& bytes = image.bytes;
+    const auto changes = [](const std::string& row) {
+        return std::count_if(row.begin(), row.end(), [](char c) { return c != 0; });
+    };
+    std::string result;
+    result.reserve(bytes.size() + static_cast<std::size_t>(image.height));
+    for (std::size_t first = 0; first < bytes.size(); first += row_size) {
+        std::string from_left = "\1";
+        std::string from_above = "\2";
+        for (std::size_t i = first; i < first + row_size; ++i) {
+            from_left += static_cast<char>(bytes[i] - (i >= first + channels ? bytes[i - channels] : 0));
+            from_above += static_cast<char>(bytes[i] - (first > 0 ? bytes[i - row_size] : 0));
+        }
+        result += 4 * changes(from_above) < 3 * changes(from_left) ? from_above : from_left;
+    }
+    return result;
+}
 
 std::string chunk(const std::string& type, const std::string& data)
 {
     return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32(type + data));
 }
 
-/// Of left, above and upper left, the one closest to left + above - upper left.
-int paeth(int left, int above, int upper_left)
-{
-    const int to_left = std::abs(above - upper_left);
-    const int to_above = std::abs(left - upper_left);
-    const int to_upper_left = std::abs(left + above - 2 * upper_left);
-    if (to_left <= to_above && to_left <= to_upper_left)
-        return left;
-    return to_above <= to_upper_left ? above : upper_left;
-}
-
-int predicted(int filter, int left, int above, int upper_left)
-{
-    switch (filter) {
-    case 1:
-        return left;
-    case 2:
-        return above;
-    case 3:
-        return (left + above) / 2;
-    case 4:
-        return paeth(left, above, upper_left);
-    default:
-        return 0;
-    }
-}
-
-/// One row as filter number and differences; `row` and `above` start with one pixel of zeros.
-std::string filtered(const std::vector<std::uint8_t>& row, const std::vector<std::uint8_t>& above, int filter)
-{
-    std::string result(1, static_cast<char>(filter));
-    for (std::size_t i = channels; i < row.size(); ++i)
-        result += static_cast<char>(row[i] - predicted(filter, row[i - channels], above[i], above[i - channels]));
-    return result;
-}
-
-/// Small differences of either sign compress well.
-std::uint64_t cost(const std::string& filtered_row)
-{
-    std::uint64_t sum = 0;
-    for (std::size_t i = 1; i < filtered_row.size(); ++i)
-        sum += static_cast<std::uint64_t>(std::abs(static_cast<int>(static_cast<signed char>(filtered_row[i]))));
-    return sum;
-}
-
-std::string filtered_rows(const ScreenImage& image)
-{
-    const std::size_t row_size = channels * static_cast<std::size_t>(image.width);
-    std::vector<std::uint8_t> above(channels + row_size, 0);
-    std::vector<std::uint8_t> row(channels + row_size, 0);
-    std::string result;
-    for (std::size_t first = 0; first < image.bytes.size(); first += row_size) {
-        std::copy_n(image.bytes.begin() + static_cast<std::ptrdiff_t>(first), row_size, row.begin() + channels);
-        std::string best = filtered(row, above, 0);
-        for (int filter = 1; filter <= 4; ++filter) {
-            std::string candidate = filtered(row, above, filter);
-            if (cost(candidate) < cost(best))
-                best.swap(candidate);
-        }
-        result += best;
-        above.swap(row);
-    }
-    return result;
-}
-
-/// Without control characters but line feeds, which end lines in a PNG.
+/// The text without control characters except line feeds, which end lines in a PNG.
 std::string clean_text(std::string_view text)
 {
     std::string result;
@@ -119,13 +290,13 @@ std::string png_bytes(const ScreenImage& image, const std::string& comment)
 {
     // 8 bits per channel, red green blue, and the only compression, filter set and (no) interlacing of the format.
     const std::string format = {8, 2, 0, 0, 0};
-    std::string bytes(png_signature);
+    std::string bytes(signature);
     bytes += chunk("IHDR", big_endian(static_cast<std::uint32_t>(image.width)) +
                                big_endian(static_cast<std::uint32_t>(image.height)) + format);
     bytes += chunk("sRGB", std::string(1, '\0'));
     if (!comment.empty())
         bytes += comment_chunk(comment);
-    bytes += chunk("IDAT", zlib_bytes(filtered_rows(image)));
+    bytes += chunk("IDAT", compressed(filtered_rows(image)));
     bytes += chunk("IEND", "");
     return bytes;
 }

@@ -4,13 +4,14 @@
 
 #include "image/render.h"
 
-#include "image/final_gather.h"
-#include "image/smooth_shading.h"
-#include "image/visible_hits.h"
+#include "image/camera.h"
+#include "image/gather/final_gather.h"
+#include "image/shading/smooth_shading.h"
 #include "parallel/ordered_blocks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace multipath {
@@ -41,7 +42,7 @@ public:
             gather_.emplace(scene, radiosity, rays_, options.width, options.height, gather_rays, options.threads);
     }
 
-    /// What one thread works with.
+    /// State of one thread.
     struct Tools
     {
         VisibleHits visible;
@@ -110,6 +111,36 @@ Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera
             image.at(x, y) = painter.pixel(x, y, tools);
     });
     return image;
+}
+
+RenderOptions preview_options(RenderOptions options)
+{
+    const int larger = std::max({options.width, options.height, 1});
+    const int shrink = (larger + 159) / 160;
+    options.width = std::min(options.width, std::max(1, options.width / shrink));
+    options.height = std::min(options.height, std::max(1, options.height / shrink));
+    options.samples_per_pixel = 1;
+    options.shading = Shading::flat;
+    options.white = std::numeric_limits<double>::infinity();
+    return options;
+}
+
+double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                     const RenderOptions& options, const ToneMapOptions& tone)
+{
+    const double base = tone.scale
+                            ? *tone.scale
+                            : automatic_scale(render(scene, radiosity, camera, preview_options(options)), tone.tone);
+    return base * std::exp2(tone.exposure);
+}
+
+ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                    const RenderOptions& options, const ToneMapOptions& tone)
+{
+    const double scale = picture_scale(scene, radiosity, camera, options, tone);
+    RenderOptions clipped = options;
+    clipped.white = white_point(tone.tone) / scale;
+    return tone_map(render(scene, radiosity, camera, clipped), tone.tone, scale);
 }
 
 } // namespace multipath

@@ -4,12 +4,39 @@
 
 #include "image/tone_map.h"
 
-#include "image/srgb.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace multipath {
+
+double srgb_encoded(double linear)
+{
+    if (!(linear > 0.0))
+        return 0.0;
+    if (linear >= 1.0)
+        return 1.0;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+Rgb srgb_encoded(Rgb linear)
+{
+    return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
+}
+
+double srgb_decoded(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+Rgb srgb_decoded(Rgb encoded)
+{
+    return {srgb_decoded(encoded.r), srgb_decoded(encoded.g), srgb_decoded(encoded.b)};
+}
+
+std::uint8_t screen_byte(double linear)
+{
+    return static_cast<std::uint8_t>(255.0 * srgb_encoded(linear) + 0.5);
+}
 
 namespace {
 
@@ -75,8 +102,8 @@ double brightest_of_room(const std::vector<double>& sorted)
 }
 
 /// The threshold of a pixel in [0, 1): ordered dither over squares of 8 x 8 pixels (Bayer 1973), in which each half,
-/// quarter ... of the square holds as many low as high ones. Random thresholds look no better and take a third more
-/// bytes in a PNG.
+/// quarter ... of the square holds as many low as high ones. Random thresholds look no better and cannot be
+/// compressed, while those of a pattern repeat in a PNG.
 double dither_threshold(int x, int y)
 {
     int threshold = 0; // of 64
@@ -117,7 +144,7 @@ Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale)
 {
     const auto shown = [&](double channel) {
         const double light = curve(tone, scale * channel);
-        return light > 0.0 ? std::min(light, 1.0) : 0.0; // what is no number is dark
+        return light > 0.0 ? std::min(light, 1.0) : 0.0; // NaN becomes black
     };
     return {shown(radiosity.r), shown(radiosity.g), shown(radiosity.b)};
 }

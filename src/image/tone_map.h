@@ -4,9 +4,22 @@
 #include "scene/rgb.h"
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace multipath {
+
+/// The transfer function of sRGB (IEC 61966-2-1), from linear light to the encoded value in [0, 1]. Light is clamped to
+/// [0, 1]; NaN counts as 0.
+double srgb_encoded(double linear);
+Rgb srgb_encoded(Rgb linear);
+
+/// Its inverse.
+double srgb_decoded(double encoded);
+Rgb srgb_decoded(Rgb encoded);
+
+/// A channel of linear light as the nearest sRGB byte.
+std::uint8_t screen_byte(double linear);
 
 enum class ToneOperator {
     linear,     ///< clipped at white
@@ -34,7 +47,7 @@ double automatic_scale(const Image& image, ToneOperator tone);
 /// The input at which an operator's output reaches white.
 double white_point(ToneOperator tone);
 
-/// What a screen shows of radiosity [W/m^2] at a scale [m^2/W]: linear light, 1 is white.
+/// Linear light on the screen for radiosity [W/m^2] at a scale [m^2/W]; 1 is white.
 Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale);
 
 /// The picture for the screen; rounded with a fixed pattern of thresholds, so that smooth walls show no bands.

@@ -22,17 +22,6 @@ constexpr std::size_t most_materials = 4;
 
 using Channel = double Rgb::*;
 
-struct NamedMethod
-{
-    const char* name;
-    Method method;
-};
-
-constexpr std::array<NamedMethod, 5> checked_methods = {{{"local", Method::local}, // first: the others are compared
-                                                         {"global", Method::global},
-                                                         {"first-shot", Method::first_shot},
-                                                         {"extended", Method::extended},
-                                                         {"reuse", Method::reuse}}};
 constexpr std::array<const char*, 6> checked_sequences = {"random", "sobol",           "sobol-owen",
                                                           "halton", "halton-permuted", "kronecker"};
 constexpr const char* scene_sequence = "sobol-owen";
@@ -104,7 +93,7 @@ double mean_unshot(const std::vector<Solution>& runs, Method method)
 }
 
 /// Whether emitted = absorbed + unshot + escaped + behind in all runs.
-Check balance_check(const std::string& topic, const char* method, const std::vector<Solution>& runs)
+Check balance_check(const std::string& topic, const std::string& method, const std::vector<Solution>& runs)
 {
     Check check = {topic, method, "all", "power gained or lost [1]"};
     check.allowance = 1e-9;
@@ -115,26 +104,25 @@ Check balance_check(const std::string& topic, const char* method, const std::vec
 }
 
 /// The checks of one known scene by one method.
-std::vector<Check> known_scene_checks_by(const KnownScene& known, const NamedMethod& named,
-                                         const SelftestSettings& settings)
+std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method method, const SelftestSettings& settings)
 {
     const Scene scene(known.file, whole_surfaces);
-    const Preparation preparation = preparation_for(scene, named.method);
+    const Preparation preparation = preparation_for(scene, method);
     const double most_power = mean(scene.source_power());
     std::vector<Check> checks;
     std::vector<Solution> all;
     for (const std::string sequence : checked_sequences) {
-        const std::vector<Solution> runs = solved_runs(scene, preparation, named.method, sequence, settings);
-        const double unshot = mean_unshot(runs, named.method);
+        const std::vector<Solution> runs = solved_runs(scene, preparation, method, sequence, settings);
+        const double unshot = mean_unshot(runs, method);
         for (const KnownAnswer& answer : known.answers) {
-            Check check = {known.name, named.name, sequence, answer.quantity, answer.value};
+            Check check = {known.name, std::string(method->name), sequence, answer.quantity, answer.value};
             check.allowance = rounding * answer.value + unshot * answer.per_unshot_watt;
             check.resolution = known_scene_resolution * (answer.value > 0.0 ? answer.value : most_power);
             checks.push_back(measured_by(check, runs, [&](const Solution& run) { return answer.read(scene, run); }));
         }
         all.insert(all.end(), runs.begin(), runs.end());
     }
-    checks.push_back(balance_check(known.name, named.name, all));
+    checks.push_back(balance_check(known.name, std::string(method->name), all));
     return checks;
 }
 
@@ -196,8 +184,7 @@ double missing_power(const Scene& scene, std::size_t material, double unshot, Ch
 }
 
 /// The reflected power of these materials in each channel, without an expected value.
-std::vector<Check> material_checks(const Scene& scene, const NamedMethod& named,
-                                   const std::vector<std::size_t>& materials,
+std::vector<Check> material_checks(const Scene& scene, const Method method, const std::vector<std::size_t>& materials,
                                    const std::vector<std::vector<Rgb>>& powers, double unshot)
 {
     std::vector<Check> checks;
@@ -206,7 +193,8 @@ std::vector<Check> material_checks(const Scene& scene, const NamedMethod& named,
             const Material& material = scene.materials()[m];
             if (material.reflectance.*colour.channel <= 0.0)
                 continue;
-            Check check = {"agreement", named.name, scene_sequence, material.name + ", " + colour.name + " [W]"};
+            Check check = {"agreement", std::string(method->name), scene_sequence,
+                           material.name + ", " + colour.name + " [W]"};
             check.allowance = missing_power(scene, m, unshot, colour.channel);
             checks.push_back(
                 measured_by(check, powers, [&](const std::vector<Rgb>& power) { return power[m].*colour.channel; }));
@@ -226,7 +214,7 @@ Check compared_with(Check check, const Check& other)
 
 /// No patch reflects less than nothing. Noise may make the exchange of two patches negative in a single run; the mean
 /// of all runs may be negative by up to 6 standard errors.
-Check reflected_check(const Scene& scene, const char* method, const std::vector<Solution>& runs)
+Check reflected_check(const Scene& scene, const std::string& method, const std::vector<Solution>& runs)
 {
     double least = 0.0;
     double most = 0.0;
@@ -244,7 +232,7 @@ Check reflected_check(const Scene& scene, const char* method, const std::vector<
     return check;
 }
 
-Check emitted_check(const Scene& scene, const char* method, const std::vector<Solution>& runs)
+Check emitted_check(const Scene& scene, const std::string& method, const std::vector<Solution>& runs)
 {
     Check check = {"power", method, scene_sequence, "emitted [W]", mean(scene.source_power())};
     check.allowance = 1e-9 * check.expected;
@@ -259,13 +247,14 @@ std::vector<Check> known_scene_checks(const std::vector<KnownScene>& scenes, con
 {
     SelftestSettings of_run = settings;
     of_run.threads = 1;
-    const std::uint64_t pieces = scenes.size() * checked_methods.size();
+    const std::vector<Method> methods = all_methods();
+    const std::uint64_t pieces = scenes.size() * methods.size();
     std::vector<std::vector<Check>> slots(static_cast<std::size_t>(slot_count(settings.threads)));
     std::vector<Check> checks;
     const auto solve_piece = [&](std::uint64_t number, int slot) {
         const auto piece = static_cast<std::size_t>(number);
-        slots[static_cast<std::size_t>(slot)] = known_scene_checks_by(
-            scenes[piece / checked_methods.size()], checked_methods[piece % checked_methods.size()], of_run);
+        slots[static_cast<std::size_t>(slot)] =
+            known_scene_checks_by(scenes[piece / methods.size()], methods[piece % methods.size()], of_run);
     };
     const auto collect = [&](std::uint64_t number, int slot) {
         const std::vector<Check>& found = slots[static_cast<std::size_t>(slot)];
@@ -282,23 +271,22 @@ std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& sett
     std::vector<std::size_t> materials;
     std::vector<Check> local;
     double done = 0.0;
-    for (const NamedMethod& named : checked_methods) {
+    for (const Method method : all_methods()) {
         const std::vector<Solution> runs =
-            solved_runs(scene, preparation_for(scene, named.method), named.method, scene_sequence, settings);
-        checks.push_back(balance_check("power", named.name, runs));
-        checks.push_back(emitted_check(scene, named.name, runs));
-        checks.push_back(reflected_check(scene, named.name, runs));
+            solved_runs(scene, preparation_for(scene, method), method, scene_sequence, settings);
+        checks.push_back(balance_check("power", std::string(method->name), runs));
+        checks.push_back(emitted_check(scene, std::string(method->name), runs));
+        checks.push_back(reflected_check(scene, std::string(method->name), runs));
         const std::vector<std::vector<Rgb>> powers = reflected_powers(scene, runs);
-        if (named.method == Method::local)
+        if (method == Method::local)
             materials = brightest_materials(powers);
-        const std::vector<Check> found =
-            material_checks(scene, named, materials, powers, mean_unshot(runs, named.method));
-        if (named.method == Method::local)
+        const std::vector<Check> found = material_checks(scene, method, materials, powers, mean_unshot(runs, method));
+        if (method == Method::local)
             local = found;
         else
             for (std::size_t k = 0; k < found.size(); ++k)
                 checks.push_back(compared_with(found[k], local[k]));
-        progress(++done / static_cast<double>(checked_methods.size()));
+        progress(++done / static_cast<double>(all_methods().size()));
     }
     return checks;
 }

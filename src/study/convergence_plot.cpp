@@ -1,8 +1,7 @@
 #include "study/convergence_plot.h"
 
-#include "export/log_axis.h"
-#include "export/svg_marks.h"
-#include "export/svg_plot.h"
+#include "export/svg/svg_elements.h"
+#include "export/svg/svg_plot.h"
 #include "scene/utf8.h"
 #include "study/number_words.h"
 #include "study/study_table.h"

@@ -1,6 +1,6 @@
 #include "viewer/packed_values.h"
 
-#include "export/base64.h"
+#include "export/html_text.h"
 #include "scene/little_endian.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 #include "viewer/room_json.h"
 
-#include "export/covered_patches.h"
-#include "image/colour_map.h"
-#include "image/legend.h"
-#include "image/picture.h"
-#include "image/smooth_shading.h"
-#include "image/srgb.h"
+#include "export/mesh/covered_patches.h"
+#include "image/false_colour/colour_map.h"
+#include "image/false_colour/legend.h"
+#include "image/render.h"
+#include "image/shading/smooth_shading.h"
+#include "image/tone_map.h"
 #include "scene/text_format.h"
 #include "viewer/packed_values.h"
 

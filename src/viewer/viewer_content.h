@@ -1,8 +1,7 @@
 #pragma once
 
-#include "export/line_drawing.h"
+#include "export/svg/line_drawing.h"
 #include "image/camera.h"
-#include "image/picture.h"
 #include "image/render.h"
 #include "scene/rgb.h"
 

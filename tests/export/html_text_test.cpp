@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 namespace html_text_test {
 
 using namespace multipath;
@@ -23,6 +25,19 @@ TEST_CASE("what is between two marks is replaced with them, as often as both are
     CHECK(replaced_between("a *b* c **d*", "*", "*", bold) == "a <b> c <>d*");
     CHECK(replaced_between("{{a}} }}{{b", "{{", "}}", bold) == "<a> }}{{b");
     CHECK(replaced_between("", "*", "*", bold).empty());
+}
+
+// The test vectors of RFC 4648, section 10.
+TEST_CASE("base64 is that of RFC 4648")
+{
+    CHECK(base64("") == "");
+    CHECK(base64("f") == "Zg==");
+    CHECK(base64("fo") == "Zm8=");
+    CHECK(base64("foo") == "Zm9v");
+    CHECK(base64("foob") == "Zm9vYg==");
+    CHECK(base64("fooba") == "Zm9vYmE=");
+    CHECK(base64("foobar") == "Zm9vYmFy");
+    CHECK(base64(std::string("\xff\xfe\x00", 3)) == "//4A");
 }
 
 } // namespace html_text_test

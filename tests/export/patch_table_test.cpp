@@ -1,13 +1,96 @@
 #include "export/patch_table.h"
 
+#include "export/comments.h"
+#include "scene/input_problem.h"
+#include "scene/scratch_folder.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
+
+#include <cstring>
+#include <limits>
+#include <random>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace patch_table_test {
 
 using namespace multipath;
+
+namespace {
+
+/// Two rectangles of awkward size and place, of materials whose names need quotes.
+Scene awkward_scene()
+{
+    SceneBuilder builder;
+    const std::uint32_t floor = builder.material({0.1, 0.2, 0.3}, {4, 5, 6});
+    const std::uint32_t wall = builder.material({0.7, 0.7, 0.7}, {});
+    SceneFile file = builder.rectangle({1.0 / 3.0, 0, -1e-3}, {0, 0, 2.0 / 7.0}, {0.1, 0, 0}, floor)
+                         .rectangle({0, -1.0 / 9.0, 0}, {1, 0, 0}, {0, 0, 1.0 / 3.0}, wall)
+                         .file();
+    file.materials[floor].name = "red, \"shiny\"";
+    file.materials[wall].name = "\"";
+    return Scene(file, 0.1);
+}
+
+/// Doubles of every size, tiny, huge and zero among them.
+std::vector<Rgb> awkward_values(std::size_t count, std::uint64_t seed)
+{
+    std::mt19937_64 random(seed);
+    const auto value = [&] {
+        double x = 0.0;
+        do {
+            const std::uint64_t bits = random() >> 1; // not negative
+            std::memcpy(&x, &bits, sizeof x);
+        } while (!(x <= std::numeric_limits<double>::max()));
+        return x;
+    };
+    std::vector<Rgb> values(count);
+    for (Rgb& v : values)
+        v = {value(), value(), value()};
+    values[0] = {0.0, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()};
+    return values;
+}
+
+PatchTable read_text(const std::string& text)
+{
+    const ScratchFolder folder;
+    return read_patch_table(folder.write("a.csv", text));
+}
+
+/// Equal doubles are the same bits here: the table writes no negative zero and no NaN.
+void check_round_trip(const std::vector<Rgb>& standard_error)
+{
+    const Scene scene = awkward_scene();
+    const std::vector<Rgb> radiosity = awkward_values(scene.patch_count(), 1);
+    const PatchTable table =
+        read_text(patch_table(scene, radiosity, standard_error, {"multipath", "scene: 0123456789abcdef"}));
+    CHECK(table.comments == std::vector<std::string>{"multipath", "scene: 0123456789abcdef"});
+    CHECK(comment_value(table.comments, "scene") == "0123456789abcdef");
+    CHECK(table.radiosity == radiosity);
+    CHECK(table.standard_error == standard_error);
+    REQUIRE(table.areas.size() == scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        CHECK(table.areas[i] == scene.area(i));
+        CHECK(table.centres[i] == scene.patch(i).shape.centre());
+        CHECK(table.surfaces[i] == scene.patch(i).surface);
+        CHECK(table.materials[i] == scene.material_of(i).name);
+    }
+}
+
+const std::string header = "patch,surface,material,x,y,z,area,radiosity_r,radiosity_g,radiosity_b";
+
+/// The message about a table of these rows, behind its path.
+std::string problem(const std::string& text)
+{
+    const ScratchFolder folder;
+    const std::string path = folder.write("a.csv", text);
+    const std::string message = problem_of([&] { read_patch_table(path); });
+    return message.substr(0, path.size()) == path ? message.substr(path.size()) : message;
+}
+
+} // namespace
 
 TEST_CASE("the table has the promised columns and numbers that read back exactly")
 {
@@ -44,6 +127,46 @@ TEST_CASE("standard errors, where there are any, are the last columns")
     CHECK(row.substr(row.size() - 36) == ",radiosity_b,error_r,error_g,error_b");
     std::getline(table, row);
     CHECK(row.substr(row.size() - 21) == ",1,2,3,0.5,0.25,0.125");
+}
+
+TEST_CASE("a table is read back to the same doubles, names and comments")
+{
+    check_round_trip({});
+    check_round_trip(awkward_values(awkward_scene().patch_count(), 2));
+}
+
+TEST_CASE("columns are found by their names, in any order, and others are ignored")
+{
+    const PatchTable table = read_text("radiosity_b,area,note,patch,radiosity_r,radiosity_g,z,y,x,material,surface\n"
+                                       "3,0.5,?,0,1,2,6,5,4,lamp,4294967295\n");
+    CHECK(table.radiosity == std::vector<Rgb>{{1, 2, 3}});
+    CHECK(table.areas == std::vector<double>{0.5});
+    CHECK(table.centres == std::vector<Vec3>{{4, 5, 6}});
+    CHECK(table.materials == std::vector<std::string>{"lamp"});
+    CHECK(table.surfaces == std::vector<std::uint32_t>{4294967295u});
+    CHECK(table.standard_error.empty());
+    CHECK(table.comments.empty());
+}
+
+TEST_CASE("what is no table of patches is refused with its line")
+{
+    CHECK(problem("n,x0,x1\n0,0,0\n") == ":1: no column `patch`, expected one of that name");
+    CHECK(problem("# c\n" + header + ",error_g\n") == ":2: no column `error_r`, expected one of that name");
+    CHECK(problem("# c\n" + header + "\n") == ":2: no row behind the header, expected one per patch");
+    CHECK(problem(header + "\n0,0,a,0,0,0,1,1,1,1\n2,0,a,0,0,0,1,1,1,1\n") ==
+          ":3: patch is `2`, expected 1, since patches count from 0");
+    CHECK(problem(header + "\n0.0,0,a,0,0,0,1,1,1,1\n") ==
+          ":2: patch is `0.0`, expected 0, since patches count from 0");
+    for (const char* surface : {"-1", "1.5", "", "4294967296", "1 "})
+        CHECK(problem(header + "\n0," + surface + ",a,0,0,0,1,1,1,1\n") ==
+              ":2: surface is `" + std::string(surface) + "`, expected the number of a surface");
+    CHECK(problem(header + "\n0,0,a,0,0,0,0,1,1,1\n") == ":2: area is `0`, expected more than 0");
+    CHECK(problem(header + "\n0,0,a,0,0,0,-1,1,1,1\n") == ":2: area is `-1`, expected more than 0");
+    CHECK(problem(header + "\n0,0,a,0,?,0,1,1,1,1\n") == ":2: y: `?` is not a number");
+    CHECK(problem(header + "\n0,0,a,0,0,0,1,1,inf,1\n") == ":2: radiosity_g: `inf` is not a finite number");
+    CHECK(problem(header + ",error_r,error_g,error_b\n0,0,a,0,0,0,1,1,1,1,0,-1e-9,0\n") ==
+          ":2: error_g is `-1e-9`, expected 0 or more");
+    CHECK(problem(header + "\n0,0,a,0,0,0,1,1,1\n") == ":2: row has 9 fields, expected 10 as in the header");
 }
 
 } // namespace patch_table_test

@@ -1,6 +1,6 @@
 // Any bytes as a table of patches: lists of one length, or an InputError.
 
-#include "export/patch_table_reader.h"
+#include "export/patch_table.h"
 #include "fuzz_file.h"
 #include "scene/input_error.h"
 

@@ -1,6 +1,6 @@
 #include "viewer/room_json.h"
 
-#include "image/smooth_shading.h"
+#include "image/shading/smooth_shading.h"
 #include "sampling/random.h"
 #include "test_scenes.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "explain/line_trace.h"
-#include "export/line_drawing.h"
+#include "export/svg/line_drawing.h"
 
 #include <vector>
 

@@ -5,8 +5,7 @@
 #include "commands/options/memory_limit.h"
 #include "commands/solve/formats.h"
 #include "image/automatic_camera.h"
-#include "image/picture.h"
-#include "image/view_quality.h"
+#include "image/render.h"
 #include "scene/text_format.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "cli/options/command_line.h"
 #include "cli/options/option_table.h"
 #include "image/camera.h"
-#include "image/picture.h"
 #include "image/render.h"
 #include "scene/scene.h"
 

@@ -1,7 +1,7 @@
 #include "commands/solve/solution_page.h"
 
 #include "commands/explain/story_drawing.h"
-#include "image/quantity.h"
+#include "image/false_colour/quantity.h"
 #include "radiosity/reuse/gathered_light.h"
 #include "scene/input_error.h"
 #include "scene/text_format.h"

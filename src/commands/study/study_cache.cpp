@@ -8,7 +8,6 @@
 #include "commands/options/method_options.h"
 #include "commands/solve/accuracy.h"
 #include "export/patch_table.h"
-#include "export/patch_table_reader.h"
 #include "image/checksum.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"

@@ -1,6 +1,5 @@
 #include "study/report/report.h"
 
-#include "export/base64.h"
 #include "export/file_bytes.h"
 #include "export/html_text.h"
 

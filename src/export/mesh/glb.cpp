@@ -1,0 +1,359 @@
+// The file is a header, a chunk of JSON that describes the numbers, and a chunk of numbers (glTF 2.0 specification,
+// chapter 4). The numbers are one block per attribute and one for the triangles; in every block, material follows
+// material.
+
+#include "export/mesh/glb.h"
+
+#include "export/json.h"
+#include "scene/input_error.h"
+#include "scene/little_endian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+/// The part of a mesh that has one material.
+struct MaterialPart
+{
+    std::uint32_t material = 0;
+    std::vector<MeshSide> sides;
+    std::size_t vertex_count = 0;
+    std::size_t triangle_count = 0; ///< a quadrilateral counts as two
+};
+
+/// The parts of all materials that are used, in the order of the scene's materials.
+std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& scene)
+{
+    std::vector<MaterialPart> parts(scene.materials().size());
+    for (const MeshSide& side : mesh.sides) {
+        MaterialPart& part = parts[scene.file().material[side.surface]];
+        part.material = scene.file().material[side.surface];
+        part.sides.push_back(side);
+        part.vertex_count += side.vertex_count;
+        for (std::size_t n = side.first_face; n < side.first_face + side.face_count; ++n)
+            part.triangle_count += mesh.faces[n].corner_count - 2;
+    }
+    const auto unused = [](const MaterialPart& part) { return part.sides.empty(); };
+    parts.erase(std::remove_if(parts.begin(), parts.end(), unused), parts.end());
+    return parts;
+}
+
+/// Calls visit(number) for the vertices of a part, in order.
+template <class Visit>
+void for_each_vertex(const MaterialPart& part, const Visit& visit)
+{
+    for (const MeshSide& side : part.sides)
+        for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n)
+            visit(n);
+}
+
+constexpr std::size_t vector_size = 12;   ///< [byte] three floats
+constexpr std::size_t triangle_size = 12; ///< [byte] three 32-bit numbers
+
+// Numbers that stand for words in glTF.
+constexpr std::uint64_t float_component = 5126;
+constexpr std::uint64_t unsigned_component = 5125;
+constexpr std::uint64_t array_buffer = 34962;
+constexpr std::uint64_t element_array_buffer = 34963;
+
+/// The size of the numbers in a GLB [byte], which follow each other without gaps: one block per attribute, three floats
+/// for each vertex, then three 32-bit numbers for each triangle. In every block, part follows part.
+struct GlbBlocks
+{
+    GlbBlocks(const std::vector<MaterialPart>& parts, std::size_t attributes) : attribute_count(attributes)
+    {
+        for (const MaterialPart& part : parts) {
+            attribute_bytes += vector_size * part.vertex_count;
+            triangle_bytes += triangle_size * part.triangle_count;
+        }
+    }
+
+    std::size_t attribute_count = 0;
+    std::size_t attribute_bytes = 0; ///< of each
+    std::size_t triangle_bytes = 0;
+
+    std::size_t total() const { return attribute_count * attribute_bytes + triangle_bytes; }
+};
+
+/// Contents of the JSON in a GLB beside the mesh.
+struct GlbFacts
+{
+    std::vector<std::string> attributes; ///< names; the first is POSITION
+    double scale = 1.0;                  ///< [m^2/W] from radiosity to colour
+    std::vector<std::string> comments;
+};
+
+JsonObject view(std::size_t offset, std::size_t length, std::uint64_t target)
+{
+    JsonObject json;
+    json.count("buffer", 0);
+    json.count("byteOffset", offset);
+    json.count("byteLength", length);
+    json.count("target", target);
+    return json;
+}
+
+std::vector<JsonObject> views(const GlbBlocks& blocks)
+{
+    std::vector<JsonObject> list;
+    for (std::size_t n = 0; n < blocks.attribute_count; ++n) {
+        list.push_back(view(n * blocks.attribute_bytes, blocks.attribute_bytes, array_buffer));
+        list.back().count("byteStride", vector_size);
+    }
+    list.push_back(view(blocks.attribute_count * blocks.attribute_bytes, blocks.triangle_bytes, element_array_buffer));
+    return list;
+}
+
+JsonObject accessor(std::size_t view, std::size_t offset, std::uint64_t component, std::size_t count, const char* type)
+{
+    JsonObject json;
+    json.count("bufferView", view);
+    json.count("byteOffset", offset);
+    json.count("componentType", component);
+    json.count("count", count);
+    json.text("type", type);
+    return json;
+}
+
+/// The format wants the range of positions, and nothing else's.
+void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part)
+{
+    std::vector<double> low(3, std::numeric_limits<double>::infinity());
+    std::vector<double> high(3, -std::numeric_limits<double>::infinity());
+    for_each_vertex(part, [&](std::size_t vertex) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min<double>(low[axis], mesh.positions[vertex][axis]);
+            high[axis] = std::max<double>(high[axis], mesh.positions[vertex][axis]);
+        }
+    });
+    json.numbers("min", low);
+    json.numbers("max", high);
+}
+
+/// Part by part: its attributes, then its triangles.
+std::vector<JsonObject> accessors(const PatchMesh& mesh, const std::vector<MaterialPart>& parts,
+                                  std::size_t attribute_count)
+{
+    std::vector<JsonObject> list;
+    std::size_t vertices_before = 0;
+    std::size_t triangles_before = 0;
+    for (const MaterialPart& part : parts) {
+        for (std::size_t n = 0; n < attribute_count; ++n)
+            list.push_back(accessor(n, vector_size * vertices_before, float_component, part.vertex_count, "VEC3"));
+        add_range(list[list.size() - attribute_count], mesh, part);
+        list.push_back(accessor(attribute_count, triangle_size * triangles_before, unsigned_component,
+                                3 * part.triangle_count, "SCALAR"));
+        vertices_before += part.vertex_count;
+        triangles_before += part.triangle_count;
+    }
+    return list;
+}
+
+std::vector<JsonObject> meshes(const Scene& scene, const std::vector<MaterialPart>& parts,
+                               const std::vector<std::string>& attributes)
+{
+    std::vector<JsonObject> list;
+    std::uint64_t next_accessor = 0;
+    for (const MaterialPart& part : parts) {
+        JsonObject numbers;
+        for (const std::string& attribute : attributes)
+            numbers.count(attribute, next_accessor++);
+        JsonObject primitive;
+        primitive.object("attributes", numbers);
+        primitive.count("indices", next_accessor++);
+        primitive.count("material", list.size());
+        JsonObject mesh;
+        mesh.text("name", scene.materials()[part.material].name);
+        mesh.objects("primitives", {primitive});
+        list.push_back(mesh);
+    }
+    return list;
+}
+
+/// Programs that do not know the extension for unlit materials show a dull surface, not a shiny one.
+JsonObject unlit_material(const Material& material)
+{
+    JsonObject plain;
+    plain.count("metallicFactor", 0);
+    plain.number("roughnessFactor", 1.0);
+    JsonObject unlit;
+    unlit.object("KHR_materials_unlit", {});
+    JsonObject physics;
+    physics.numbers("reflectance", {material.reflectance.r, material.reflectance.g, material.reflectance.b});
+    physics.numbers("emittance", {material.emittance.r, material.emittance.g, material.emittance.b});
+    JsonObject json;
+    json.text("name", material.name);
+    json.object("pbrMetallicRoughness", plain);
+    json.boolean("doubleSided", false);
+    json.object("extensions", unlit);
+    json.object("extras", physics);
+    return json;
+}
+
+JsonObject asset(const GlbFacts& facts)
+{
+    JsonObject extras;
+    extras.texts("record", facts.comments);
+    extras.number("color_scale", facts.scale);
+    JsonObject json;
+    json.text("version", "2.0");
+    json.text("generator", "multipath");
+    json.object("extras", extras);
+    return json;
+}
+
+/// 0, 1, ... below count.
+std::vector<double> numbers_below(std::size_t count)
+{
+    std::vector<double> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+    return numbers;
+}
+
+/// One for each mesh.
+std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts)
+{
+    std::vector<JsonObject> list;
+    for (const MaterialPart& part : parts) {
+        JsonObject json;
+        json.text("name", scene.materials()[part.material].name);
+        json.count("mesh", list.size());
+        list.push_back(json);
+    }
+    return list;
+}
+
+/// The JSON of a GLB: what the blocks hold, and where.
+std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std::vector<MaterialPart>& parts,
+                            const GlbBlocks& blocks, const GlbFacts& facts)
+{
+    std::vector<JsonObject> materials;
+    for (const MaterialPart& part : parts)
+        materials.push_back(unlit_material(scene.materials()[part.material]));
+    JsonObject all_nodes;
+    all_nodes.numbers("nodes", numbers_below(parts.size()));
+    JsonObject buffer;
+    buffer.count("byteLength", blocks.total());
+
+    JsonObject json;
+    json.object("asset", asset(facts));
+    json.texts("extensionsUsed", {"KHR_materials_unlit"});
+    json.count("scene", 0);
+    json.objects("scenes", {all_nodes});
+    json.objects("nodes", nodes(scene, parts));
+    json.objects("meshes", meshes(scene, parts, facts.attributes));
+    json.objects("materials", materials);
+    json.objects("accessors", accessors(mesh, parts, blocks.attribute_count));
+    json.objects("bufferViews", views(blocks));
+    json.objects("buffers", {buffer});
+    return json.document();
+}
+
+constexpr std::uint32_t magic = 0x46546c67; // "glTF"
+constexpr std::uint32_t version = 2;
+constexpr std::uint32_t json_chunk = 0x4e4f534a;
+constexpr std::uint32_t number_chunk = 0x004e4942;
+
+/// Three floats per vertex, in the order of the parts.
+struct Attribute
+{
+    std::string name;
+    std::function<Float3(std::size_t vertex)> value;
+};
+
+std::vector<Attribute> attributes_of(const PatchMesh& mesh, double scale)
+{
+    const auto shown = [&mesh, scale](std::size_t vertex) {
+        const Rgb light = scale * to_rgb(mesh.radiosity[vertex]);
+        return single(Rgb{std::min(light.r, 1.0), std::min(light.g, 1.0), std::min(light.b, 1.0)});
+    };
+    std::vector<Attribute> attributes = {{"POSITION", [&mesh](std::size_t n) { return mesh.positions[n]; }},
+                                         {"COLOR_0", shown},
+                                         {"_RADIOSITY", [&mesh](std::size_t n) { return mesh.radiosity[n]; }}};
+    if (!mesh.error.empty())
+        attributes.push_back({"_ERROR", [&mesh](std::size_t n) { return mesh.error[n]; }});
+    return attributes;
+}
+
+double light_step(const PatchMesh& mesh, std::uint32_t a, std::uint32_t b)
+{
+    return std::abs(mean(to_rgb(mesh.radiosity[a])) - mean(to_rgb(mesh.radiosity[b])));
+}
+
+/// A quadrilateral is cut along the diagonal on which the light changes less, so that a slanting shadow's edge has no
+/// teeth. `shift` brings the mesh's vertex numbers to the part's.
+void append_triangles(std::string& bytes, const PatchMesh& mesh, const MeshFace& face, std::uint32_t shift)
+{
+    const auto& c = face.corners;
+    const auto append = [&](std::size_t i, std::size_t j, std::size_t k) {
+        for (const std::size_t corner : {i, j, k})
+            append_little_endian(bytes, c[corner] + shift);
+    };
+    const bool whole = face.corner_count == 3;
+    const bool from_first = whole || light_step(mesh, c[0], c[2]) <= light_step(mesh, c[1], c[3]);
+    append(0, 1, from_first ? 2 : 3);
+    if (!whole)
+        append(from_first ? 0 : 1, 2, 3);
+}
+
+/// The chunk of numbers, as GlbBlocks says.
+void append_numbers(std::string& bytes, const PatchMesh& mesh, const std::vector<MaterialPart>& parts,
+                    const std::vector<Attribute>& attributes)
+{
+    for (const Attribute& attribute : attributes)
+        for (const MaterialPart& part : parts)
+            for_each_vertex(part, [&](std::size_t vertex) {
+                for (const float x : attribute.value(vertex))
+                    append_little_endian(bytes, x);
+            });
+    for (const MaterialPart& part : parts) {
+        std::size_t vertices_before = 0;
+        for (const MeshSide& side : part.sides) {
+            const auto shift = static_cast<std::uint32_t>(vertices_before - side.first_vertex); // modulo 2^32
+            for (std::size_t n = side.first_face; n < side.first_face + side.face_count; ++n)
+                append_triangles(bytes, mesh, mesh.faces[n], shift);
+            vertices_before += side.vertex_count;
+        }
+    }
+}
+
+} // namespace
+
+std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<std::string>& comments)
+{
+    const std::vector<MaterialPart> parts = material_parts(mesh, scene);
+    const std::vector<Attribute> attributes = attributes_of(mesh, scale);
+    GlbFacts facts{{}, scale, comments};
+    for (const Attribute& attribute : attributes)
+        facts.attributes.push_back(attribute.name);
+    const GlbBlocks blocks(parts, attributes.size());
+    std::string json = glb_description(mesh, scene, parts, blocks, facts);
+    json.append((4 - json.size() % 4) % 4, ' '); // chunks are multiples of four bytes
+
+    const std::size_t length = 28 + json.size() + blocks.total();
+    if (length > std::numeric_limits<std::uint32_t>::max())
+        throw InputError(scene.path() + ": too many patches for a GLB, which holds less than 4 GB; expected a PLY or "
+                                        "OBJ, or a larger --patch-size");
+    const auto size = [](std::size_t bytes) { return static_cast<std::uint32_t>(bytes); };
+    std::string bytes;
+    bytes.reserve(length);
+    for (const std::uint32_t word : {magic, version, size(length), size(json.size()), json_chunk})
+        append_little_endian(bytes, word);
+    bytes += json;
+    for (const std::uint32_t word : {size(blocks.total()), number_chunk})
+        append_little_endian(bytes, word);
+    append_numbers(bytes, mesh, parts, attributes);
+    return bytes;
+}
+
+} // namespace multipath

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "scene/rgb.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace multipath {
+
+using Float3 = std::array<float, 3>;
+
+inline Float3 single(Vec3 v)
+{
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+inline Float3 single(Rgb c)
+{
+    return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+inline Vec3 to_vec3(Float3 p)
+{
+    return {p[0], p[1], p[2]};
+}
+inline Rgb to_rgb(Float3 c)
+{
+    return {c[0], c[1], c[2]};
+}
+
+/// A triangle or a quadrilateral, counter-clockwise seen from where its patch is lit.
+struct MeshFace
+{
+    std::array<std::uint32_t, 4> corners{}; ///< numbers of vertices
+    std::uint32_t corner_count = 4;         ///< or 3
+    std::uint32_t patch = 0;
+
+    const std::uint32_t* begin() const { return corners.data(); }
+    const std::uint32_t* end() const { return corners.data() + corner_count; }
+};
+
+/// A front or back of a surface: what part of the mesh it is.
+struct MeshSide
+{
+    std::uint32_t surface = 0;
+    Vec3 normal; ///< towards where it is lit
+    std::size_t first_vertex = 0;
+    std::size_t vertex_count = 0;
+    std::size_t first_face = 0;
+    std::size_t face_count = 0;
+};
+
+/// The edge of a face from one of its corners to the next, on the rim of its side.
+struct RimEdge
+{
+    std::uint32_t face = 0;
+    std::uint32_t corner = 0; ///< 0 to 3
+};
+
+/// The patches as vertices and faces, in the form and precision of mesh files. Sides follow each other without a gap.
+struct PatchMesh
+{
+    std::vector<Float3> positions; ///< [scene units] per vertex
+    std::vector<Float3> radiosity; ///< [W/m^2] per vertex
+    std::vector<Float3> error;     ///< [W/m^2] per vertex: standard error of the radiosity; empty if unknown
+    std::vector<MeshFace> faces;
+    std::vector<MeshSide> sides;
+
+    // While sides are not yet joined:
+    std::vector<RimEdge> rims;               ///< in the order of the faces
+    std::vector<std::uint32_t> rim_vertices; ///< in the order of the vertices
+};
+
+/// Values at the corners of a patch, in the order of Scene::corners().
+using CornerFunction = std::function<std::array<Rgb, 4>(std::uint32_t patch)>;
+
+/// Colour on the screen for a radiosity [W/m^2]: encoded sRGB in [0, 1].
+using ScreenColour = std::function<Rgb(Rgb radiosity)>;
+
+/// One value per patch at all its corners: every patch in one colour. The values must outlive the result.
+CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch);
+
+/// All sides that exist, surface by surface, each front before its back, without their covered_patches. Patches that
+/// meet within a side have one vertex for a common corner if their values [W/m^2] agree there. Between sides there is
+/// no crack: a patch on whose edge others have a corner is several triangles. `error` may be empty. Throws InputError
+/// where 2^31 vertices do not suffice.
+PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads = 1);
+
+} // namespace multipath

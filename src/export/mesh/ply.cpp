@@ -1,0 +1,84 @@
+#include "export/mesh/ply.h"
+
+#include "scene/little_endian.h"
+
+namespace multipath {
+
+namespace {
+
+std::string properties(const std::string& type, const std::vector<std::string>& names)
+{
+    std::string lines;
+    for (const std::string& name : names)
+        lines += "property " + type + " " + name + "\n";
+    return lines;
+}
+
+std::string ply_header(const PatchMesh& mesh, const std::vector<std::string>& comments)
+{
+    const std::string radiosity = properties("float", {"radiosity_r", "radiosity_g", "radiosity_b"});
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    for (const std::string& comment : comments)
+        text += "comment " + comment + "\n";
+    text += "element vertex " + std::to_string(mesh.positions.size()) + "\n";
+    text += properties("float", {"x", "y", "z", "nx", "ny", "nz"});
+    text += properties("uchar", {"red", "green", "blue"}) + radiosity;
+    if (!mesh.error.empty())
+        text += properties("float", {"error_r", "error_g", "error_b"});
+    text += "element face " + std::to_string(mesh.faces.size()) + "\n";
+    // Signed numbers, since not all readers know lists of uint.
+    text += "property list uchar int vertex_indices\nproperty int patch\n" + radiosity;
+    return text + "end_header\n";
+}
+
+void append(std::string& bytes, Float3 values)
+{
+    for (const float value : values)
+        append_little_endian(bytes, value);
+}
+
+void append_colour(std::string& bytes, Rgb colour)
+{
+    for (const double channel : {colour.r, colour.g, colour.b})
+        bytes += static_cast<char>(static_cast<unsigned char>(255.0 * channel + 0.5));
+}
+
+void append_vertices(std::string& bytes, const PatchMesh& mesh, const MeshSide& side, const ScreenColour& colour)
+{
+    const Float3 normal = single(side.normal);
+    for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n) {
+        append(bytes, mesh.positions[n]);
+        append(bytes, normal);
+        append_colour(bytes, colour(to_rgb(mesh.radiosity[n])));
+        append(bytes, mesh.radiosity[n]);
+        if (!mesh.error.empty())
+            append(bytes, mesh.error[n]);
+    }
+}
+
+void append_face(std::string& bytes, const MeshFace& face, Rgb radiosity)
+{
+    bytes += static_cast<char>(face.corner_count);
+    for (const std::uint32_t corner : face)
+        append_little_endian(bytes, corner);
+    append_little_endian(bytes, face.patch);
+    append(bytes, single(radiosity));
+}
+
+} // namespace
+
+std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_per_patch, const ScreenColour& colour,
+                      const std::vector<std::string>& comments)
+{
+    std::string bytes = ply_header(mesh, comments);
+    const std::size_t vertex_size = mesh.error.empty() ? 39 : 51;
+    constexpr std::size_t face_size = 33;
+    bytes.reserve(bytes.size() + vertex_size * mesh.positions.size() + face_size * mesh.faces.size());
+    for (const MeshSide& side : mesh.sides)
+        append_vertices(bytes, mesh, side, colour);
+    for (const MeshFace& face : mesh.faces)
+        append_face(bytes, face, radiosity_per_patch[face.patch]);
+    return bytes;
+}
+
+} // namespace multipath

@@ -1,0 +1,252 @@
+#include "export/state/state_file.h"
+
+#include "sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::string_view kind = "multipath state ";
+constexpr std::string_view first_line = "multipath state 1      \n"; // three words; the number is that of the format
+constexpr std::size_t word_size = 8;
+
+std::uint64_t word_at(const char* bytes)
+{
+    std::uint64_t word = 0;
+    for (std::size_t k = word_size; k-- > 0;)
+        word = word << 8 | static_cast<unsigned char>(bytes[k]);
+    return word;
+}
+
+std::string word_bytes(std::uint64_t word)
+{
+    std::string bytes;
+    for (std::size_t k = 0; k < word_size; ++k)
+        bytes += static_cast<char>(word >> (8 * k) & 0xffu);
+    return bytes;
+}
+
+/// Checksum of a whole number of words, after `before`. A change of any single word changes it.
+std::uint64_t checksum(std::uint64_t before, std::string_view bytes)
+{
+    for (std::size_t k = 0; k < bytes.size(); k += word_size)
+        before = mix_bits(before ^ word_at(bytes.data() + k));
+    return before;
+}
+
+std::size_t padded(std::size_t bytes)
+{
+    return (bytes + word_size - 1) / word_size * word_size;
+}
+
+constexpr bool little_endian = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+
+/// Between the order of this machine and that of files.
+void swap_on_big_endian(Scalar scalar, char* data, std::size_t length)
+{
+    const std::size_t size = size_of(scalar);
+    if (!little_endian)
+        for (std::size_t k = 0; k < length; ++k)
+            std::reverse(data + k * size, data + (k + 1) * size);
+}
+
+/// A state is copied to arrays of its numbers, which no run makes infinite.
+template <class Number>
+bool all_finite(const void* data, std::size_t length)
+{
+    const auto* const numbers = static_cast<const Number*>(data);
+    return std::all_of(numbers, numbers + length, [](Number x) { return std::isfinite(x); });
+}
+
+FileBytes bytes_of_state(const std::string& path)
+{
+    try {
+        return FileBytes(path);
+    } catch (const std::runtime_error& error) {
+        throw ArchiveError("cannot read " + path + ": " + error.what());
+    }
+}
+
+} // namespace
+
+StateWriter::StateWriter(Sink sink) : Archive(false), sink_(std::move(sink))
+{
+    put(first_line);
+}
+
+void StateWriter::put(std::string_view bytes)
+{
+    const std::size_t whole = bytes.size() / word_size * word_size;
+    std::string rest(bytes.substr(whole));
+    rest.resize(padded(rest.size()), '\0');
+    checksum_ = checksum(checksum(checksum_, bytes.substr(0, whole)), rest);
+    sink_(bytes.substr(0, whole));
+    if (!rest.empty())
+        sink_(rest);
+}
+
+void StateWriter::write(const std::string& name, Scalar scalar, const void* data, std::size_t length)
+{
+    const std::string_view bytes(static_cast<const char*>(data), length * size_of(scalar));
+    if (little_endian) {
+        put_array(name, scalar, length, bytes);
+        return;
+    }
+    std::string swapped(bytes);
+    swap_on_big_endian(scalar, swapped.data(), length);
+    put_array(name, scalar, length, swapped);
+}
+
+void StateWriter::put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes)
+{
+    names_.insert(name);
+    put(word_bytes(static_cast<std::uint64_t>(scalar) << 32 | name.size()) + word_bytes(length));
+    put(name);
+    put(bytes);
+}
+
+void StateWriter::finish()
+{
+    put(word_bytes(0));
+    sink_(word_bytes(checksum_));
+}
+
+void StateWriter::read(const std::string&, Scalar, void*, std::size_t)
+{
+    throw ArchiveError("a state that is being written cannot be read");
+}
+
+std::size_t StateWriter::length(const std::string&, Scalar)
+{
+    throw ArchiveError("a state that is being written cannot be read");
+}
+
+bool is_state_file(const std::string& path)
+{
+    std::string start(kind.size(), '\0');
+    std::FILE* const file = std::fopen(path.c_str(), "rb");
+    if (!file)
+        return false;
+    start.resize(std::fread(start.data(), 1, start.size(), file));
+    std::fclose(file);
+    return start == kind;
+}
+
+StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of_state(path)) {}
+
+StateReader::StateReader(std::string name, FileBytes bytes)
+    : Archive(true), name_(std::move(name)), bytes_(std::move(bytes))
+{
+    require_version();
+    require_checksum();
+    find_arrays();
+}
+
+void StateReader::refuse(const std::string& problem) const
+{
+    throw ArchiveError(name_ + ": " + problem);
+}
+
+std::uint64_t StateReader::word(std::size_t place) const
+{
+    if (bytes_.size() < word_size || place > bytes_.size() - word_size)
+        refuse("damaged: the state ends too early; expected a whole copy");
+    return word_at(bytes_.data() + place);
+}
+
+void StateReader::require_version() const
+{
+    const std::string_view start(bytes_.data(), std::min(bytes_.size(), first_line.size()));
+    if (start.substr(0, kind.size()) != kind)
+        refuse("not a state of multipath; expected a file that --state or -o FILE.state wrote");
+    if (start.size() == first_line.size() && start != first_line)
+        refuse("written by a newer version of multipath (format " +
+               std::string(start.substr(kind.size(), start.find_first_of(" \n", kind.size()) - kind.size())) +
+               "); expected format 1");
+}
+
+void StateReader::require_checksum() const
+{
+    const std::size_t end = bytes_.size() - std::min(bytes_.size(), word_size);
+    if (end % word_size != 0 || end < first_line.size() ||
+        checksum(0, std::string_view(bytes_.data(), end)) != word(end))
+        refuse("damaged: the checksum is wrong; expected a whole copy");
+}
+
+void StateReader::find_arrays()
+{
+    std::size_t place = first_line.size();
+    while (const std::uint64_t head = word(place)) {
+        const auto scalar = static_cast<Scalar>(head >> 32);
+        const auto name_size = static_cast<std::size_t>(head & 0xffffffffu);
+        const std::uint64_t length = word(place + word_size);
+        place += 2 * word_size;
+        const std::size_t left = bytes_.size() - place;
+        const bool known = scalar == Scalar::bytes || scalar == Scalar::u32 || scalar == Scalar::u64 ||
+                           scalar == Scalar::f32 || scalar == Scalar::f64;
+        if (!known || name_size > left || length > left / size_of(scalar) ||
+            padded(name_size) + padded(static_cast<std::size_t>(length) * size_of(scalar)) > left)
+            refuse("damaged: it holds no whole array; expected a whole copy");
+        const std::string name(bytes_.data() + place, name_size);
+        place += padded(name_size);
+        arrays_[name] = {scalar, static_cast<std::size_t>(length), place};
+        place += padded(static_cast<std::size_t>(length) * size_of(scalar));
+    }
+}
+
+const StateReader::Array& StateReader::array(const std::string& name, Scalar scalar) const
+{
+    const auto found = arrays_.find(name);
+    if (found == arrays_.end() || found->second.scalar != scalar)
+        refuse("damaged or of other work: it holds no '" + name + "'");
+    return found->second;
+}
+
+std::size_t StateReader::length(const std::string& name, Scalar scalar)
+{
+    return array(name, scalar).length;
+}
+
+void StateReader::read(const std::string& name, Scalar scalar, void* data, std::size_t length)
+{
+    const Array& found = array(name, scalar);
+    if (found.length != length)
+        refuse("damaged or of other work: '" + name + "' has " + std::to_string(found.length) + " numbers, expected " +
+               std::to_string(length));
+    if (length == 0)
+        return;
+    std::memcpy(data, bytes_.data() + found.place, length * size_of(scalar));
+    swap_on_big_endian(scalar, static_cast<char*>(data), length);
+    if ((scalar == Scalar::f64 && !all_finite<double>(data, length)) ||
+        (scalar == Scalar::f32 && !all_finite<float>(data, length)))
+        refuse("damaged: '" + name + "' has a number that is not finite; expected a whole copy");
+}
+
+void StateReader::copy_rest(StateWriter& other) const
+{
+    for (const auto& [name, array] : arrays_)
+        if (!other.has(name))
+            other.put_array(name, array.scalar, array.length, bytes_of(array));
+}
+
+bool StateReader::has_same(const StateReader& other, const std::string& name) const
+{
+    const auto mine = arrays_.find(name);
+    const auto others = other.arrays_.find(name);
+    return mine != arrays_.end() && others != other.arrays_.end() && mine->second.scalar == others->second.scalar &&
+           bytes_of(mine->second) == other.bytes_of(others->second);
+}
+
+void StateReader::write(const std::string&, Scalar, const void*, std::size_t)
+{
+    throw ArchiveError("a state that is being read cannot be written");
+}
+
+} // namespace multipath

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "export/file_bytes.h"
+#include "parallel/archive.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace multipath {
+
+/// Writes a state file: a checksummed container of named arrays, the same bytes on every machine
+/// (docs/state_format.md).
+class StateWriter : public Archive
+{
+public:
+    friend class StateReader;
+
+    using Sink = std::function<void(std::string_view bytes)>;
+
+    explicit StateWriter(Sink sink);
+    bool has(const std::string& name) const { return names_.count(name) > 0; } ///< has such an array been written?
+    void finish();                                                             ///< the end of the file
+
+protected:
+    void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
+    void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
+    std::size_t length(const std::string& name, Scalar scalar) override;
+
+    void put(std::string_view bytes); ///< and zeros up to a multiple of eight
+
+private:
+    /// `bytes` in the order of files.
+    void put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes);
+
+    Sink sink_;
+    std::set<std::string> names_;
+    std::uint64_t checksum_ = 0;
+};
+
+/// True if the file begins like a state file. False if it cannot be read.
+bool is_state_file(const std::string& path);
+
+/// The arrays of a state file.
+class StateReader : public Archive
+{
+public:
+    /// Throws ArchiveError "run.state: ..." for a file that cannot be read, is no state file, was written by a newer
+    /// version, or is damaged.
+    explicit StateReader(const std::string& path);
+    /// The same from the bytes of a file; `name` is for messages.
+    StateReader(std::string name, FileBytes bytes);
+
+    const std::string& name() const { return name_; }
+
+    std::string_view bytes() const { return bytes_.view(); }
+
+    /// Writes all arrays that the other file does not have yet.
+    void copy_rest(StateWriter& other) const;
+    /// True if the other file has the same array.
+    bool has_same(const StateReader& other, const std::string& name) const;
+
+protected:
+    void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
+    void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
+    std::size_t length(const std::string& name, Scalar scalar) override;
+
+private:
+    struct Array
+    {
+        Scalar scalar;
+        std::size_t length; ///< in numbers
+        std::size_t place;  ///< in bytes_
+    };
+
+    [[noreturn]] void refuse(const std::string& problem) const;
+    std::uint64_t word(std::size_t place) const;
+    void require_version() const;
+    void require_checksum() const;
+    void find_arrays();
+    const Array& array(const std::string& name, Scalar scalar) const;
+    std::string_view bytes_of(const Array& array) const
+    {
+        return {bytes_.data() + array.place, array.length * size_of(array.scalar)};
+    }
+
+    std::string name_;
+    FileBytes bytes_;
+    std::map<std::string, Array> arrays_;
+};
+
+} // namespace multipath

@@ -1,0 +1,272 @@
+// Two parallel projections of one scale, side by side: from above, with the depth of the scene down the page, and from
+// the side. What lies to the right in one lies to the right in the other.
+
+#include "export/svg/line_drawing.h"
+
+#include "export/svg/svg_plot.h"
+#include "geometry/flat_polygon.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr double view_size = 440.0; // [px]
+constexpr double page_margin = 30.0;
+constexpr double head_height = 84.0;
+constexpr double foot_height = 66.0;
+constexpr double width = 3.0 * page_margin + 2.0 * view_size;
+constexpr double height = head_height + view_size + foot_height;
+constexpr std::size_t most_numbered_lines = 8;
+constexpr std::size_t most_in_legend = 8;
+
+/// [px] with one decimal.
+std::string decimal(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f", value + 0.0);
+    return text.data();
+}
+
+/// "M12.5 7.0"
+std::string place(char command, SvgPoint p)
+{
+    return command + decimal(p.x) + " " + decimal(p.y);
+}
+
+std::string path(const std::string& shape, const std::string& style)
+{
+    return shape.empty() ? "" : "<path d=\"" + shape + "\" " + style + "/>\n";
+}
+
+std::string circle(SvgPoint p, double radius, const std::string& style)
+{
+    return "<circle cx=\"" + decimal(p.x) + "\" cy=\"" + decimal(p.y) + "\" r=\"" + decimal(radius) + "\" " + style +
+           "/>\n";
+}
+
+std::string stroke(const std::string& colour, const char* rest)
+{
+    return "fill=\"none\" stroke=\"" + colour + "\" " + rest;
+}
+
+/// A projection along one direction of the scene into a square of the page.
+struct View
+{
+    std::string name;
+    Vec3 right; ///< unit vectors in the scene
+    Vec3 down;
+    Vec3 centre;
+    double scale; ///< [px / scene unit]
+    SvgPoint middle;
+
+    SvgPoint at(Vec3 p) const
+    {
+        return {middle.x + scale * dot(p - centre, right), middle.y + scale * dot(p - centre, down)};
+    }
+};
+
+/// Right, up and towards the viewer of the side view: unit vectors.
+std::array<Vec3, 3> axes(Vec3 up_direction)
+{
+    const Vec3 up = normalized(up_direction);
+    const Vec3 across = std::abs(up.x) < 0.9 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+    const Vec3 right = normalized(across - dot(across, up) * up);
+    return {right, up, cross(right, up)};
+}
+
+std::array<Surface, 6> sides(const Bounds& box)
+{
+    const Vec3 x = {box.size().x, 0.0, 0.0};
+    const Vec3 y = {0.0, box.size().y, 0.0};
+    const Vec3 z = {0.0, 0.0, box.size().z};
+    return {{{Shape::parallelogram, box.low, x, y},
+             {Shape::parallelogram, box.low, y, z},
+             {Shape::parallelogram, box.low, z, x},
+             {Shape::parallelogram, box.high, -x, -y},
+             {Shape::parallelogram, box.high, -y, -z},
+             {Shape::parallelogram, box.high, -z, -x}}};
+}
+
+/// [scene units] Largest distance of anything drawn from the scene's centre along any of the axes.
+double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+{
+    const Bounds& box = scene.bounds();
+    double farthest = drawing.sphere ? drawing.sphere->radius : 0.0;
+    const auto include = [&](Vec3 p) {
+        for (const Vec3 axis : axes(drawing.up))
+            farthest = std::max(farthest, std::abs(dot(p - box.centre(), axis)));
+    };
+    for (const Surface& surface : scene.surfaces())
+        for (const Vec3 corner : corners_of(surface))
+            include(corner);
+    if (drawing.box)
+        for (const Surface& side : sides(*drawing.box))
+            for (const Vec3 corner : corners_of(side))
+                include(corner);
+    for (const DrawnLine& line : lines)
+        for (const DrawnStretch& stretch : line.stretches) {
+            include(stretch.from);
+            include(stretch.to);
+        }
+    return farthest;
+}
+
+std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+{
+    const auto [right, up, to_viewer] = axes(drawing.up);
+    const double scale = 0.49 * view_size / reach(scene, lines, drawing);
+    const Vec3 centre = scene.bounds().centre();
+    const double y = head_height + 0.5 * view_size;
+    return {{{"from above", right, to_viewer, centre, scale, {page_margin + 0.5 * view_size, y}},
+             {"from the side", right, -up, centre, scale, {2.0 * page_margin + 1.5 * view_size, y}}}};
+}
+
+/// All around a surface: "M12.5 7.0L...Z".
+std::string closed_path(const Surface& surface, const View& view)
+{
+    std::string shape;
+    for (const Vec3 corner : corners_of(surface))
+        shape += place(shape.empty() ? 'M' : 'L', view.at(corner));
+    return shape + "Z";
+}
+
+/// The sides of a box, which together cover what it covers of the page.
+std::string box_shape(const Bounds& box, const View& view)
+{
+    std::string shape;
+    for (const Surface& side : sides(box))
+        shape += closed_path(side, view);
+    return path(shape, "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+}
+
+/// The edges of all surfaces. Many fall on one place of the page; that is drawn once.
+std::string scene_outlines(const Scene& scene, const View& view)
+{
+    std::set<std::string> edges;
+    for (const Surface& surface : scene.surfaces()) {
+        const std::vector<Vec3> points = corners_of(surface);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const SvgPoint a = view.at(points[k]);
+            const SvgPoint b = view.at(points[(k + 1) % points.size()]);
+            const bool in_order = std::make_pair(a.x, a.y) < std::make_pair(b.x, b.y);
+            const std::string from = place('M', in_order ? a : b);
+            const std::string to = place('L', in_order ? b : a);
+            if (from.substr(1) != to.substr(1))
+                edges.insert(from + to);
+        }
+    }
+    std::string shape;
+    for (const std::string& edge : edges)
+        shape += edge;
+    return path(shape, stroke("#777777", "stroke-width=\"0.9\""));
+}
+
+std::string sources(const Scene& scene, const View& view)
+{
+    std::string shape;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+        if (mean(scene.surface_material(s).emittance) > 0.0)
+            shape += closed_path(scene.surfaces()[s], view);
+    return path(
+        shape,
+        "fill=\"#ffdf70\" fill-opacity=\"0.7\" stroke=\"#e3a700\" stroke-width=\"2.5\" stroke-linejoin=\"round\"");
+}
+
+/// A head at the end of the stretch, also where the stretch is short.
+std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
+{
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (!(length > 0.5))
+        return "";
+    const SvgPoint back = {-9.0 * (to.x - from.x) / length, -9.0 * (to.y - from.y) / length};
+    const SvgPoint one = {to.x + back.x - 0.4 * back.y, to.y + back.y + 0.4 * back.x};
+    const SvgPoint other = {to.x + back.x + 0.4 * back.y, to.y + back.y - 0.4 * back.x};
+    return path(place('M', one) + place('L', to) + place('L', other) + "Z", "fill=\"" + colour + "\"");
+}
+
+std::string stretches(const DrawnLine& line, const View& view, const std::string& colour)
+{
+    std::string bold;
+    std::string thin;
+    for (const DrawnStretch& stretch : line.stretches)
+        (stretch.bold ? bold : thin) += place('M', view.at(stretch.from)) + place('L', view.at(stretch.to));
+    std::string text = path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
+                       path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
+    if (!line.stretches.empty()) {
+        const DrawnStretch& last = line.stretches.back();
+        text += circle(view.at(line.stretches.front().from), 4.0,
+                       "fill=\"#ffffff\" stroke=\"" + colour + "\" stroke-width=\"2\"");
+        text += arrow_head(view.at(last.from), view.at(last.to), colour);
+    }
+    return text;
+}
+
+std::string meetings(const DrawnLine& line, const View& view, const std::string& colour, bool numbered)
+{
+    std::string text;
+    for (std::size_t k = 0; k < line.meetings.size(); ++k) {
+        const SvgPoint p = view.at(line.meetings[k]);
+        text += circle(p, numbered ? 7.5 : 2.5,
+                       "fill=\"" + std::string(numbered ? "#ffffff" : colour) + "\" stroke=\"" + colour +
+                           "\" stroke-width=\"1.4\"");
+        if (numbered)
+            text += svg_text(p.x, p.y + 3.4, std::to_string(k + 1), SvgAnchor::middle, k < 9 ? 10.0 : 8.5);
+    }
+    return text;
+}
+
+std::string picture(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing,
+                    const View& view)
+{
+    std::string text = svg_text(view.middle.x, head_height - 8.0, view.name, SvgAnchor::middle, 13.0);
+    if (drawing.sphere)
+        text += circle(view.at(drawing.sphere->centre), view.scale * drawing.sphere->radius,
+                       "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+    if (drawing.box)
+        text += box_shape(*drawing.box, view);
+    text += scene_outlines(scene, view) + sources(scene, view);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        text += stretches(lines[k], view, svg_series_colour(k));
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        text += meetings(lines[k], view, svg_series_colour(k), lines.size() <= most_numbered_lines);
+    return text;
+}
+
+std::string legend(const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+{
+    std::vector<std::string> labels;
+    for (std::size_t k = 0; k < std::min(lines.size(), most_in_legend); ++k)
+        labels.push_back(lines[k].label);
+    if (lines.size() > most_in_legend)
+        labels.back() = "and " + std::to_string(lines.size() - labels.size() + 1) + " more";
+    const double y = head_height + view_size + 28.0;
+    return svg_legend(page_margin, y, labels) +
+           svg_text(page_margin, y + 22.0,
+                    std::string("ring: start; arrowhead: end; numbers: surfaces in the order met; solid: from patch to "
+                                "patch; dashed: no exchange; yellow: sources") +
+                        (drawing.sphere ? "; disc: the sphere"
+                         : drawing.box  ? "; grey: the box"
+                                        : ""),
+                    SvgAnchor::start, 12.0);
+}
+
+} // namespace
+
+std::string draw_lines(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+{
+    std::string text = svg_head(width, height, drawing.title, drawing.comments) +
+                       svg_text(page_margin, 32.0, drawing.title, SvgAnchor::start, 19.0) +
+                       svg_text(page_margin, 52.0, drawing.subtitle, SvgAnchor::start, 12.0);
+    for (const View& view : views(scene, lines, drawing))
+        text += picture(scene, lines, drawing, view);
+    return text + legend(lines, drawing) + svg_end();
+}
+
+} // namespace multipath

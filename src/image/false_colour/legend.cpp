@@ -1,0 +1,199 @@
+// From top to bottom: the title, the bar of colours, a mark for every step and below it the number. Lengths are in font
+// pixels, which become squares of as many pixels as the size of the picture allows.
+
+#include "image/false_colour/legend.h"
+
+#include "image/false_colour/colour_map.h"
+#include "image/tone_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace multipath {
+
+namespace {
+
+constexpr int advance = 6; // five columns of a character and a gap
+
+/// A line of characters side by side, drawn with X.
+struct Sheet
+{
+    std::string_view characters;
+    std::array<std::string_view, font_height> rows;
+};
+
+constexpr std::array<Sheet, 4> sheets = {{
+    {"abcdefghijk",
+     {"      X               X         XX        X       X      X  X    ",
+      "      X               X        X  X       X                 X    ",
+      " XXX  X XX   XXX   XX X  XXX   X     XXXX X XX   XX     XX  X  X ",
+      "    X XX  X X   X X  XX X   X XXX   X   X XX  X   X      X  X X  ",
+      " XXXX X   X X     X   X XXXXX  X    X   X X   X   X      X  XX   ",
+      "X   X X   X X   X X   X X      X    X   X X   X   X      X  X X  ",
+      " XXXX XXXX   XXX   XXXX  XXX   X     XXXX X   X  XXX     X  X  X ",
+      "                                        X             X  X       ",
+      "                                     XXX               XX        "}},
+    {"lmnopqrstuv",
+     {" XX                                              X               ",
+      "  X                                              X               ",
+      "  X   XX X  X XX   XXX  X XX   XX X X XX   XXXX XXX   X   X X   X",
+      "  X   X X X XX  X X   X XX  X X  XX XX  X X      X    X   X X   X",
+      "  X   X X X X   X X   X X   X X   X X      XXX   X    X   X X   X",
+      "  X   X X X X   X X   X X   X X   X X         X  X  X X  XX  X X ",
+      " XXX  X X X X   X  XXX  XXXX   XXXX X     XXXX    XX   XX X   X  ",
+      "                        X         X                              ",
+      "                        X         X                              "}},
+    {"wxyzW\xB2/[]+-",
+     {"                        X   X  XX       X  XXX   XXX             ",
+      "                        X   X X  X      X  X       X    X        ",
+      "X   X X   X X   X XXXXX X   X   X      X   X       X    X        ",
+      "X   X  X X  X   X    X  X X X  X      X    X       X  XXXXX XXXXX",
+      "X X X   X   X   X   X   X X X XXXX   X     X       X    X        ",
+      "X X X  X X  X   X  X    XX XX       X      X       X    X        ",
+      " X X  X   X  XXXX XXXXX X   X       X      XXX   XXX             ",
+      "                X                                                ",
+      "             XXX                                                 "}},
+    {"0123456789.",
+     {" XXX    X    XXX   XXX     X  XXXXX  XXX  XXXXX  XXX   XXX       ",
+      "X   X  XX   X   X X   X   XX  X     X         X X   X X   X      ",
+      "X  XX   X       X     X  X X  XXXX  X        X  X   X X   X      ",
+      "X X X   X      X    XX  X  X      X XXXX     X   XXX   XXXX      ",
+      "XX  X   X     X       X XXXXX     X X   X   X   X   X     X      ",
+      "X   X   X    X    X   X    X  X   X X   X   X   X   X     X  XX  ",
+      " XXX   XXX  XXXXX  XXX     X   XXX   XXX    X    XXX   XXX   XX  ",
+      "                                                                 ",
+      "                                                                 "}},
+}};
+
+/// True if the font pixel of a character is set.
+bool inked(char character, int column, int row)
+{
+    for (const Sheet& sheet : sheets) {
+        const std::size_t place = sheet.characters.find(character);
+        if (place != std::string_view::npos)
+            return sheet.rows[static_cast<std::size_t>(row)][advance * place + static_cast<std::size_t>(column)] == 'X';
+    }
+    return false;
+}
+
+void fill_square(ScreenImage& picture, int x, int y, int side, std::uint8_t grey)
+{
+    const int right = std::min(x + side, picture.width);
+    for (int row = std::max(y, 0); row < std::min(y + side, picture.height); ++row)
+        for (int column = std::max(x, 0); column < right; ++column)
+            std::fill_n(picture.at(column, row), 3, grey);
+}
+
+} // namespace
+
+int text_width(std::string_view text)
+{
+    return text.empty() ? 0 : advance * static_cast<int>(text.size()) - 1;
+}
+
+void draw_text(ScreenImage& picture, int x, int y, int scale, std::string_view text, std::uint8_t grey)
+{
+    for (const char character : text) {
+        for (int row = 0; row < font_height; ++row)
+            for (int column = 0; column < advance - 1; ++column)
+                if (inked(character, column, row))
+                    fill_square(picture, x + scale * column, y + scale * row, scale, grey);
+        x += scale * advance;
+    }
+}
+
+namespace {
+
+constexpr int title_top = 4;
+constexpr int bar_top = title_top + font_height + 2;
+constexpr int bar_bottom = bar_top + 8;
+constexpr int mark_bottom = bar_bottom + 2;
+constexpr int numbers_top = mark_bottom + 2;
+constexpr int strip_height = numbers_top + font_ascent + 4;
+constexpr int side_margin = 24;    // half of the longest number, such as 0.00025+
+constexpr int least_width = 300;   // numbers of five steps side by side
+constexpr std::uint8_t paper = 32; // neither black, which means no value, nor a colour of the map
+constexpr std::uint8_t ink = 230;
+
+/// Colours and marks between the columns `left` and `right`.
+void draw_bar(ScreenImage& strip, int scale, int left, int right, int steps)
+{
+    for (int x = left; x < right; ++x) {
+        const Rgb colour = map_colour((x - left + 0.5) / (right - left));
+        const std::array<std::uint8_t, 3> bytes = {screen_byte(colour.r), screen_byte(colour.g), screen_byte(colour.b)};
+        for (int y = scale * bar_top; y < scale * bar_bottom; ++y)
+            std::copy(bytes.begin(), bytes.end(), strip.at(x, y));
+    }
+    for (int step = 0; step <= steps; ++step) {
+        const int middle = left + (right - left) * step / steps;
+        for (int y = scale * bar_bottom; y < scale * mark_bottom; ++y)
+            std::fill_n(strip.at(middle - scale / 2, y), 3 * scale, ink);
+    }
+}
+
+} // namespace
+
+double LegendScale::top() const
+{
+    return steps * mantissa * std::pow(10.0, exponent);
+}
+
+std::string LegendScale::number(int step) const
+{
+    std::string digits = std::to_string(step * mantissa);
+    if (step == 0)
+        return digits;
+    if (exponent < -5 || exponent > 3)
+        return digits + "e" + std::to_string(exponent);
+    if (exponent >= 0)
+        return digits + std::string(static_cast<std::size_t>(exponent), '0');
+    const auto decimals = static_cast<std::size_t>(-exponent);
+    if (digits.size() <= decimals)
+        digits.insert(0, decimals + 1 - digits.size(), '0');
+    return digits.insert(digits.size() - decimals, ".");
+}
+
+LegendScale round_scale(double reach)
+{
+    if (!(reach > 0.0))
+        return {};
+    for (int exponent = static_cast<int>(std::floor(std::log10(reach))) - 2;; ++exponent)
+        for (const int mantissa : {10, 20, 25, 50}) {
+            // A reach that is itself round needs no step more because of its rounding.
+            const double steps = std::ceil(reach / (mantissa * std::pow(10.0, exponent)) - 1e-9);
+            if (steps > 5.0)
+                continue;
+            const bool ends_in_zero = mantissa % 10 == 0;
+            return {ends_in_zero ? mantissa / 10 : mantissa, ends_in_zero ? exponent + 1 : exponent,
+                    static_cast<int>(steps)};
+        }
+}
+
+int legend_height(int width, int height, const std::string& title)
+{
+    const int needed_width = std::max(least_width, text_width(title) + 2 * side_margin);
+    const int scale = std::min(width / needed_width, std::max(height / (6 * strip_height), 1));
+    return 3 * strip_height <= height ? scale * strip_height : 0;
+}
+
+ScreenImage legend_strip(int width, int height, const Legend& legend)
+{
+    const int scale = height / strip_height;
+    ScreenImage strip{width, height, {}};
+    strip.bytes.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper);
+    const int left = scale * side_margin;
+    const int right = width - left;
+    draw_text(strip, left, scale * title_top, scale, legend.title, ink);
+    draw_bar(strip, scale, left, right, legend.scale.steps);
+    for (int step = 0; step <= legend.scale.steps; ++step) {
+        const bool open = legend.exceeded && step == legend.scale.steps;
+        const std::string number = legend.scale.number(step) + (open ? "+" : "");
+        const int middle = left + (right - left) * step / legend.scale.steps;
+        draw_text(strip, middle - scale * text_width(number) / 2, scale * numbers_top, scale, number, ink);
+    }
+    return strip;
+}
+
+} // namespace multipath

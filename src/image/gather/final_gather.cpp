@@ -1,0 +1,105 @@
+#include "image/gather/final_gather.h"
+
+#include "image/camera.h"
+#include "image/gather/place.h"
+#include "parallel/ordered_blocks.h"
+#include "sampling/random.h"
+
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+/// The number of a pixel in an order in which every square of 2^n x 2^n pixels, aligned to its size, comes in one
+/// piece: the bits of x and y by turns (Morton). Consecutive items of a well-spread sequence then complement each other
+/// within such squares, and what noise is left is fine-grained.
+std::uint64_t number_in_squares(int x, int y)
+{
+    std::uint64_t number = 0;
+    for (int bit = 0; bit < 16; ++bit)
+        number |= static_cast<std::uint64_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
+    return number;
+}
+
+} // namespace
+
+FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width,
+                         int height, GatherRays rays, int threads)
+    : scene_(scene),
+      width_(width),
+      height_(height),
+      rays_to_sources_(static_cast<std::size_t>(rays.to_sources)),
+      sequence_(make_sequence("sobol-owen", 2)),
+      source_light_(scene),
+      indirect_light_(scene, radiosity, rays.around, threads),
+      grid_(width, height),
+      middles_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+{
+    if (rays.around == 0)
+        return;
+    find_middles(pixels, threads);
+    gather_indirect_light(threads);
+}
+
+void FinalGather::find_middles(const PixelRays& pixels, int threads)
+{
+    parallel_blocks(static_cast<std::uint64_t>(height_), threads, [&](std::uint64_t row) {
+        const int y = static_cast<int>(row);
+        VisibleHits visible(scene_);
+        for (int x = 0; x < width_; ++x)
+            middle(x, y).hit = visible.first(pixels.through(x + 0.5, y + 0.5));
+    });
+}
+
+/// Rays for one pixel of four do where the light varies slowly; where things are close, every pixel has its own.
+void FinalGather::gather_indirect_light(int threads)
+{
+    const auto for_each_middle = [&](int spacing, const auto& act) {
+        const int rows = (height_ + spacing - 1) / spacing;
+        parallel_blocks(static_cast<std::uint64_t>(rows), threads, [&](std::uint64_t row) {
+            const int y = spacing * static_cast<int>(row);
+            RayFan fan;
+            for (int x = 0; x < width_; x += spacing)
+                if (const std::optional<Hit>& hit = middle(x, y).hit)
+                    act(place_of(scene_, *hit), x, y, fan);
+        });
+    };
+    for_each_middle(2, [&](const Place& place, int x, int y, RayFan& fan) {
+        grid_.set(x, y, indirect_light_.at(place, number_in_squares(x / 2, y / 2), fan));
+    });
+    const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
+    for_each_middle(1, [&](const Place& place, int x, int y, RayFan& fan) {
+        if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(place, x, y))
+            grid_.set(x, y, indirect_light_.at(place, used + number_in_squares(x, y), fan));
+    });
+    for_each_middle(1, [&](const Place& place, int x, int y, RayFan&) {
+        if (grid_.is_supported(place, x, y))
+            middle(x, y).indirect = grid_.irradiance(place, x, y);
+    });
+}
+
+Rgb FinalGather::indirect_irradiance(const Place& place, int x, int y, RayFan& fan) const
+{
+    if (const std::optional<Rgb> shared = grid_.irradiance(place, x, y))
+        return *shared;
+    // Something that no middle of a pixel around shows.
+    return indirect_light_.at(place, number_in_squares(x, y), fan).irradiance;
+}
+
+Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
+{
+    const Place place = place_of(scene_, hit);
+    const std::uint64_t pixel = number_in_squares(x, y);
+    const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
+    const Middle& middle = middles_[pixel_index(width_, x, y)];
+    const bool is_level = middle.indirect && middle.hit->surface == hit.surface && middle.hit->front == hit.front;
+    Rgb irradiance = is_level ? *middle.indirect : indirect_irradiance(place, x, y, fan);
+    const SourceLight::Items items{*sequence_, number * rays_to_sources_, rays_to_sources_};
+    const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
+    irradiance += source_light_.irradiance(place, items, offset, fan);
+    const Material& material = scene_.surface_material(hit.surface);
+    return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
+}
+
+} // namespace multipath

@@ -1,0 +1,133 @@
+#include "image/gather/indirect_light.h"
+
+#include "image/image.h"
+#include "sampling/warp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+/// Radiosity without emittance.
+std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    std::vector<Rgb> reflected;
+    reflected.reserve(radiosity.size());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const Rgb part = radiosity[i] - scene.emittance(i);
+        reflected.push_back({std::max(0.0, part.r), std::max(0.0, part.g), std::max(0.0, part.b)});
+    }
+    return reflected;
+}
+
+} // namespace
+
+IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
+    : scene_(scene),
+      rays_(static_cast<std::size_t>(rays)),
+      sequence_(make_sequence("sobol-owen", 1)),
+      reflected_(reflected_part(scene, radiosity)),
+      reflected_light_(scene, reflected_, threads)
+{
+}
+
+IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, RayFan& fan) const
+{
+    if (rays_ == 0)
+        return {place, {}, 0.0};
+    fan.items.resize(rays_);
+    sequence_->generate(number * rays_, fan.items);
+    // Oblique to the edges, so that regular numbers do not aim exactly at the edges of rooms.
+    const Vec3 along_edge = normalized(scene_.surfaces()[place.surface].edge_u);
+    const Vec3 tangent = 0.6 * along_edge + 0.8 * cross(place.normal, along_edge);
+    const Vec3 bitangent = cross(place.normal, tangent);
+    fan.rays.clear();
+    for (const Item& item : fan.items) {
+        const Vec3 local = square_to_cosine_hemisphere(item[0], item[1]);
+        fan.rays.push_back({place.point, local.x * tangent + local.y * bitangent + local.z * place.normal});
+    }
+    const FirstHits& hits = fan.trace(scene_, place.surface);
+    Rgb sum;
+    double nearness = 1.0 / scene_.bounds().diagonal();
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+        if (!hits.is_hit(k))
+            continue;
+        nearness += 1.0 / hits[k].t;
+        if (hits[k].front || scene_.two_sided())
+            sum += reflected_light_.at(hits[k]);
+    }
+    const auto count = static_cast<double>(fan.items.size());
+    return {place, 1.0 / count * sum, count / nearness};
+}
+
+namespace {
+
+// 49 samples or more hide the noise of some dozen rays.
+constexpr int near_reach = 3;      // [pixels] of all samples
+constexpr int far_reach = 7;       // of those in every second row and column
+constexpr double tolerance = 0.25; // relative error accepted where things are close
+constexpr double support = 0.75;   // mean weight of samples far away that makes near ones unnecessary
+constexpr double steepness = 4.0;  // a step up or down matters more than one along the surface
+
+/// 1 at the sample, falling to 0 where its value would be wrong by the tolerance.
+double weight(const IndirectSample& sample, const Place& place)
+{
+    const Vec3 way = place.point - sample.place.point;
+    const double turn = std::sqrt(std::max(0.0, 1.0 - dot(place.normal, sample.place.normal)));
+    if (!(turn < tolerance))
+        return 0.0;
+    const double step = length(way) + steepness * std::abs(dot(way, sample.place.normal));
+    return std::max(0.0, 1.0 - (step / sample.distance + turn) / tolerance);
+}
+
+} // namespace
+
+IndirectGrid::IndirectGrid(int width, int height)
+    : width_(width), height_(height), samples_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+{
+}
+
+void IndirectGrid::set(int x, int y, const IndirectSample& sample)
+{
+    samples_[pixel_index(width_, x, y)] = sample;
+}
+
+std::optional<Rgb> IndirectGrid::irradiance(const Place& place, int x, int y) const
+{
+    const Shared far = shared(place, x, y, far_reach, 2);
+    const Shared found = is_enough(far) ? far : shared(place, x, y, near_reach, 1);
+    return found.weights > 0.0 ? std::optional<Rgb>((1.0 / found.weights) * found.irradiance) : std::nullopt;
+}
+
+bool IndirectGrid::is_supported(const Place& place, int x, int y) const
+{
+    return is_enough(shared(place, x, y, far_reach, 2));
+}
+
+bool IndirectGrid::is_enough(const Shared& found)
+{
+    return found.weights >= support * found.pixels;
+}
+
+/// Weighted sum over the samples in every `spacing`-th row and column within `reach`.
+IndirectGrid::Shared IndirectGrid::shared(const Place& place, int x, int y, int reach, int spacing) const
+{
+    const auto first = [&](int middle) {
+        const int begin = std::max(0, middle - reach);
+        return begin + begin % spacing;
+    };
+    Shared sum;
+    for (int row = first(y); row <= std::min(height_ - 1, y + reach); row += spacing)
+        for (int column = first(x); column <= std::min(width_ - 1, x + reach); column += spacing) {
+            const IndirectSample& sample = samples_[pixel_index(width_, column, row)];
+            const double w = sample.distance > 0.0 ? weight(sample, place) : 0.0;
+            sum.irradiance += w * sample.irradiance;
+            sum.weights += w;
+            ++sum.pixels;
+        }
+    return sum;
+}
+
+} // namespace multipath

@@ -1,0 +1,236 @@
+// H = U V: the irradiance U of a place to which nothing hides the sources is a sum of Lambert's closed forms, and V is
+// the share of it that is not hidden. Rays go to the sources in proportion to what they give, and within a source to
+// directions spread evenly over the solid angle, so that each ray counts with the cosine alone:
+//
+//   V ~ sum of w v / sum of w,   v = 1 where the ray meets the source, 0 where it meets something else
+
+#include "image/gather/source_light.h"
+
+#include "geometry/convex_hull.h"
+#include "geometry/flat_polygon.h"
+#include "geometry/polygon_irradiance.h"
+#include "sampling/spherical_triangle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t most_surfaces = 1000; // a search looks at all of them
+constexpr std::size_t most_pairs = std::size_t{1} << 24;
+constexpr std::uint8_t unclear = 1;
+constexpr std::uint8_t clear = 2;
+
+/// True if all points lie on one side of the plane of the surface, or in it.
+bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double touching)
+{
+    double low = 0.0;
+    double high = 0.0;
+    for (const Vec3& point : points) {
+        const double height = dot(point - surface.origin, surface.normal());
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    return low >= -touching || high <= touching;
+}
+
+} // namespace
+
+ClearSight::ClearSight(const Scene& scene, std::vector<std::uint32_t> targets)
+    : scene_(scene),
+      targets_(std::move(targets)),
+      touching_(1e-6 * scene.bounds().diagonal()),
+      known_(scene.surfaces().size() <= most_surfaces && scene.patch_count() * targets_.size() <= most_pairs
+                 ? scene.patch_count() * targets_.size()
+                 : 0)
+{
+}
+
+bool ClearSight::is_clear(std::uint32_t patch, std::size_t target) const
+{
+    if (patch == Scene::no_patch || known_.empty())
+        return false;
+    // Threads that search at the same time find the same.
+    std::atomic<std::uint8_t>& known = known_[patch * targets_.size() + target];
+    std::uint8_t state = known.load(std::memory_order_relaxed);
+    if (state == 0) {
+        state = find(patch, targets_[target]) ? clear : unclear;
+        known.store(state, std::memory_order_relaxed);
+    }
+    return state == clear;
+}
+
+bool ClearSight::find(std::uint32_t patch, std::uint32_t target) const
+{
+    const Surface here = scene_.patch(patch).shape;
+    const Surface& there = scene_.surfaces()[target];
+    std::vector<Vec3> points = corners_of(here);
+    for (const Vec3& corner : corners_of(there))
+        points.push_back(corner);
+    const ConvexHull hull(points);
+    const std::uint32_t own = scene_.surface_of(patch);
+    for (std::uint32_t s = 0; s < scene_.surfaces().size(); ++s) {
+        if (s == own || s == target)
+            continue;
+        const Surface& surface = scene_.surfaces()[s];
+        const HeightRange level = heights(polygon_of(surface), here.origin, here.normal());
+        // A surface flat on the patch, such as the bottom of a box, darkens it.
+        const bool is_flat = level.within(touching_);
+        if (!is_flat && on_one_side(points, surface, touching_))
+            continue;
+        if (!hull.is_beside(corners_of(surface), is_flat ? -touching_ : touching_))
+            return false;
+    }
+    return true;
+}
+
+namespace {
+
+constexpr double most_views = 32.0; // of sources from one place: more are represented by as many of them
+
+Rgb quotient(Rgb a, Rgb b)
+{
+    const auto channel = [](double x, double y) { return y > 0.0 ? x / y : 0.0; };
+    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
+/// A convex polygon as it is seen from a point, in triangles around its first corner.
+class SeenPolygon
+{
+public:
+    SeenPolygon(const FlatPolygon& polygon, Vec3 point)
+    {
+        const auto towards = [&](std::size_t k) { return normalized(polygon.corners[k] - point); };
+        for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
+            triangles_[count_].emplace(towards(0), towards(k), towards(k + 1));
+            solid_angle_ += triangles_[count_++]->solid_angle();
+        }
+    }
+
+    double solid_angle() const { return solid_angle_; }
+
+    /// Uniform over the solid angle, which must not be 0.
+    Vec3 direction(double a, double b) const
+    {
+        double rest = a * solid_angle_;
+        std::size_t k = 0;
+        for (; k + 1 < count_ && rest >= triangles_[k]->solid_angle(); ++k)
+            rest -= triangles_[k]->solid_angle();
+        return triangles_[k]->direction(std::min(1.0, rest / triangles_[k]->solid_angle()), b);
+    }
+
+private:
+    std::array<std::optional<SphericalTriangle>, 3> triangles_;
+    std::size_t count_ = 0;
+    double solid_angle_ = 0.0;
+};
+
+} // namespace
+
+SourceLight::SourceLight(const Scene& scene)
+    : scene_(scene), sources_(sources_of(scene)), clear_sight_(scene, surfaces_of(sources_))
+{
+    for (const Source& source : sources_)
+        power_ += source.power;
+}
+
+std::vector<SourceLight::Source> SourceLight::sources_of(const Scene& scene)
+{
+    std::vector<Source> sources;
+    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
+        const Rgb emittance = scene.surface_material(surface).emittance;
+        const double power = scene.surfaces()[surface].area() * mean(emittance);
+        if (power > 0.0)
+            sources.push_back({surface, emittance, power});
+    }
+    return sources;
+}
+
+std::vector<std::uint32_t> SourceLight::surfaces_of(const std::vector<Source>& sources)
+{
+    std::vector<std::uint32_t> surfaces;
+    for (const Source& source : sources)
+        surfaces.push_back(source.surface);
+    return surfaces;
+}
+
+/// Views of the sources. Of more than `most_views` sources about that many are chosen with probability proportional to
+/// their power and weighted by its inverse.
+SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
+{
+    Sight result;
+    const bool all = static_cast<double>(sources_.size()) <= most_views;
+    double choices_before = 0.0;
+    for (std::size_t k = 0; k < sources_.size(); ++k) {
+        const Source& source = sources_[k];
+        const double choices = most_views * source.power / power_;
+        const double chosen = std::floor(choices_before + choices + offset) - std::floor(choices_before + offset);
+        choices_before += choices;
+        const double weight = all ? 1.0 : chosen / choices;
+        if (!(weight > 0.0))
+            continue;
+        const FlatPolygon outline = part_above_horizon(scene_.surfaces()[source.surface], place.point, place.normal);
+        const double form_factor = outline.empty() ? 0.0 : irradiance_from(outline, place.point, place.normal);
+        if (!(form_factor > 0.0))
+            continue;
+        const Rgb irradiance = weight * form_factor * source.emittance;
+        if (clear_sight_.is_clear(place.patch, k))
+            result.clear += irradiance;
+        else
+            result.views.push_back({source.surface, outline, form_factor, irradiance});
+    }
+    return result;
+}
+
+Rgb SourceLight::irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const
+{
+    const auto [clear, views] = sight(place, offset);
+    if (views.empty())
+        return clear;
+    fan.items.resize(items.count);
+    items.sequence.generate(items.first, fan.items);
+    Rgb unhidden;
+    for (const View& view : views)
+        unhidden += view.irradiance;
+    const double per_ray = mean(unhidden) / static_cast<double>(fan.items.size());
+    struct Sent
+    {
+        std::uint32_t source; ///< surface
+        Rgb weight;
+    };
+    std::vector<Sent> sent;
+    sent.reserve(fan.items.size());
+    fan.rays.clear();
+    double sum = offset; // of rays deserved
+    for (const View& view : views) {
+        sum += mean(view.irradiance) / per_ray;
+        if (!(static_cast<double>(sent.size()) + 1.0 <= sum))
+            continue;
+        const SeenPolygon seen(view.outline, place.point);
+        while (static_cast<double>(sent.size()) + 1.0 <= sum && sent.size() < fan.items.size() &&
+               seen.solid_angle() > 0.0) {
+            const Item& item = fan.items[sent.size()];
+            const Vec3 direction = seen.direction(item[0], item[1]);
+            const double cosine = std::max(0.0, dot(direction, place.normal));
+            sent.push_back({view.surface,
+                            cosine * seen.solid_angle() / view.form_factor / mean(view.irradiance) * view.irradiance});
+            fan.rays.push_back({place.point, direction});
+        }
+    }
+    const FirstHits& hits = fan.trace(scene_, place.surface);
+    Rgb all;
+    Rgb arrived;
+    for (std::size_t k = 0; k < sent.size(); ++k) {
+        all += sent[k].weight;
+        if (hits.is_hit(k) && hits[k].surface == sent[k].source && hits[k].front)
+            arrived += sent[k].weight;
+    }
+    return clear + unhidden * quotient(arrived, all);
+}
+
+} // namespace multipath

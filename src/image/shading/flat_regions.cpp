@@ -1,0 +1,258 @@
+#include "image/shading/flat_regions.h"
+
+#include "geometry/bounds.h"
+#include "geometry/flat_polygon.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr double slender = 12.0; ///< longest edge squared over area: 2.3 of an equilateral triangle, 4 of half a square
+constexpr double cells_per_reach = 4.0; ///< of the grid of bins
+constexpr double most_bins = 1 << 22;   ///< of one region
+constexpr double same_plane = 1e-6;     ///< of the scene's diagonal, and of a right angle
+
+double longest_edge(const Surface& shape)
+{
+    const FlatPolygon polygon = polygon_of(shape);
+    double longest = 0.0;
+    for (std::size_t k = 0; k < polygon.size; ++k)
+        longest = std::max(longest, length(polygon.next(k) - polygon.corners[k]));
+    return longest;
+}
+
+Surface first_cell(const Scene& scene, std::uint32_t surface)
+{
+    return scene.tessellation(surface).cell(scene.surfaces()[surface], 0);
+}
+
+bool is_needle(const Surface& shape)
+{
+    const double longest = longest_edge(shape);
+    return longest * longest > slender * shape.area();
+}
+
+/// Disjoint sets of surfaces.
+class Sets
+{
+public:
+    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    std::uint32_t root(std::uint32_t a)
+    {
+        while (parent_[a] != a)
+            a = parent_[a] = parent_[parent_[a]];
+        return a;
+    }
+    void unite(std::uint32_t a, std::uint32_t b)
+    {
+        const std::pair<std::uint32_t, std::uint32_t> roots = std::minmax(root(a), root(b));
+        parent_[roots.second] = roots.first;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// An edge of a surface, named by its ends whichever comes first.
+struct Edge
+{
+    std::uint64_t low;
+    std::uint64_t high;
+    std::uint32_t surface;
+
+    bool same_place(const Edge& other) const { return low == other.low && high == other.high; }
+    bool operator<(const Edge& other) const
+    {
+        return low != other.low ? low < other.low : high != other.high ? high < other.high : surface < other.surface;
+    }
+};
+
+/// Sums for a linear fit: value = a + b x + c y.
+class LinearFit
+{
+public:
+    void add(double weight, double x, double y, Rgb value)
+    {
+        const std::array<double, 3> basis = {1.0, x, y};
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j)
+                matrix_[i][j] += weight * basis[i] * basis[j];
+            right_[i] += weight * basis[i] * value;
+        }
+        low_ = {std::min(low_.r, value.r), std::min(low_.g, value.g), std::min(low_.b, value.b)};
+        high_ = {std::max(high_.r, value.r), std::max(high_.g, value.g), std::max(high_.b, value.b)};
+    }
+    bool empty() const { return !(matrix_[0][0] > 0.0); }
+
+    /// a, within the values that were added; their mean where the places do not determine a slope.
+    Rgb at_origin() const
+    {
+        const auto minor = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+            return matrix_[i][k] * matrix_[j][l] - matrix_[i][l] * matrix_[j][k];
+        };
+        // The first row of the adjugate matrix (Cramer's rule).
+        const double a = minor(1, 2, 1, 2);
+        const double b = -minor(0, 2, 1, 2);
+        const double c = minor(0, 1, 1, 2);
+        const double determinant = matrix_[0][0] * a + matrix_[1][0] * b + matrix_[2][0] * c;
+        const double scale = matrix_[0][0] * matrix_[0][0] * matrix_[0][0];
+        if (!(determinant > 1e-5 * scale))
+            return (1.0 / matrix_[0][0]) * right_[0];
+        const Rgb fitted = (1.0 / determinant) * (a * right_[0] + b * right_[1] + c * right_[2]);
+        return {std::clamp(fitted.r, low_.r, high_.r), std::clamp(fitted.g, low_.g, high_.g),
+                std::clamp(fitted.b, low_.b, high_.b)};
+    }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    std::array<std::array<double, 3>, 3> matrix_{};
+    std::array<Rgb, 3> right_{};
+    Rgb low_ = {infinity, infinity, infinity};
+    Rgb high_ = {-infinity, -infinity, -infinity};
+};
+
+/// Joins surfaces of one material that share an edge and lie in one plane.
+Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals)
+{
+    std::vector<Edge> edges;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
+        const FlatPolygon polygon = polygon_of(scene.surfaces()[s]);
+        const std::uint64_t kind = scene.file().material[s];
+        for (std::size_t k = 0; k < polygon.size; ++k) {
+            const auto [low, high] =
+                std::minmax({place_key(scene, polygon.corners[k], kind), place_key(scene, polygon.next(k), kind)});
+            edges.push_back({low, high, s});
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    Sets sets(scene.surfaces().size());
+    for (std::size_t n = 1; n < edges.size(); ++n) {
+        const std::uint32_t a = edges[n - 1].surface;
+        const std::uint32_t b = edges[n].surface;
+        const bool level = dot(normals[a], normals[b]) > 0.0 && length(cross(normals[a], normals[b])) < same_plane;
+        if (edges[n - 1].same_place(edges[n]) && level)
+            sets.unite(a, b);
+    }
+    return sets;
+}
+
+} // namespace
+
+std::size_t FlatRegions::Region::index(double x, std::size_t count) const
+{
+    return static_cast<std::size_t>(std::clamp(std::floor(x / cell), 0.0, static_cast<double>(count - 1)));
+}
+
+FlatRegions::FlatRegions(const VisiblePatches& patches)
+    : patches_(patches), region_of_(patches.scene().surfaces().size(), none)
+{
+    const Scene& scene = patches.scene();
+    for (const Surface& surface : scene.surfaces())
+        normals_.push_back(surface.normal());
+    std::vector<bool> needle;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+        needle.push_back(is_needle(first_cell(scene, s)));
+    if (std::find(needle.begin(), needle.end(), true) == needle.end())
+        return;
+    Sets sets = flat_sets(scene, normals_);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // set, surface
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+        if (scene.surface_material(s).emittance == Rgb{})
+            members.emplace_back(sets.root(s), s);
+    std::sort(members.begin(), members.end());
+    for (std::size_t first = 0, last; first < members.size(); first = last) {
+        std::vector<std::uint32_t> surfaces;
+        bool has_needles = false;
+        for (last = first; last < members.size() && members[last].first == members[first].first; ++last) {
+            surfaces.push_back(members[last].second);
+            has_needles = has_needles || needle[members[last].second];
+        }
+        if (has_needles && surfaces.size() > 1)
+            add_region(surfaces);
+    }
+}
+
+void FlatRegions::add_region(const std::vector<std::uint32_t>& surfaces)
+{
+    const Scene& scene = patches_.scene();
+    const Vec3 normal = normals_[surfaces.front()];
+    Region region;
+    region.axis_u = normalized(scene.surfaces()[surfaces.front()].edge_u);
+    region.axis_v = cross(normal, region.axis_u);
+    Bounds box; // along the axes
+    for (const std::uint32_t surface : surfaces) {
+        region_of_[surface] = static_cast<std::uint32_t>(regions_.size());
+        region.reach = std::max(region.reach, longest_edge(first_cell(scene, surface)));
+        for (const Vec3 corner : corners_of(scene.surfaces()[surface]))
+            box.include(Vec3{dot(corner, region.axis_u), dot(corner, region.axis_v), dot(corner, normal)});
+    }
+    const Vec3 size = box.size();
+    region.origin = box.low.x * region.axis_u + box.low.y * region.axis_v + box.low.z * normal;
+    region.cell = std::max(region.reach / cells_per_reach, std::sqrt(size.x * size.y / most_bins));
+    region.columns = static_cast<std::size_t>(size.x / region.cell) + 1;
+    region.rows = static_cast<std::size_t>(size.y / region.cell) + 1;
+    region.first_bin = bins_.size();
+    bins_.resize(bins_.size() + (scene.two_sided() ? 2 : 1) * region.columns * region.rows);
+    for (const std::uint32_t surface : surfaces)
+        for (const bool front : {true, false})
+            if (front || scene.two_sided())
+                fill(region, surface, front);
+    regions_.push_back(region);
+}
+
+void FlatRegions::fill(const Region& region, std::uint32_t surface, bool front)
+{
+    const Scene& scene = patches_.scene();
+    const std::uint32_t first = scene.first_patch(surface, front);
+    const auto end = first + static_cast<std::uint32_t>(scene.tessellation(surface).cell_count());
+    for (std::uint32_t patch = first; patch < end; ++patch) {
+        const Vec3 centre = scene.patch(patch).shape.centre();
+        const double weight = patches_.open_share(patch) * scene.area(patch);
+        const std::optional<Vec3> point = patches_.open_point_near(patch, centre);
+        if (!point || !(weight > 0.0))
+            continue;
+        Bin& bin = bins_[region.bin(region.column(centre), region.row(centre), front)];
+        bin.point = *point;
+        bin.weight += weight;
+        bin.place = bin.place + weight * centre;
+        bin.value += weight * patches_.value(patch);
+    }
+}
+
+std::optional<Rgb> FlatRegions::value(std::uint32_t surface, bool front, Vec3 corner, const OpenPoint& own) const
+{
+    const Region& region = regions_[region_of_[surface]];
+    const Vec3 margin = region.reach * (region.axis_u + region.axis_v);
+    std::vector<const Bin*> around;
+    std::vector<OpenPoint> points = {own};
+    for (std::size_t j = region.row(corner - margin); j <= region.row(corner + margin); ++j)
+        for (std::size_t i = region.column(corner - margin); i <= region.column(corner + margin); ++i) {
+            const Bin& bin = bins_[region.bin(i, j, front)];
+            if (!(bin.weight > 0.0))
+                continue;
+            around.push_back(&bin);
+            points.push_back({bin.point, own.normal});
+        }
+    const Surroundings surroundings(patches_.scene(), normals_, points);
+    LinearFit fit;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+        const Bin& bin = *around[k];
+        const Vec3 way = (1.0 / region.reach) * ((1.0 / bin.weight) * bin.place - corner);
+        const double x = dot(way, region.axis_u);
+        const double y = dot(way, region.axis_v);
+        const double near = 1.0 - x * x - y * y;
+        if (near > 0.0 && (surroundings.part_nothing() || !surroundings.part(own, points[k + 1])))
+            fit.add(bin.weight * near * near, x, y, (1.0 / bin.weight) * bin.value);
+    }
+    return fit.empty() ? std::nullopt : std::optional<Rgb>(fit.at_origin());
+}
+
+} // namespace multipath

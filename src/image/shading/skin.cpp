@@ -1,0 +1,97 @@
+#include "image/shading/skin.h"
+
+#include "geometry/bounds.h"
+#include "geometry/flat_polygon.h"
+#include "sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+bool level(Vec3 a, Vec3 b)
+{
+    constexpr double smallest_cosine = 0.8660254037844386; // 30 degrees: more is a crease
+    return dot(a, b) >= smallest_cosine;
+}
+
+namespace {
+
+constexpr double lift = 0.01;     // of the distance: what touches the surface is met, its own rounding is not
+constexpr double rounding = 1e-9; // of the scene's diagonal
+
+Line sight(const OpenPoint& a, const OpenPoint& b)
+{
+    const double height = lift * length(b.point - a.point);
+    return chord(a.point + height * a.normal, b.point + height * b.normal);
+}
+
+bool may_part(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
+{
+    return !level(normal, a.normal) && !level(normal, b.normal);
+}
+
+bool reaches_into(const Bounds& box, const Surface& surface)
+{
+    Bounds own;
+    const FlatPolygon polygon = polygon_of(surface);
+    for (std::size_t k = 0; k < polygon.size; ++k)
+        own.include(polygon.corners[k]);
+    return own.low.x <= box.high.x && own.high.x >= box.low.x && own.low.y <= box.high.y && own.high.y >= box.low.y &&
+           own.low.z <= box.high.z && own.high.z >= box.low.z;
+}
+
+} // namespace
+
+std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind)
+{
+    // On a grid that is shifted so that round numbers fall inside cells.
+    const double cell = 1e-6 * scene.bounds().diagonal();
+    const Vec3 from_low = point - scene.bounds().low;
+    std::uint64_t key = mix_bits(kind);
+    for (const double x : {from_low.x, from_low.y, from_low.z})
+        key = mix_bits(key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell + 0.382))));
+    return key;
+}
+
+bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
+{
+    std::vector<Hit> hits;
+    scene.intersector().all_hits(sight(a, b), hits);
+    return std::any_of(hits.begin(), hits.end(),
+                       [&](const Hit& hit) { return may_part(scene.surfaces()[hit.surface].normal(), a, b); });
+}
+
+Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points)
+    : scene_(scene)
+{
+    Bounds box;
+    for (const OpenPoint& point : points)
+        box.include(point.point);
+    const double reach = 2.0 * lift * box.diagonal() + rounding * scene.bounds().diagonal();
+    const Vec3 margin = {reach, reach, reach};
+    box = {box.low - margin, box.high + margin};
+    const std::optional<std::vector<std::uint32_t>> listed = scene.intersector().surfaces_near(box);
+    if (!listed)
+        return;
+    near_.emplace();
+    for (const std::uint32_t surface : *listed) {
+        const Vec3 normal = normals[surface];
+        const bool is_level = std::all_of(points.begin(), points.end(),
+                                          [&](const OpenPoint& point) { return level(normal, point.normal); });
+        if (!is_level && reaches_into(box, scene.surfaces()[surface]))
+            near_->push_back({surface, normal});
+    }
+}
+
+bool Surroundings::part(const OpenPoint& a, const OpenPoint& b) const
+{
+    if (!near_)
+        return parted(scene_, a, b);
+    const Line line = sight(a, b);
+    return std::any_of(near_->begin(), near_->end(), [&](const Near& near) {
+        return may_part(near.normal, a, b) && scene_.intersector().meets(line, near.surface);
+    });
+}
+
+} // namespace multipath

@@ -1,0 +1,223 @@
+// Each surface first gets values at the corners of its own patches (CornerGroup). Then corners of different surfaces
+// that coincide are joined: the triangles of a sphere and the rectangles of a ceiling become one smooth skin, while an
+// edge of a box, or of another material, stays sharp.
+
+#include "image/shading/smooth_shading.h"
+
+#include "image/shading/corner_groups.h"
+#include "image/shading/flat_regions.h"
+#include "image/shading/skin.h"
+#include "image/shading/visible_patches.h"
+#include "parallel/ordered_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::size_t most_joined = 1000; // a hub of more surfaces stays unjoined, to bound the work
+
+/// A group that may coincide with groups of other surfaces.
+struct BorderGroup
+{
+    std::uint64_t key = 0; ///< equal for coinciding corners on the same kind of side
+    CornerGroup group;
+};
+
+bool is_source(const Scene& scene, std::uint32_t surface)
+{
+    return scene.surface_material(surface).emittance != Rgb{};
+}
+
+/// Rows of corners of one side of a surface.
+struct Strip
+{
+    std::uint32_t surface;
+    bool front;
+    std::uint32_t first_row;
+    std::uint32_t end_row;
+};
+
+/// All sides that are shaded smoothly, in pieces that threads can share.
+std::vector<std::vector<Strip>> strips_of(const Scene& scene)
+{
+    constexpr std::uint64_t corners_together = 4096;
+    std::vector<std::vector<Strip>> blocks;
+    std::uint64_t corners = corners_together; // in the last block
+    for (const bool front : {true, false})
+        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
+            if (is_source(scene, surface) || !(front || scene.two_sided()))
+                continue;
+            const Tessellation& cut = scene.tessellation(surface);
+            const auto rows_together =
+                static_cast<std::uint32_t>(std::max<std::uint64_t>(1, corners_together / (cut.cells_u + 1ull)));
+            for (std::uint32_t row = 0; row <= cut.cells_v; row += std::min(rows_together, cut.cells_v + 1 - row)) {
+                const std::uint32_t rows = std::min(rows_together, cut.cells_v + 1 - row);
+                if (corners >= corners_together) {
+                    blocks.emplace_back();
+                    corners = 0;
+                }
+                blocks.back().push_back({surface, front, row, row + rows});
+                corners += rows * (cut.cells_u + 1ull);
+            }
+        }
+    return blocks;
+}
+
+Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool front)
+{
+    if (group.points.empty())
+        return group.value;
+    return regions.value(group.surface, front, group.corner, group.points.front()).value_or(group.value);
+}
+
+/// True if a point of one group can be connected to a point of the other by a free line.
+bool joins(const Surroundings& surroundings, const CornerGroup& a, const CornerGroup& b)
+{
+    if (surroundings.part_nothing())
+        return !a.points.empty() && !b.points.empty();
+    for (const OpenPoint& from : a.points)
+        for (const OpenPoint& to : b.points)
+            if (!surroundings.part(from, to))
+                return true;
+    return false;
+}
+
+/// Groups at one place: the value of each becomes the mean of those that it joins.
+template <class Put>
+void join_place(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<const CornerGroup*>& groups,
+                const Put& put)
+{
+    const std::size_t count = groups.size();
+    std::vector<std::pair<std::size_t, std::size_t>> pairs; // of groups that may join
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+            if (groups[i]->surface != groups[j]->surface && level(groups[i]->normal, groups[j]->normal))
+                pairs.emplace_back(i, j);
+    if (pairs.empty())
+        return;
+    std::vector<OpenPoint> points;
+    for (const CornerGroup* group : groups)
+        points.insert(points.end(), group->points.begin(), group->points.end());
+    if (points.empty())
+        return;
+    const Surroundings surroundings(scene, normals, points);
+    std::vector<bool> joined(count * count);
+    for (const auto& [i, j] : pairs)
+        joined[i * count + j] = joined[j * count + i] = joins(surroundings, *groups[i], *groups[j]);
+    for (std::size_t i = 0; i < count; ++i) {
+        Rgb sum;
+        double weight = 0.0;
+        for (std::size_t j = 0; j < count; ++j)
+            if (joined[i * count + j]) {
+                sum += groups[j]->weight * groups[j]->value;
+                weight += groups[j]->weight;
+            }
+        if (weight > 0.0)
+            put(*groups[i], 1.0 / (groups[i]->weight + weight) * (sum + groups[i]->weight * groups[i]->value));
+    }
+}
+
+/// A group in the order in which groups are joined.
+struct Order
+{
+    std::uint64_t key;
+    std::size_t place; ///< decides among equals, so that sums do not depend on the sorting algorithm
+    const CornerGroup* group;
+
+    bool operator<(const Order& other) const { return key < other.key || (key == other.key && place < other.place); }
+};
+
+template <class Put>
+void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>>& borders, int threads, const Put& put)
+{
+    std::vector<Order> order;
+    for (const std::vector<BorderGroup>& block : borders)
+        for (const BorderGroup& border : block)
+            order.push_back({border.key, border.group.places.front(), &border.group});
+    std::sort(order.begin(), order.end());
+
+    // Places in the order of the surfaces, where neighbours are close in memory.
+    std::vector<std::pair<std::size_t, std::size_t>> places; // first and last in the order
+    for (std::size_t first = 0, last; first < order.size(); first = last) {
+        last = first + 1;
+        while (last < order.size() && order[last].key == order[first].key)
+            ++last;
+        if (last - first > 1 && last - first <= most_joined)
+            places.emplace_back(first, last);
+    }
+    std::sort(places.begin(), places.end(),
+              [&](const auto& a, const auto& b) { return order[a.first].place < order[b.first].place; });
+
+    std::vector<Vec3> normals;
+    for (const Surface& surface : scene.surfaces())
+        normals.push_back(surface.normal());
+    constexpr std::uint32_t places_together = 256;
+    parallel_ranges(static_cast<std::uint32_t>(places.size()), places_together, threads,
+                    [&](std::uint32_t begin, std::uint32_t end) {
+                        std::vector<const CornerGroup*> groups;
+                        for (std::uint32_t k = begin; k < end; ++k) {
+                            groups.clear();
+                            for (std::size_t n = places[k].first; n < places[k].second; ++n)
+                                groups.push_back(order[n].group);
+                            join_place(scene, normals, groups, put);
+                        }
+                    });
+}
+
+} // namespace
+
+SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+    : scene_(scene), values_(values_per_patch), corners_(CornerLattice::per_cell * values_per_patch.size())
+{
+    // Every place belongs to one group, so that threads may put at the same time.
+    const auto put = [this](const CornerGroup& group, Rgb value) {
+        for (const std::size_t place : group.places)
+            corners_[place] = value;
+    };
+    const VisiblePatches patches(scene, values_per_patch, threads);
+    const FlatRegions regions(patches);
+    const std::vector<std::vector<Strip>> blocks = strips_of(scene);
+    std::vector<std::vector<BorderGroup>> borders(blocks.size());
+    parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
+        for (const Strip& strip : blocks[block]) {
+            const std::uint64_t kind = 2 * std::uint64_t{scene.file().material[strip.surface]} + (strip.front ? 1 : 0);
+            for (CornerGroup& group : corner_groups(patches, strip.surface, strip.front, strip.first_row, strip.end_row,
+                                                    regions.hold(strip.surface))) {
+                if (regions.hold(strip.surface))
+                    group.value = value_in_region(regions, group, strip.front);
+                put(group, group.value);
+                if (group.on_border)
+                    borders[block].push_back({place_key(scene, group.corner, kind), std::move(group)});
+            }
+        }
+    });
+    join_borders(scene, borders, threads, put);
+}
+
+Rgb SmoothShading::at(const Hit& hit) const
+{
+    const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
+    if (is_source(scene_, hit.surface))
+        return values_[patch];
+    const std::size_t first_patch = scene_.first_patch(hit.surface, hit.front);
+    return CornerLattice(scene_.tessellation(hit.surface))
+        .interpolated(&corners_[CornerLattice::per_cell * first_patch], hit.u, hit.v);
+}
+
+std::array<Rgb, 4> SmoothShading::at_corners(std::uint32_t patch) const
+{
+    std::array<Rgb, 4> result;
+    result.fill(values_[patch]);
+    if (is_source(scene_, scene_.surface_of(patch)))
+        return result;
+    for (std::size_t k = 0; k < scene_.corners(patch).count; ++k)
+        result[k] = corners_[CornerLattice::per_cell * patch + k];
+    return result;
+}
+
+} // namespace multipath

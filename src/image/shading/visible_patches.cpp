@@ -1,0 +1,108 @@
+#include "image/shading/visible_patches.h"
+
+#include "parallel/ordered_blocks.h"
+#include "scene/tessellation.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace multipath {
+
+namespace {
+
+/// Number of sample points along an edge: 8 (64 points fill one word), or fewer where there are many patches, to bound
+/// the time. The smaller the patches, the less is seen of it.
+std::uint32_t samples_along_for(std::uint64_t patches)
+{
+    constexpr std::uint64_t most_points = 1u << 21; // of all patches
+    std::uint32_t along = 8;
+    while (along > 1 && patches * along * along > most_points)
+        along /= 2;
+    return along;
+}
+
+Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
+{
+    return Tessellation{shape.shape, along, along}.cell(shape, number).centre();
+}
+
+/// True if the ray starts where something lies on the surface, or inside a solid.
+bool is_closed_in(const Scene& scene, std::uint32_t surface, const Line& ray)
+{
+    const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, ray);
+    return hit && (hit->t <= 1e-9 * scene.bounds().diagonal() || (!hit->front && !scene.two_sided()));
+}
+
+/// True if no direction leads out. For most open points the first direction does.
+bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point)
+{
+    const Vec3 normal = shape.normal();
+    const Vec3 aside = normalized(shape.edge_u);
+    const Vec3 along = cross(normal, aside);
+    const std::array<Vec3, 5> directions = {normal, normal + 0.6 * aside + 0.8 * along,
+                                            normal - 0.8 * aside + 0.6 * along, normal - 0.6 * aside - 0.8 * along,
+                                            normal + 0.8 * aside - 0.6 * along};
+    return std::all_of(directions.begin(), directions.end(), [&](Vec3 direction) {
+        return is_closed_in(scene, surface, {point, direction});
+    });
+}
+
+std::uint64_t open_points(const Scene& scene, std::uint32_t patch, std::uint32_t along)
+{
+    const Patch place = scene.patch(patch);
+    std::uint64_t open = 0;
+    for (std::uint32_t n = 0; n < along * along; ++n)
+        if (!is_covered(scene, place.surface, place.shape, sample_point(place.shape, along, n)))
+            open |= std::uint64_t{1} << n;
+    return open;
+}
+
+} // namespace
+
+VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads)
+    : scene_(scene),
+      values_(values),
+      samples_along_(samples_along_for(scene.patch_count())),
+      open_(scene.patch_count(), 1)
+{
+    if (samples_along_ == 1) // a single point would make a patch open or covered as a whole
+        return;
+    constexpr std::uint32_t patches_at_a_time = 64;
+    parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i)
+            open_[i] = open_points(scene, i, samples_along_);
+    });
+}
+
+double VisiblePatches::open_share(std::uint32_t patch) const
+{
+    double count = 0.0;
+    for (std::uint64_t points = open_[patch]; points != 0; points &= points - 1)
+        count += 1.0;
+    return count / (samples_along_ * samples_along_);
+}
+
+Rgb VisiblePatches::value(std::uint32_t patch) const
+{
+    const double share = open_share(patch);
+    return share > 0.0 ? 1.0 / share * values_[patch] : values_[patch];
+}
+
+std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 corner) const
+{
+    const Surface shape = scene_.patch(patch).shape;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::optional<Vec3> result;
+    for (std::uint32_t n = 0; n < samples_along_ * samples_along_; ++n) {
+        const Vec3 point = sample_point(shape, samples_along_, n);
+        const double distance = length(point - corner);
+        if ((open_[patch] >> n & 1u) != 0 && distance < nearest) {
+            nearest = distance;
+            result = point;
+        }
+    }
+    return result;
+}
+
+} // namespace multipath

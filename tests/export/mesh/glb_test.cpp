@@ -1,0 +1,170 @@
+#include "export/mesh/glb.h"
+
+#include "export/mesh/json_reader.h"
+#include "export/mesh/mesh_scenes.h"
+#include "export/mesh/ply_reader.h"
+#include "image/shading/smooth_shading.h"
+
+#include <doctest/doctest.h>
+
+namespace glb_test {
+
+using namespace multipath;
+
+namespace {
+
+/// The two chunks of a file, and how to find numbers in them.
+struct GlbFile
+{
+    explicit GlbFile(const std::string& bytes)
+    {
+        const auto word = [&](std::size_t at) {
+            return static_cast<std::size_t>(ByteReader(bytes, at).number("uint"));
+        };
+        REQUIRE(bytes.substr(0, 4) == "glTF");
+        REQUIRE(word(4) == 2);
+        REQUIRE(word(8) == bytes.size());
+        const std::size_t json_length = word(12);
+        REQUIRE(bytes.substr(16, 4) == "JSON");
+        REQUIRE(json_length % 4 == 0);
+        const std::string text = bytes.substr(20, json_length);
+        json = JsonReader(text).document();
+        REQUIRE(bytes.substr(24 + json_length, 4) == std::string("BIN\0", 4));
+        numbers = bytes.substr(28 + json_length);
+        REQUIRE(word(20 + json_length) == numbers.size());
+        REQUIRE(json["buffers"][0]["byteLength"].count() == numbers.size());
+    }
+
+    /// The numbers of an accessor, one after the other.
+    std::vector<double> values(std::size_t accessor) const
+    {
+        const JsonValue& entry = json["accessors"][accessor];
+        const JsonValue& view = json["bufferViews"][entry["bufferView"].count()];
+        const std::size_t size = entry["type"].text == "VEC3" ? 3 : 1;
+        const std::size_t count = entry["count"].count() * size;
+        REQUIRE(entry["byteOffset"].count() + 4 * count <= view["byteLength"].count());
+        ByteReader reader(numbers, view["byteOffset"].count() + entry["byteOffset"].count());
+        std::vector<double> result;
+        for (std::size_t n = 0; n < count; ++n)
+            result.push_back(reader.number(entry["componentType"].text == "5126" ? "float" : "uint"));
+        return result;
+    }
+    std::vector<double> attribute(const JsonValue& primitive, const std::string& name) const
+    {
+        return values(primitive["attributes"][name].count());
+    }
+
+    JsonValue json;
+    std::string numbers;
+};
+
+Vec3 at(const std::vector<double>& positions, double vertex)
+{
+    const auto first = 3 * static_cast<std::size_t>(vertex);
+    return {positions.at(first), positions.at(first + 1), positions.at(first + 2)};
+}
+
+} // namespace
+
+TEST_CASE("a GLB has one unlit mesh per material, with the names and physics of the scene, and its record")
+{
+    SceneFile file = walls_that_do_not_match().file();
+    file.materials.push_back({"unused", {}, {}, "test"});
+    file.materials[1].name = "\"red\" caf\xe9"; // Latin-1
+    const Scene scene(file, 1.0);
+    const std::vector<Rgb> radiosity = some_values(scene);
+    const GlbFile glb(
+        glb_bytes(patch_mesh(scene, flat_corners(radiosity), {}), scene, 0.5, {"one", "command: \"two\""}));
+    CHECK(glb.json["asset"]["version"].text == "2.0");
+    CHECK(glb.json["asset"]["extras"]["record"][1].text == "command: \\\"two\\\"");
+    CHECK(glb.json["asset"]["extras"]["color_scale"].number() == 0.5);
+    CHECK(glb.json["extensionsUsed"][0].text == "KHR_materials_unlit");
+    REQUIRE(glb.json["meshes"].list.size() == 3);
+    REQUIRE(glb.json["materials"].list.size() == 3);
+    CHECK(glb.json["scenes"][0]["nodes"].list.size() == 3);
+    for (std::size_t n = 0; n < 3; ++n) {
+        const JsonValue& material = glb.json["materials"][n];
+        CHECK(glb.json["nodes"][n]["mesh"].count() == n);
+        CHECK(glb.json["meshes"][n]["primitives"][0]["material"].count() == n);
+        CHECK(material["extensions"].members.count("KHR_materials_unlit") == 1);
+        CHECK(material["doubleSided"].text == "false");
+        CHECK(material["extras"]["reflectance"][0].number() == file.materials[n].reflectance.r);
+        CHECK(material["extras"]["emittance"][2].number() == file.materials[n].emittance.b);
+        CHECK(material["name"].text == glb.json["meshes"][n]["name"].text);
+    }
+    CHECK(glb.json["materials"][1]["name"].text == "\\\"red\\\" caf\xc3\xa9");
+}
+
+// Triangle by triangle: each lies in the scene, looks the right way, and has the radiosity of a smooth picture.
+TEST_CASE("the triangles of a GLB cover the surfaces of their material")
+{
+    const Scene scene = walls_that_do_not_match().scene(1.0, true);
+    const std::vector<Rgb> radiosity = some_values(scene);
+    const SmoothShading shading(scene, radiosity, 1);
+    const PatchMesh mesh = patch_mesh(scene, [&](std::uint32_t patch) { return shading.at_corners(patch); }, {});
+    const GlbFile glb(glb_bytes(mesh, scene, 0.5, {}));
+    for (std::size_t n = 0; n < scene.materials().size(); ++n) {
+        const JsonValue& primitive = glb.json["meshes"][n]["primitives"][0];
+        const std::vector<double> positions = glb.attribute(primitive, "POSITION");
+        const std::vector<double> corners = glb.values(primitive["indices"].count());
+        double area = 0.0;
+        Vec3 facing;
+        for (std::size_t t = 0; t < corners.size(); t += 3) {
+            const Vec3 a = at(positions, corners[t]);
+            const Vec3 doubled = cross(at(positions, corners[t + 1]) - a, at(positions, corners[t + 2]) - a);
+            REQUIRE(length(doubled) > 1e-3);
+            area += 0.5 * length(doubled);
+            facing = facing + doubled;
+        }
+        double expected = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            expected += scene.file().material[scene.surface_of(i)] == n ? scene.area(i) : 0.0;
+        CHECK(area == doctest::Approx(expected).epsilon(1e-6)); // floats
+        CHECK(length(facing) < 1e-4);                           // fronts and backs
+    }
+}
+
+TEST_CASE("colours are linear and clipped, radiosity and error are as they are, and ranges are right")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {1, 0, 0}, paint).rectangle({0, 5, 0}, {1, 0, 0}, {0, 0, 1}, paint);
+    const Scene scene = builder.scene(1.0);
+    const std::vector<Rgb> radiosity = {{0.25, 0.5, 8.0}, {1, 1, 1}, {2, 0.125, 0}};
+    const std::vector<Rgb> error = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    const GlbFile glb(glb_bytes(patch_mesh(scene, flat_corners(radiosity), flat_corners(error)), scene, 0.25, {}));
+    const JsonValue& primitive = glb.json["meshes"][0]["primitives"][0];
+    const std::vector<double> colours = glb.attribute(primitive, "COLOR_0");
+    CHECK(colours[0] == 0.0625);
+    CHECK(colours[1] == 0.125);
+    CHECK(colours[2] == 1.0);
+    CHECK(glb.attribute(primitive, "_RADIOSITY")[2] == 8.0);
+    CHECK(glb.attribute(primitive, "_RADIOSITY")[3 * 11] == 2.0);
+    CHECK(glb.attribute(primitive, "_ERROR")[3 * 11 + 2] == 9.0);
+    const JsonValue& range = glb.json["accessors"][primitive["attributes"]["POSITION"].count()];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        CHECK(range["min"][axis].number() == 0.0);
+        CHECK(range["max"][axis].number() == std::vector<double>{1, 5, 2}[axis]);
+    }
+}
+
+TEST_CASE("a quadrilateral is cut where the light changes less")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 1.0)).scene(1.0);
+    for (const bool along_first : {true, false}) {
+        // A shadow covers one corner: the diagonal that does not touch it is the one to take.
+        const CornerFunction corners = [&](std::uint32_t) {
+            std::array<Rgb, 4> values;
+            values.fill({1, 1, 1});
+            values[along_first ? 1 : 2] = {};
+            return values;
+        };
+        const GlbFile glb(glb_bytes(patch_mesh(scene, corners, {}), scene, 1.0, {}));
+        const std::vector<double> triangles = glb.values(glb.json["meshes"][0]["primitives"][0]["indices"].count());
+        CHECK(triangles ==
+              (along_first ? std::vector<double>{0, 1, 2, 0, 2, 3} : std::vector<double>{0, 1, 3, 1, 2, 3}));
+    }
+}
+
+} // namespace glb_test

@@ -1,0 +1,113 @@
+#include "export/svg/line_drawing.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+namespace line_drawing_test {
+
+using namespace multipath;
+
+namespace {
+
+/// A cube of edge 2 around the origin with a small lamp in it.
+Scene cube()
+{
+    SceneBuilder builder;
+    builder.room({-1, -1, -1}, {1, 1, 1}, builder.grey(0.5, 0.0));
+    return builder.rectangle({0, 0.5, 0}, {0.1, 0, 0}, {0, 0, 0.1}, builder.grey(0.5, 1.0)).scene(1.0);
+}
+
+std::size_t count(const std::string& text, const std::string& part)
+{
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+/// A line from (0, 0, 0) to `end` and no meetings, in a sphere of radius 2.
+std::string drawn(Vec3 end, Vec3 up = {0, 1, 0})
+{
+    LineDrawing drawing;
+    drawing.up = up;
+    drawing.sphere = DrawnSphere{{0, 0, 0}, 2.0};
+    return draw_lines(cube(), {{"line 1", {{{0, 0, 0}, end, true}}, {}}}, drawing);
+}
+
+} // namespace
+
+// The two views are squares of 440 px with their middles at (250, 304) and (720, 304); the sphere of radius 2 takes 49
+// % of a square to either side: 107.8 px per unit.
+TEST_CASE("a line is drawn to the right, down and up in both views as seen from above and from the side")
+{
+    const std::string right = drawn({1, 0, 0});
+    CHECK(count(right, "M250.0 304.0L357.8 304.0") == 1);
+    CHECK(count(right, "M720.0 304.0L827.8 304.0") == 1);
+    const std::string up = drawn({0, 1, 0});
+    CHECK(count(up, "M250.0 304.0L250.0 304.0") == 1);
+    CHECK(count(up, "M720.0 304.0L720.0 196.2") == 1);
+    const std::string nearer = drawn({0, 0, 1}); // to the viewer of the side view, so down in the view from above
+    CHECK(count(nearer, "M250.0 304.0L250.0 411.8") == 1);
+    CHECK(count(nearer, "M720.0 304.0L720.0 304.0") == 1);
+}
+
+TEST_CASE("with z up a line along z rises in the view from the side")
+{
+    const std::string up = drawn({0, 0, 1}, {0, 0, 3});
+    CHECK(count(up, "M250.0 304.0L250.0 304.0") == 1);
+    CHECK(count(up, "M720.0 304.0L720.0 196.2") == 1);
+    CHECK(count(drawn({0, 1, 0}, {0, 0, 3}), "M250.0 304.0L250.0 196.2") == 1); // away from the viewer of the side view
+}
+
+TEST_CASE("edges that fall together are drawn once: a cube is a square in both views")
+{
+    for (const char* side : {"M142.2 196.2L357.8 196.2", "M142.2 411.8L357.8 411.8", "M142.2 196.2L142.2 411.8",
+                             "M357.8 196.2L357.8 411.8", "M612.2 196.2L827.8 196.2"})
+        CHECK_MESSAGE(count(drawn({1, 0, 0}), side) == 1, std::string(side));
+}
+
+// The box of edge 4 takes 49 % of a square to either side, as the sphere of radius 2 does.
+TEST_CASE("a box around the lines is drawn in both views in place of the sphere")
+{
+    LineDrawing drawing;
+    drawing.box = Bounds{{-2, -2, -2}, {2, 2, 2}};
+    const std::string text = draw_lines(cube(), {{"line 1", {{{0, 0, 0}, {1, 0, 0}, true}}, {}}}, drawing);
+    CHECK(count(text, "M34.4 88.4L34.4 519.6L465.6 519.6L465.6 88.4Z") == 1);
+    CHECK(count(text, "M504.4 519.6L935.6 519.6L935.6 88.4L504.4 88.4Z") == 1);
+    CHECK(count(text, "grey: the box") == 1);
+    CHECK(count(text, "the sphere") == 0);
+}
+
+TEST_CASE("the meetings of few lines are numbered in both views, those of many are dots")
+{
+    const DrawnLine line{"line", {{{0, 0, 0}, {1, 0, 0}, false}}, {{0.5, 0, 0}, {1, 0, 0}}};
+    const std::string few = draw_lines(cube(), {line, line}, {});
+    CHECK(count(few, ">1</text>") == 4);
+    CHECK(count(few, ">2</text>") == 4);
+    const std::string many = draw_lines(cube(), std::vector<DrawnLine>(20, line), {});
+    CHECK(count(many, ">1</text>") == 0);
+    CHECK(count(many, "and 13 more") == 1); // seven are named
+}
+
+TEST_CASE("a line of no length has no head, and nothing in the drawing is undefined")
+{
+    const std::string still = drawn({0, 0, 0});
+    CHECK(count(still, "nan") == 0);
+    CHECK(count(still, "inf") == 0);
+    CHECK(count(still, "Z\" fill=\"#0072b2\"") == 0);
+    CHECK(count(drawn({1, 0, 0}), "Z\" fill=\"#0072b2\"") == 2);
+}
+
+TEST_CASE("the title and the comments are in the file, escaped")
+{
+    LineDrawing drawing;
+    drawing.title = "a < b";
+    drawing.comments = {"made & kept"};
+    const std::string text = draw_lines(cube(), {}, drawing);
+    CHECK(count(text, "a &lt; b") == 2);
+    CHECK(count(text, "made &amp; kept") == 1);
+    CHECK(count(text, "</svg>") == 1);
+}
+
+} // namespace line_drawing_test

@@ -1,0 +1,141 @@
+#include "image/false_colour/false_colour.h"
+
+#include "image/false_colour/colour_map.h"
+#include "image/false_colour/legend.h"
+#include "image/tone_map.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace false_colour_test {
+
+using namespace multipath;
+
+namespace {
+
+/// A room with a small lamp below the ceiling.
+Scene room_with_lamp()
+{
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {3, 3, 3}, builder.grey(0.5, 0.0));
+    return builder.rectangle({1.5, 2.9, 1.5}, {0.4, 0, 0}, {0, 0, 0.4}, builder.grey(0.0, 1.0)).scene(1.0);
+}
+
+Quantity quantity(const Scene& scene, double room, double lamp)
+{
+    Quantity result{"radiosity [W/m\xB2]", {}};
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+        const double value = scene.emittance(patch) == Rgb{} ? room : lamp;
+        result.values.push_back({value, value, value});
+    }
+    return result;
+}
+
+RenderOptions sized(int width, int height)
+{
+    RenderOptions options;
+    options.width = width;
+    options.height = height;
+    return options;
+}
+
+const Camera inside = {{0.1, 1.0, 0.1}, {2.0, 2.0, 2.0}, {0, 1, 0}, 70.0};
+
+long count_of(const ScreenImage& image, Rgb colour)
+{
+    long count = 0;
+    for (std::size_t i = 0; i < image.bytes.size(); i += 3)
+        count += image.bytes[i] == screen_byte(colour.r) && image.bytes[i + 1] == screen_byte(colour.g) &&
+                 image.bytes[i + 2] == screen_byte(colour.b);
+    return count;
+}
+
+} // namespace
+
+// 0.6 is a round number itself, 0.3 of the lamp half of it. The lamp is about 15 pixels, most of them on its edge.
+TEST_CASE("a value has the colour of its share of the scale, exactly")
+{
+    const Scene scene = room_with_lamp();
+    const ScreenImage image = false_colour(scene, quantity(scene, 0.6, 0.3), inside, sized(64, 48));
+    CHECK(count_of(image, map_colour(1.0)) > 64 * 48 * 9 / 10);
+    CHECK(count_of(image, map_colour(0.5)) >= 1);
+}
+
+TEST_CASE("the colour is that of the mean of the channels")
+{
+    const Scene scene = room_with_lamp();
+    Quantity coloured = quantity(scene, 0.6, 0.3);
+    for (Rgb& value : coloured.values)
+        value = value.r == 0.6 ? Rgb{1.2, 0.6, 0.0} : Rgb{0.0, 0.0, 0.9};
+    CHECK(false_colour(scene, coloured, inside, sized(64, 48)).bytes ==
+          false_colour(scene, quantity(scene, 0.6, 0.3), inside, sized(64, 48)).bytes);
+}
+
+TEST_CASE("what fills less than a hundredth of the picture does not set the scale")
+{
+    const Scene scene = room_with_lamp();
+    const ScreenImage image = false_colour(scene, quantity(scene, 0.6, 1e9), inside, sized(64, 48));
+    CHECK(count_of(image, map_colour(1.0)) == 64 * 48);
+}
+
+TEST_CASE("what has no value is black, and what is zero is not")
+{
+    const Scene scene = room_with_lamp();
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const ScreenImage absent = false_colour(scene, quantity(scene, 0.6, none), inside, sized(64, 48));
+    const ScreenImage zero = false_colour(scene, quantity(scene, 0.6, 0.0), inside, sized(64, 48));
+    CHECK(count_of(absent, {}) >= 1);
+    CHECK(count_of(zero, {}) == 0);
+    CHECK(count_of(zero, map_colour(0.0)) == count_of(absent, {}));
+    CHECK(count_of(false_colour(scene, quantity(scene, none, none), inside, sized(64, 48)), {}) == 64 * 48);
+}
+
+TEST_CASE("a picture of zeros has the colour of zero")
+{
+    const Scene scene = room_with_lamp();
+    const ScreenImage image = false_colour(scene, quantity(scene, 0.0, 0.0), inside, sized(64, 48));
+    CHECK(count_of(image, map_colour(0.0)) == 64 * 48);
+}
+
+TEST_CASE("the legend is part of the size that was asked for")
+{
+    const Scene scene = room_with_lamp();
+    const Quantity shown = quantity(scene, 0.6, 0.3);
+    const int height = legend_height(320, 240, shown.title);
+    REQUIRE(height > 0);
+    const ScreenImage image = false_colour(scene, shown, inside, sized(320, 240));
+    CHECK(image.width == 320);
+    CHECK(image.height == 240);
+    REQUIRE(image.bytes.size() == 3 * 320 * 240);
+    const ScreenImage strip = legend_strip(320, height, {shown.title, round_scale(0.6)});
+    CHECK(std::equal(strip.bytes.rbegin(), strip.bytes.rend(), image.bytes.rbegin()));
+}
+
+// All pixels but those on the edges of patches, which are a fifth here.
+TEST_CASE("each patch keeps its own colour, whatever the shading that was asked for")
+{
+    const Scene scene = room_with_lamp();
+    const std::vector<Rgb> colours = patch_colours(scene.patch_count());
+    const ScreenImage image = flat_picture(scene, colours, inside, sized(64, 48)); // smooth
+    long of_a_patch = 0;
+    for (const Rgb& colour : colours)
+        of_a_patch += count_of(image, colour);
+    CHECK(of_a_patch > 64 * 48 * 7 / 10);
+}
+
+// Nothing but the walls and some per cent of the picture with a hundred times as much.
+TEST_CASE("the scale ends at twice what nine tenths of the picture stay below")
+{
+    const Scene scene = room_with_lamp();
+    const Camera towards_lamp = {inside.eye, {1.7, 2.9, 1.7}, {0.0, 1.0, 0.0}, 25.0};
+    const ScreenImage image = false_colour(scene, quantity(scene, 0.5, 50.0), towards_lamp, sized(64, 48));
+    const long lamp = count_of(image, map_colour(1.0));
+    REQUIRE(lamp > 64 * 48 / 100);
+    REQUIRE(lamp < 64 * 48 / 10);
+    CHECK(count_of(image, map_colour(0.5)) > 64 * 48 * 8 / 10); // twice 0.5 is the end
+}
+
+} // namespace false_colour_test

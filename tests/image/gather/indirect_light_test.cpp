@@ -1,0 +1,113 @@
+#include "image/gather/indirect_light.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <optional>
+
+namespace indirect_light_test {
+
+using namespace multipath;
+
+namespace {
+
+Rgb grey(double value)
+{
+    return {value, value, value};
+}
+
+const Place floor_place = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+
+} // namespace
+
+// The closed form of two parallel squares as in the test of SourceLight: 0.239456 at their middles for distance 1. The
+// upper one emits as well, which is not to be counted here.
+TEST_CASE("indirect light is what a patch reflects times its form factor, without what it emits")
+{
+    SceneBuilder builder;
+    builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({-0.5, 1.0, -0.5}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.5, 10.0));
+    const Scene scene = builder.scene(1.0);
+    const IndirectLight light(scene, {grey(0.0), grey(13.0)}, 4096, 1);
+    RayFan fan;
+    // The outline crosses about the root of the number of the strata: 4 of the resulting errors.
+    CHECK(light.at(floor_place, 0, fan).irradiance.g ==
+          doctest::Approx(3.0 * 0.239456).epsilon(4.0 * std::pow(4096.0, -0.75) / 0.239456));
+}
+
+// The same square turned over, as wide as the sky: its back gives light where it is a patch of a two-sided scene.
+TEST_CASE("backs give indirect light in two-sided scenes alone")
+{
+    SceneBuilder builder;
+    builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({-1e4, 1.0, -1e4}, {0.0, 0.0, 2e4}, {2e4, 0.0, 0.0}, builder.grey(0.5, 10.0));
+    RayFan fan;
+    const Scene one_sided = builder.scene(1e5);
+    CHECK(IndirectLight(one_sided, {grey(0.0), grey(13.0)}, 64, 1).at(floor_place, 0, fan).irradiance == Rgb{});
+    const Scene two_sided = builder.scene(1e5, true); // fronts first
+    const IndirectLight light(two_sided, {grey(0.0), grey(13.0), grey(0.0), grey(3.0)}, 64, 1);
+    CHECK(light.at(floor_place, 0, fan).irradiance.g == doctest::Approx(3.0));
+}
+
+// The harmonic mean of the way to a ceiling at height 1, in cosine-distributed directions: the mean of cos(theta) is
+// the integral of 2 cos^2 sin = 2/3, so 1.5; the walls are as good as infinitely far away.
+TEST_CASE("the distance of a sample is the harmonic mean of what it sees")
+{
+    SceneBuilder builder;
+    builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({-1e4, 1.0, -1e4}, {2e4, 0.0, 0.0}, {0.0, 0.0, 2e4}, builder.grey(0.5, 1.0));
+    const Scene scene = builder.scene(1e5);
+    RayFan fan;
+    const IndirectSample sample = IndirectLight(scene, {grey(0.0), grey(1.0)}, 1024, 1).at(floor_place, 0, fan);
+    CHECK(sample.distance == doctest::Approx(1.5).epsilon(0.01)); // smooth: far below the error of random rays, 0.015
+}
+
+TEST_CASE("samples of a grid are shared where they are near, level and turned alike")
+{
+    IndirectGrid grid(20, 20);
+    grid.set(10, 10, {floor_place, {1.0, 2.0, 3.0}, 1.0});
+    const auto found = [&](Vec3 point, Vec3 normal, int x) {
+        return grid.irradiance({0, point, normal}, x, 10).has_value();
+    };
+    const Vec3 up = {0.0, 1.0, 0.0};
+    CHECK(grid.irradiance({0, {0.1, 0.0, 0.0}, up}, 9, 11) == std::optional<Rgb>(Rgb{1.0, 2.0, 3.0}));
+    CHECK(found({0.2, 0.0, 0.0}, up, 12));
+    CHECK_FALSE(found({0.3, 0.0, 0.0}, up, 10)); // farther than a quarter of what it sees
+    CHECK_FALSE(found({0.0, 0.1, 0.0}, up, 10)); // a step up
+    CHECK_FALSE(found({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 10));
+    CHECK_FALSE(found({0.0, 0.0, 0.0}, up, 17)); // pixels away
+}
+
+TEST_CASE("of two samples the nearer one counts more, and equals give their mean")
+{
+    IndirectGrid grid(4, 1);
+    grid.set(0, 0, {{0, {-0.1, 0.0, 0.0}, {0.0, 1.0, 0.0}}, grey(1.0), 1.0});
+    grid.set(2, 0, {{0, {0.1, 0.0, 0.0}, {0.0, 1.0, 0.0}}, grey(3.0), 1.0});
+    CHECK(grid.irradiance(floor_place, 1, 0)->r == doctest::Approx(2.0));
+    // At 0.05 the weights are 1 - 0.15 / 0.25 = 0.4 and 1 - 0.05 / 0.25 = 0.8.
+    CHECK(grid.irradiance({0, {0.05, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 1, 0)->r == doctest::Approx((0.4 + 2.4) / 1.2));
+}
+
+// A wide floor, seen from straight above: one pixel is as good as another.
+TEST_CASE("samples in every second row and column are enough where nothing is close")
+{
+    const auto place = [](int x, int y) { return Place{0, {0.01 * x, 0.0, 0.01 * y}, {0.0, 1.0, 0.0}}; };
+    for (const double distance : {10.0, 0.1}) { // to what is seen
+        IndirectGrid grid(20, 20);
+        for (int y = 0; y < 20; y += 2)
+            for (int x = 0; x < 20; x += 2)
+                grid.set(x, y, {place(x, y), grey(2.0), distance});
+        const bool is_open = distance > 1.0;
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < 20; ++x)
+                CHECK(grid.is_supported(place(x, y), x, y) == is_open);
+        CHECK_FALSE(grid.is_supported({0, {0.09, 0.0, 0.09}, {1.0, 0.0, 0.0}}, 9, 9)); // on a wall
+        // Set in between, as by another thread: it does not count where there are enough.
+        grid.set(9, 9, {place(9, 9), grey(4.0), distance});
+        CHECK((grid.irradiance(place(9, 9), 9, 9)->r > 2.0 + 1e-9) == !is_open);
+    }
+}
+
+} // namespace indirect_light_test

@@ -1,0 +1,340 @@
+#include "image/shading/smooth_shading.h"
+
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace smooth_shading_test {
+
+using namespace multipath;
+
+namespace {
+
+Rgb grey(double value)
+{
+    return {value, value, value};
+}
+
+/// One value per patch from the point at its centre.
+template <class F>
+std::vector<Rgb> at_centres(const Scene& scene, const F& value)
+{
+    std::vector<Rgb> values;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        values.push_back(grey(value(scene.patch(patch).shape.centre())));
+    return values;
+}
+
+double shown(const SmoothShading& shading, std::uint32_t surface, double u, double v, bool front = true)
+{
+    return shading.at({0.0, surface, u, v, front}).r;
+}
+
+/// A small lamp, because a scene must have one; far from everything else.
+SceneBuilder with_lamp()
+{
+    SceneBuilder builder;
+    return builder.rectangle({0.0, 50.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.5, 1.0));
+}
+
+} // namespace
+
+TEST_CASE("a ramp runs through the seam between two rectangles of one wall")
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    builder.rectangle({2.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    const Scene scene = builder.scene(0.25);
+    const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return 1.0 + p.x + 2.0 * std::abs(p.y); });
+    const SmoothShading shading(scene, values, 1);
+    CHECK(shown(shading, 1, 1.0, 0.5) == doctest::Approx(4.0).epsilon(1e-13)); // rounding
+    CHECK(shown(shading, 2, 0.0, 0.5) == doctest::Approx(4.0).epsilon(1e-13));
+    CHECK(shown(shading, 2, 0.9, 0.1) == doctest::Approx(1.0 + 2.9 + 0.2).epsilon(1e-13));
+}
+
+TEST_CASE("where two rectangles of one wall differ they meet at one value")
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    builder.rectangle({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    const Scene scene = builder.scene(0.25);
+    const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return p.x < 1.0 ? 1.0 : 3.0; });
+    const SmoothShading shading(scene, values, 1);
+    for (const double v : {0.0, 0.4, 1.0}) {
+        CHECK(shown(shading, 1, 1.0, v) == doctest::Approx(2.0));
+        CHECK(shown(shading, 2, 0.0, v) == doctest::Approx(2.0));
+    }
+}
+
+// The corners are looked up in cells of a millionth of the scene's diagonal, here 5 m: x = 1 m is a multiple of them.
+TEST_CASE("corners that differ by rounding meet at one value, also at round coordinates")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 3.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 1.0));
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0.0, 0.0, 0.0}, {1.0 - 1e-14, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    builder.rectangle({1.0 + 1e-14, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+    const Scene scene = builder.scene(0.25);
+    REQUIRE(scene.bounds().diagonal() == doctest::Approx(5.0).epsilon(1e-12));
+    const SmoothShading shading(scene, at_centres(scene, [](Vec3 p) { return p.x < 1.0 ? 1.0 : 3.0; }), 1);
+    for (const double v : {0.0, 0.4, 1.0}) {
+        CHECK(shown(shading, 1, 1.0, v) == doctest::Approx(2.0));
+        CHECK(shown(shading, 2, 0.0, v) == doctest::Approx(2.0));
+    }
+}
+
+TEST_CASE("nothing leaks across an edge, to another material, or to a coincident face that looks the other way")
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    const std::uint32_t other_paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);        // dark
+    builder.rectangle({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, paint);        // around the corner
+    builder.rectangle({-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, other_paint); // beside it
+    builder.rectangle({0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, paint);        // behind it
+    builder.rectangle({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, paint);        // behind the others
+    builder.rectangle({-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, other_paint);
+    builder.room({-5.0, -5.0, -5.0}, {5.0, 60.0, 5.0}, paint);
+    const Scene scene = builder.scene(0.25);
+    std::vector<Rgb> values(scene.patch_count(), grey(100.0));
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        if (scene.surface_of(patch) == 1)
+            values[patch] = grey(0.0);
+    const SmoothShading shading(scene, values, 1);
+    for (const double u : {0.0, 0.1, 0.5, 1.0})
+        for (const double v : {0.0, 0.5, 1.0}) {
+            CHECK(shown(shading, 1, u, v) == 0.0);
+            for (const std::uint32_t bright : {2u, 3u, 4u})
+                CHECK(shown(shading, bright, u, v) == doctest::Approx(100.0));
+        }
+}
+
+// Four triangles of a flat pyramid share its apex; each is one patch, so the apex is their mean and the outer corners
+// of two neighbours are the mean of these two.
+TEST_CASE("triangles of a curved skin share the values at their corners")
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    const Vec3 apex = {0.0, 0.1, 0.0};
+    const Vec3 ring[4] = {{1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+    for (int i = 0; i < 4; ++i)
+        builder.triangle(apex, ring[i], ring[(i + 1) % 4], paint);
+    const Scene scene = builder.scene(10.0);
+    REQUIRE(scene.patch_count() == 5);
+    const std::vector<Rgb> values = {grey(7.0), grey(1.0), grey(2.0), grey(3.0), grey(6.0)};
+    const SmoothShading shading(scene, values, 1);
+    for (std::uint32_t surface = 1; surface <= 4; ++surface)
+        CHECK(shown(shading, surface, 0.0, 0.0) == doctest::Approx(3.0));
+    CHECK(shown(shading, 1, 0.0, 1.0) == doctest::Approx(1.5));
+    CHECK(shown(shading, 2, 1.0, 0.0) == doctest::Approx(1.5));
+}
+
+TEST_CASE("a source shows the plain values of its patches")
+{
+    const Scene scene = with_lamp().scene(0.5);
+    REQUIRE(scene.patch_count() == 4);
+    std::vector<Rgb> values(4, grey(1.0));
+    values[scene.patch_at(0, 0.9, 0.9, true)] = grey(5.0);
+    const SmoothShading shading(scene, values, 1);
+    CHECK(shown(shading, 0, 0.51, 0.51) == 5.0);
+    CHECK(shown(shading, 0, 0.49, 0.51) == 1.0);
+}
+
+TEST_CASE("the two sides of a surface are shaded each from its own patches")
+{
+    SceneBuilder builder = with_lamp();
+    builder.rectangle({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(0.5, true);
+    std::vector<Rgb> values(scene.patch_count(), grey(2.0));
+    for (std::uint32_t patch = scene.patch_count() / 2; patch < scene.patch_count(); ++patch)
+        values[patch] = grey(4.0);
+    const SmoothShading shading(scene, values, 1);
+    CHECK(shown(shading, 1, 0.3, 0.3, true) == doctest::Approx(2.0));
+    CHECK(shown(shading, 1, 0.3, 0.3, false) == doctest::Approx(4.0));
+}
+
+TEST_CASE("the values at a patch's corners are those that the corners show")
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, paint).triangle({1, 0, 0}, {2, 0, 0}, {1, 1, 0}, paint);
+    const Scene scene = builder.scene(0.3, true);
+    std::vector<Rgb> values;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        values.push_back(grey(patch * patch % 17));
+    const SmoothShading shading(scene, values, 1);
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+        const std::uint32_t surface = scene.surface_of(patch);
+        const std::array<Rgb, 4> at_corners = shading.at_corners(patch);
+        const CellCorners corners = scene.corners(patch);
+        for (std::size_t k = 0; k < corners.count; ++k) {
+            const double u = static_cast<double>(corners.points[k].i) / scene.tessellation(surface).cells_u;
+            const double v = static_cast<double>(corners.points[k].j) / scene.tessellation(surface).cells_v;
+            // The lamp is not interpolated: at its corners its patches differ.
+            const double expected =
+                surface == 0 ? values[patch].r : shown(shading, surface, u, v, scene.is_front(patch));
+            REQUIRE(at_corners[k].r == doctest::Approx(expected).epsilon(1e-12)); // rounding of (u, v)
+        }
+    }
+}
+
+TEST_CASE("a linear ramp over a parallelogram is reproduced everywhere, its border included")
+{
+    for (const double patch_size : {0.5, 0.3}) {
+        SceneBuilder builder = with_lamp();
+        builder.rectangle({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+        const Scene scene = builder.scene(patch_size);
+        const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return 1.0 + 2.0 * p.x + 3.0 * p.y; });
+        const SmoothShading shading(scene, values, 1);
+        for (const double u : {0.0, 0.03, 0.5, 0.77, 1.0})
+            for (const double v : {0.0, 0.2, 0.51, 1.0})
+                CHECK(shown(shading, 1, u, v) == doctest::Approx(1.0 + 2.0 * u + 3.0 * v).epsilon(1e-13)); // rounding
+    }
+}
+
+TEST_CASE("a triangle's inner corner is the mean of the six patches around it")
+{
+    SceneBuilder builder = with_lamp();
+    builder.triangle({0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 3.0, 0.0}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(1.5);
+    REQUIRE(scene.tessellation(1).cells_u == 3);
+    const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return 1.0 + 2.0 * p.x + 3.0 * p.y; });
+    const SmoothShading shading(scene, values, 1);
+    CHECK(shown(shading, 1, 1.0 / 3.0, 1.0 / 3.0) == doctest::Approx(6.0).epsilon(1e-13)); // symmetric, so exact
+}
+
+// Bright against dark in the middle: straight extrapolation would leave the range of the values.
+TEST_CASE("a step does not overshoot and nothing becomes negative")
+{
+    SceneBuilder builder = with_lamp();
+    builder.rectangle({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(1.0);
+    std::vector<Rgb> values(scene.patch_count(), grey(1.0));
+    values[scene.patch_at(1, 0.1, 0.5, true)] = {0.0, 0.1, 1.0};
+    values[scene.patch_at(1, 0.9, 0.5, true)] = {0.0, 5.0, 1.0};
+    const SmoothShading shading(scene, values, 1);
+    for (double u = 0.0; u <= 1.0; u += 0.125) {
+        const Rgb value = shading.at({0.0, 1, u, 0.5, true});
+        CHECK(value.r >= 0.0);
+        CHECK(value.r <= 1.0);
+        CHECK(value.g >= 0.0);
+        CHECK(value.b == doctest::Approx(1.0));
+    }
+}
+
+// By hand: from the border inward 5, 1, 0.9 the slopes are 4 and 0.1, so the corner is 5 + 0.1 / 2; for 2, 1, 2 they
+// disagree in sign, so the border patch goes on level.
+TEST_CASE("the border continues the smaller slope, and none where slopes disagree")
+{
+    SceneBuilder builder = with_lamp();
+    builder.rectangle({0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(1.0);
+    std::vector<Rgb> values(scene.patch_count());
+    values[scene.patch_at(1, 0.1, 0.5, true)] = {5.0, 2.0, 0.0};
+    values[scene.patch_at(1, 0.5, 0.5, true)] = {1.0, 1.0, 0.0};
+    values[scene.patch_at(1, 0.9, 0.5, true)] = {0.9, 2.0, 0.0};
+    const SmoothShading shading(scene, values, 1);
+    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).r == doctest::Approx(5.05));
+    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).g == doctest::Approx(2.0));
+}
+
+// A floor on which something stands.
+
+namespace {
+
+/// Floor of two rectangles that meet at x = 1, or of one; lit up to x = 1 and dark beyond.
+SceneBuilder lit_and_dark_floor(bool one_surface)
+{
+    SceneBuilder builder = with_lamp();
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {one_surface ? 2.0 : 1.0, 0.0, 0.0}, paint);
+    if (!one_surface)
+        builder.rectangle({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, paint);
+    return builder;
+}
+
+std::vector<Rgb> lit_and_dark(const Scene& scene)
+{
+    return at_centres(scene, [](Vec3 p) { return p.x < 1.0 ? 8.0 : 0.0; });
+}
+
+/// The value on the floor at (x, 0, z).
+double on_floor(const SmoothShading& shading, bool one_surface, double x, double z)
+{
+    if (one_surface)
+        return shown(shading, 1, z, x / 2.0);
+    return x < 1.0 ? shown(shading, 1, z, x) : shown(shading, 2, z, x - 1.0);
+}
+
+} // namespace
+
+TEST_CASE("no light leaks below a wall that stands on the floor, be it a sheet or a box")
+{
+    for (const bool one_surface : {false, true})
+        for (const double thickness : {0.0, 0.06}) {
+            SceneBuilder builder = lit_and_dark_floor(one_surface);
+            builder.box({1.0 - 0.5 * thickness, 0.0, 0.0}, {1.0 + 0.5 * thickness + 1e-9, 1.0, 1.0},
+                        builder.grey(0.5, 0.0));
+            const Scene scene = builder.scene(0.25);
+            const std::vector<Rgb> values = lit_and_dark(scene);
+            const SmoothShading shading(scene, values, 1);
+            for (const double z : {0.0, 0.3, 1.0}) {
+                CHECK(on_floor(shading, one_surface, 0.96, z) >= 8.0); // more on what the box leaves of the patch
+                CHECK(on_floor(shading, one_surface, 1.04, z) == 0.0);
+            }
+        }
+}
+
+TEST_CASE("without the wall the floor is smooth, and the leg of a table does not part it")
+{
+    for (const bool one_surface : {false, true})
+        for (const bool leg : {false, true}) {
+            SceneBuilder builder = lit_and_dark_floor(one_surface);
+            if (leg)
+                builder.box({0.97, 0.0, 0.47}, {1.03, 0.7, 0.53}, builder.grey(0.5, 0.0));
+            const Scene scene = builder.scene(0.25);
+            const std::vector<Rgb> values = lit_and_dark(scene);
+            const SmoothShading shading(scene, values, 1);
+            for (const double z : {0.0, 0.3, 1.0})
+                CHECK(on_floor(shading, one_surface, 1.0 - 1e-9, z) ==
+                      doctest::Approx(on_floor(shading, one_surface, 1.0 + 1e-9, z)).epsilon(1e-6)); // of a steep ramp
+        }
+}
+
+// A floor that is evenly lit where nothing stands on it: the patches below a box are black, those it covers in part are
+// darker by that part.
+TEST_CASE("what a box covers does not darken the floor around it")
+{
+    for (const double low : {0.5, 0.5625, 0.65625}) { // on the borders of patches, and across them
+        SceneBuilder builder = with_lamp();
+        builder.rectangle({0.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, {2.0, 0.0, 0.0}, builder.grey(0.5, 0.0));
+        builder.box({low, 0.0, low}, {1.25, 0.5, 1.25}, builder.grey(0.5, 0.0));
+        const Scene scene = builder.scene(0.25);
+        std::vector<Rgb> values(scene.patch_count(), grey(3.0));
+        const auto covered = [&](double from) {
+            return std::max(0.0, std::min(from + 0.25, 1.25) - std::max(from, low));
+        };
+        for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+            if (scene.surface_of(patch) == 1) {
+                const Vec3 corner = scene.patch(patch).shape.origin;
+                values[patch] = grey(3.0 * (1.0 - covered(corner.x) * covered(corner.z) / (0.25 * 0.25)));
+            }
+        const SmoothShading shading(scene, values, 1);
+        for (double u = 0.012; u < 1.0; u += 0.03)
+            for (double v = 0.012; v < 1.0; v += 0.03) {
+                const bool below_box = std::min(u, v) > 0.5 * low && std::max(u, v) < 0.625;
+                if (!below_box)
+                    CHECK(shown(shading, 1, u, v) == doctest::Approx(3.0)); // borders of the box lie between samples
+            }
+    }
+}
+
+} // namespace smooth_shading_test
