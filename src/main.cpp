@@ -10,7 +10,7 @@
 #include "commands/commands.h"
 #include "parallel/instruction_set.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,10 +1,8 @@
 #include "check/scene_check.h"
 
-#include "scene/coincident_faces.h"
-#include "scene/open_edges.h"
-#include "scene/patch_size.h"
+#include "scene/mesh_faults.h"
 #include "scene/tessellation.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

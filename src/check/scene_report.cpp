@@ -1,6 +1,6 @@
 #include "check/scene_report.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "radiosity/solve.h"
 #include "radiosity/trapped_light.h"
 #include "transport/depth_complexity.h"

@@ -5,7 +5,7 @@
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "export/json.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstdio>

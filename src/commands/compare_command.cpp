@@ -9,7 +9,7 @@
 #include "export/patch_table.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "commands/study/paper_steps.h"
-#include "scene/obj_reader.h"
-#include "scene/patch_size.h"
-#include "scene/text_format.h"
+#include "scene/obj/obj_reader.h"
+#include "scene/tessellation.h"
+#include "scene/text/text_format.h"
 #include "study/report/paper_report.h"
 #include "study/study_table.h"
 

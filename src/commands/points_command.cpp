@@ -7,7 +7,7 @@
 #include "export/comments.h"
 #include "export/discrepancy_table.h"
 #include "export/svg/point_plots.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstdio>

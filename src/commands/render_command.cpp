@@ -3,7 +3,7 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 namespace multipath {
 

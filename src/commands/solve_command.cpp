@@ -5,7 +5,7 @@
 #include "commands/options/solve_table.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "export/csv_text.h"
 
-#include "scene/text_words.h"
+#include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <utility>

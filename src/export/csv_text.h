@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/text_lines.h"
+#include "scene/text/text_lines.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "export/comments.h"
 #include "sampling/discrepancy.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

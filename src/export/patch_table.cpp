@@ -2,7 +2,7 @@
 
 #include "export/comments.h"
 #include "export/csv_text.h"
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <array>

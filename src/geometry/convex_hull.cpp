@@ -5,8 +5,11 @@
 
 #include "geometry/convex_hull.h"
 
+#include "geometry/vec3.h"
+
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -70,7 +73,7 @@ class HullBuilder
 {
 public:
     /// `tolerance`: as a share of the extent of the points.
-    HullBuilder(const std::vector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
+    HullBuilder(const LargeVector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
     /// Triangles that cover the hull; none when all points lie in one plane.
     std::vector<Face> faces()
@@ -244,16 +247,16 @@ private:
         }
     }
 
-    const std::vector<Vec3>& points_;
+    const LargeVector<Vec3>& points_;
     double tolerance_;
-    std::vector<Vec3> thick_;
+    LargeVector<Vec3> thick_;
     std::vector<Face> faces_;
     Corner a_ = 0, b_ = 0, c_ = 0; ///< the widest triangle found at the start
 };
 
 } // namespace
 
-ConvexHull::ConvexHull(const std::vector<Vec3>& points)
+ConvexHull::ConvexHull(const LargeVector<Vec3>& points)
 {
     HullBuilder builder(points, 1e-7);
     const std::vector<Face> faces = builder.faces();
@@ -300,6 +303,72 @@ bool ConvexHull::is_beside(const std::vector<Vec3>& points, double overlap) cons
         return std::all_of(points.begin(), points.end(),
                            [&](Vec3 point) { return dot(side.normal, point) - side.offset >= -overlap; });
     });
+}
+
+// Of a million surfaces hardly any reaches the hull. The corners that lie farthest out in a few directions span a body
+// that almost fills it; what lies inside of that body cannot be a corner of the hull.
+
+namespace {
+
+constexpr std::size_t few = 4096; ///< surfaces; fewer are not worth a selection
+
+template <class Visit>
+void for_each_corner(const SurfaceList& surfaces, const Visit& visit)
+{
+    for (const Surface& surface : surfaces) {
+        visit(surface.origin);
+        visit(surface.at(1.0, 0.0));
+        visit(surface.at(0.0, 1.0));
+        if (surface.shape == Shape::parallelogram)
+            visit(surface.at(1.0, 1.0));
+    }
+}
+
+/// The corners farthest out along the axes and the diagonals of a cube, both ways.
+LargeVector<Vec3> extreme_corners(const SurfaceList& surfaces)
+{
+    constexpr std::size_t directions = 7;
+    const auto places_along = [](Vec3 p) {
+        return std::array<double, directions>{
+            p.x, p.y, p.z, p.x + p.y + p.z, p.x + p.y - p.z, p.x - p.y + p.z, p.y + p.z - p.x};
+    };
+    const Vec3 any = surfaces.front().origin;
+    std::array<double, directions> low = places_along(any);
+    std::array<double, directions> high = low;
+    LargeVector<Vec3> extremes(2 * directions, any);
+    for_each_corner(surfaces, [&](Vec3 p) {
+        const std::array<double, directions> place = places_along(p);
+        for (std::size_t k = 0; k < directions; ++k) {
+            if (place[k] < low[k]) {
+                low[k] = place[k];
+                extremes[k] = p;
+            }
+            if (place[k] > high[k]) {
+                high[k] = place[k];
+                extremes[directions + k] = p;
+            }
+        }
+    });
+    return extremes;
+}
+
+} // namespace
+
+ConvexHull hull_of(const SurfaceList& surfaces)
+{
+    LargeVector<Vec3> corners;
+    if (surfaces.size() <= few) {
+        for_each_corner(surfaces, [&](Vec3 p) { corners.push_back(p); });
+        return ConvexHull(corners);
+    }
+    const LargeVector<Vec3> extremes = extreme_corners(surfaces);
+    const ConvexHull body(extremes);
+    corners = extremes;
+    for_each_corner(surfaces, [&](Vec3 p) {
+        if (!body.holds(p))
+            corners.push_back(p);
+    });
+    return ConvexHull(corners);
 }
 
 } // namespace multipath

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "geometry/line.h"
+#include "geometry/surface.h"
 #include "geometry/vec3.h"
+#include "parallel/memory.h"
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +15,7 @@ namespace multipath {
 class ConvexHull
 {
 public:
-    explicit ConvexHull(const std::vector<Vec3>& points);
+    explicit ConvexHull(const LargeVector<Vec3>& points);
 
     double area() const { return area_; }                    ///< [square of the points' unit]
     std::size_t side_count() const { return sides_.size(); } ///< triangles
@@ -36,5 +38,8 @@ private:
     double area_ = 0.0;
     std::vector<HalfSpace> sides_;
 };
+
+/// The convex hull of all surfaces.
+ConvexHull hull_of(const SurfaceList& surfaces);
 
 } // namespace multipath

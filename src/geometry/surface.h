@@ -2,6 +2,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/vec3.h"
+#include "parallel/memory.h"
 
 namespace multipath {
 
@@ -33,5 +34,8 @@ struct Surface
         return box;
     }
 };
+
+/// The surfaces of a scene, often a million.
+using SurfaceList = LargeVector<Surface>;
 
 } // namespace multipath

@@ -7,7 +7,7 @@
 #include "image/automatic_camera.h"
 
 #include "geometry/bounds.h"
-#include "geometry/flat_polygon.h"
+#include "geometry/polygon.h"
 #include "scene/input_error.h"
 
 #include <algorithm>

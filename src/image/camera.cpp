@@ -1,6 +1,6 @@
 #include "image/camera.h"
 
-#include "sampling/trigonometry.h"
+#include "sampling/warp.h"
 #include "scene/input_error.h"
 
 #include <algorithm>

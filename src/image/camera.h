@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/intersector.h"
+#include "geometry/intersector/intersector.h"
 #include "geometry/line.h"
 #include "geometry/vec3.h"
 #include "scene/scene.h"

@@ -5,7 +5,7 @@
 #include "image/png.h"
 
 #include "image/checksum.h"
-#include "scene/utf8.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

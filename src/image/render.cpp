@@ -7,7 +7,7 @@
 #include "image/camera.h"
 #include "image/gather/final_gather.h"
 #include "image/shading/smooth_shading.h"
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <cmath>

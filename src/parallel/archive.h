@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -76,8 +77,20 @@ public:
         list<Number>(name, values);
     }
 
-    /// Texts without zero bytes, any number of them.
-    void texts(std::string_view name, std::vector<std::string>& texts);
+    /// Texts without zero bytes, any number of them: one list of bytes, with a zero behind each text.
+    void texts(std::string_view name, std::vector<std::string>& texts)
+    {
+        std::string joined;
+        for (const std::string& text : texts)
+            joined.append(text).push_back('\0');
+        growing_list<char>(name, joined);
+        texts.clear();
+        for (std::size_t begin = 0; begin < joined.size();) {
+            const std::size_t end = std::min(joined.find('\0', begin), joined.size());
+            texts.push_back(joined.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    }
 
     /// As long as one lives, names are those of a part within the present one.
     class Inner

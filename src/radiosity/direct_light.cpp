@@ -1,9 +1,9 @@
 #include "radiosity/direct_light.h"
 
-#include "geometry/first_hits.h"
-#include "parallel/ordered_blocks.h"
+#include "geometry/intersector/hit_lists.h"
+#include "parallel/blocks.h"
 #include "radiosity/first_shot.h"
-#include "sampling/radical_inverse.h"
+#include "sampling/halton.h"
 #include "sampling/random.h"
 #include "transport/depth_complexity.h"
 #include "transport/lines/line_segments.h"

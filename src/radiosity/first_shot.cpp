@@ -1,7 +1,7 @@
 #include "radiosity/first_shot.h"
 
-#include "parallel/ordered_blocks.h"
-#include "parallel/prefetch.h"
+#include "parallel/blocks.h"
+#include "parallel/memory.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 

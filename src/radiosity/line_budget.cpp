@@ -1,6 +1,6 @@
 #include "radiosity/line_budget.h"
 
-#include "geometry/surface_hull.h"
+#include "geometry/convex_hull.h"
 
 #include <cmath>
 

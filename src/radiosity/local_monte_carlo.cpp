@@ -4,7 +4,7 @@
 
 #include "radiosity/local_monte_carlo.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "radiosity/first_shot.h"
 #include "sampling/random.h"
 #include "transport/lines/line_segments.h"

@@ -1,6 +1,6 @@
 #include "radiosity/multipath.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "transport/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel/prefetch.h"
+#include "parallel/memory.h"
 #include "parallel/run_control.h"
 #include "radiosity/first_shot.h"
 #include "radiosity/power_state.h"
@@ -91,7 +91,7 @@ private:
     void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
 
     bool bidirectional_;
-    std::vector<WalkingPower> patches_;
+    LargeVector<WalkingPower> patches_;
 };
 
 // Inline: this is the innermost loop of the program.

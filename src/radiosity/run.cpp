@@ -4,7 +4,7 @@
 #include "radiosity/multipath.h"
 #include "radiosity/reuse/exchange_solver.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "sampling/sequence.h"
 
-#include "sampling/halton_sequence.h"
-#include "sampling/kronecker_sequence.h"
+#include "sampling/halton.h"
+#include "sampling/kronecker.h"
 #include "sampling/random.h"
-#include "sampling/sobol_sequence.h"
+#include "sampling/sobol.h"
 
 #include <algorithm>
 #include <array>

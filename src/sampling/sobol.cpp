@@ -1,6 +1,12 @@
 #include "sampling/sobol.h"
 
-namespace multipath::sobol {
+#include "sampling/random.h"
+
+#include <stdexcept>
+
+namespace multipath {
+
+namespace sobol {
 
 namespace {
 
@@ -65,4 +71,165 @@ std::uint64_t coordinate_bits(std::uint64_t n, int dimension)
     return x;
 }
 
-} // namespace multipath::sobol
+} // namespace sobol
+
+namespace {
+
+/// Direction numbers of the first four dimensions side by side, bit by bit.
+using StepTable = std::array<std::array<std::uint64_t, 4>, sobol::index_bits>;
+
+/// Position of the lowest bit that is 0.
+std::size_t lowest_zero(std::uint64_t n)
+{
+#if defined(__GNUC__)
+    return static_cast<std::size_t>(__builtin_ctzll(~n));
+#else
+    std::size_t place = 0;
+    for (; (n & 1u) != 0; n >>= 1)
+        ++place;
+    return place;
+#endif
+}
+
+/// Walks through the points with one exclusive or per coordinate, since in the order of Antonov and Saleev successive
+/// points differ by one direction number, and hands the bits of each to `finish(item, bits)`.
+template <class Finish>
+void walk(const StepTable& steps, std::array<std::uint64_t, 4> bits, std::uint64_t first, std::vector<Item>& items,
+          const Finish& finish)
+{
+    std::uint64_t n = first;
+    for (Item& item : items) {
+        finish(item, bits);
+        const std::array<std::uint64_t, 4>& step = steps[lowest_zero(n++) % sobol::index_bits];
+        for (std::size_t d = 0; d < 4; ++d)
+            bits[d] ^= step[d];
+    }
+}
+
+class SobolSequence : public Sequence
+{
+public:
+    explicit SobolSequence(int dimensions) : dimensions_(dimensions)
+    {
+        for (std::size_t bit = 0; bit < steps_.size(); ++bit)
+            for (std::size_t d = 0; d < 4; ++d)
+                steps_[bit][d] = sobol::direction_numbers()[d][bit];
+    }
+
+    std::string name() const override { return "sobol"; }
+    int dimensions() const override { return dimensions_; }
+    std::uint64_t item_limit() const override { return std::uint64_t{1} << sobol::index_bits; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        return bits_to_unit(sobol::coordinate_bits(n, dimension));
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        walk(steps_, bits_of(first), first, items, [](Item& item, const std::array<std::uint64_t, 4>& bits) {
+            for (std::size_t d = 0; d < 4; ++d)
+                item[d] = bits_to_unit(bits[d]);
+        });
+    }
+
+protected:
+    static std::array<std::uint64_t, 4> bits_of(std::uint64_t n)
+    {
+        return {sobol::coordinate_bits(n, 0), sobol::coordinate_bits(n, 1), sobol::coordinate_bits(n, 2),
+                sobol::coordinate_bits(n, 3)};
+    }
+
+    StepTable steps_;
+
+private:
+    int dimensions_;
+};
+
+std::array<std::uint64_t, sobol::dimensions> random_keys(std::uint64_t seed, std::uint64_t purpose)
+{
+    std::array<std::uint64_t, sobol::dimensions> keys{};
+    for (std::uint64_t d = 0; d < keys.size(); ++d)
+        keys[d] = random_bits(mix_bits(seed ^ purpose), d);
+    return keys;
+}
+
+class ShiftedSobol final : public SobolSequence
+{
+public:
+    ShiftedSobol(std::uint64_t seed, int dimensions)
+        : SobolSequence(dimensions), shift_(random_keys(seed, 0xbb67ae8584caa73bu))
+    {
+    }
+
+    std::string name() const override { return "sobol-shift"; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        return bits_to_unit(sobol::coordinate_bits(n, dimension) ^ shift_[static_cast<std::size_t>(dimension)]);
+    }
+    // The shift stays in the walking bits: exclusive or does not mind the order.
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        std::array<std::uint64_t, 4> bits = bits_of(first);
+        for (std::size_t d = 0; d < 4; ++d)
+            bits[d] ^= shift_[d];
+        walk(steps_, bits, first, items, [](Item& item, const std::array<std::uint64_t, 4>& walking) {
+            for (std::size_t d = 0; d < 4; ++d)
+                item[d] = bits_to_unit(walking[d]);
+        });
+    }
+
+private:
+    std::array<std::uint64_t, sobol::dimensions> shift_;
+};
+
+class OwenSobol final : public SobolSequence
+{
+public:
+    OwenSobol(std::uint64_t seed, int dimensions)
+        : SobolSequence(dimensions), keys_(random_keys(seed, 0x3c6ef372fe94f82bu))
+    {
+        for (auto& step : steps_) // the scrambling works on reversed bits: walk with them
+            for (std::uint64_t& number : step)
+                number = reverse_bits(number);
+    }
+
+    std::string name() const override { return "sobol-owen"; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        return scrambled(reverse_bits(sobol::coordinate_bits(n, dimension)),
+                         keys_[static_cast<std::size_t>(dimension)]);
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        std::array<std::uint64_t, 4> bits = bits_of(first);
+        for (std::uint64_t& b : bits)
+            b = reverse_bits(b);
+        walk(steps_, bits, first, items, [this](Item& item, const std::array<std::uint64_t, 4>& walking) {
+            for (std::size_t d = 0; d < 4; ++d)
+                item[d] = scrambled(walking[d], keys_[d]);
+        });
+    }
+
+private:
+    static double scrambled(std::uint64_t reversed, std::uint64_t key)
+    {
+        return bits_to_unit(reverse_bits(scramble_reversed(reversed, key)));
+    }
+
+    std::array<std::uint64_t, sobol::dimensions> keys_;
+};
+
+} // namespace
+
+std::unique_ptr<Sequence> make_sobol_sequence(SobolKind kind, std::uint64_t seed, int dimensions)
+{
+    if (dimensions > sobol::dimensions)
+        throw std::invalid_argument("Sobol's sequence has 6 dimensions here, but " + std::to_string(dimensions) +
+                                    " are wanted; halton with that many bases has more");
+    if (kind == SobolKind::shift)
+        return std::make_unique<ShiftedSobol>(seed, dimensions);
+    if (kind == SobolKind::owen)
+        return std::make_unique<OwenSobol>(seed, dimensions);
+    return std::make_unique<SobolSequence>(dimensions);
+}
+
+} // namespace multipath

@@ -1,7 +1,6 @@
 #include "sampling/warp.h"
 
-#include "sampling/trigonometry.h"
-
+#include <algorithm>
 #include <cmath>
 
 namespace multipath {
@@ -26,6 +25,52 @@ Barycentric square_to_uniform_triangle(double a, double b)
 {
     const double width = std::sqrt(1.0 - a); // of the triangle at u = 1 - width, whose mass beyond it is width^2
     return {1.0 - width, b * width};
+}
+
+namespace {
+
+/// The part of x that is orthogonal to the unit vector `axis`, as a unit vector.
+Vec3 orthogonal_part(Vec3 x, Vec3 axis)
+{
+    return normalized(x - dot(x, axis) * axis);
+}
+
+/// The unit vector on the arc from `axis` towards `other` whose cosine with `axis` is given.
+Vec3 along_arc(Vec3 axis, Vec3 other, double cosine)
+{
+    const double bounded = std::clamp(cosine, -1.0, 1.0);
+    return bounded * axis + std::sqrt(1.0 - bounded * bounded) * orthogonal_part(other, axis);
+}
+
+} // namespace
+
+SphericalTriangle::SphericalTriangle(Vec3 a, Vec3 b, Vec3 c) : a_(a), b_(b), c_(c), cos_ab_(dot(a, b))
+{
+    // van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30 (1983): sound for small triangles as well.
+    const double volume = std::abs(dot(a, cross(b, c)));
+    const double denominator = 1.0 + dot(a, b) + dot(b, c) + dot(c, a);
+    const Vec3 normal_ab = cross(a, b);
+    const Vec3 normal_ac = cross(a, c);
+    const double lengths = length(normal_ab) * length(normal_ac);
+    if (!(volume > 0.0) || !(lengths > 0.0))
+        return;
+    solid_angle_ = 2.0 * std::atan2(volume, denominator);
+    cos_alpha_ = dot(normal_ab, normal_ac) / lengths;
+    sin_alpha_ = volume / lengths; // |(a x b) x (a x c)| = |a (a . (b x c))|
+}
+
+Vec3 SphericalTriangle::direction(double u, double v) const
+{
+    // The arc from b through c' cuts off the share u of the triangle; c' lies between a and c.
+    const double part = u * solid_angle_;
+    const double s = std::sin(part) * cos_alpha_ - std::cos(part) * sin_alpha_; // sin(part - alpha)
+    const double t = std::cos(part) * cos_alpha_ + std::sin(part) * sin_alpha_; // cos(part - alpha)
+    const double p = t - cos_alpha_;
+    const double q = s + sin_alpha_ * cos_ab_;
+    const double divisor = (q * s + p * t) * sin_alpha_;
+    const double cosine = divisor != 0.0 ? ((q * t - p * s) * cos_alpha_ - q) / divisor : 1.0;
+    const Vec3 c = along_arc(a_, c_, cosine);
+    return along_arc(b_, c, 1.0 - v * (1.0 - dot(c, b_)));
 }
 
 } // namespace multipath

@@ -4,6 +4,41 @@
 
 namespace multipath {
 
+struct SinCos
+{
+    double sin;
+    double cos;
+};
+
+/// Sine and cosine of 2 pi * turns for 0 <= turns <= 1, error below 2e-16. Our own polynomial, because the C libraries
+/// differ in the last bits and results must not depend on the machine.
+inline SinCos sin_cos_of_turns(double turns)
+{
+    // turns = quarter / 4 + rest with |rest| <= 1/8; both steps are exact.
+    const int quarter = static_cast<int>(4.0 * turns + 0.5);
+    const double rest = turns - 0.25 * quarter;
+    const double x = 6.283185307179586476925 * rest;
+    const double y = x * x;
+    // Taylor series on |x| <= pi/4; the first omitted terms are x^17/17! and x^18/18!.
+    const double s =
+        x * (1.0 +
+             y * (-1.0 / 6 +
+                  y * (1.0 / 120 + y * (-1.0 / 5040 + y * (1.0 / 362880 + y * (-1.0 / 39916800 +
+                                                                               y * (1.0 / 6227020800.0 +
+                                                                                    y * (-1.0 / 1307674368000.0))))))));
+    const double c =
+        1.0 + y * (-1.0 / 2 +
+                   y * (1.0 / 24 +
+                        y * (-1.0 / 720 +
+                             y * (1.0 / 40320 +
+                                  y * (-1.0 / 3628800 + y * (1.0 / 479001600 + y * (-1.0 / 87178291200.0 +
+                                                                                    y * (1.0 / 20922789888000.0))))))));
+    const bool swap = (quarter & 1) != 0;
+    const double sine = swap ? c : s;
+    const double cosine = swap ? s : c;
+    return {(quarter & 2) != 0 ? -sine : sine, ((quarter + 1) & 2) != 0 ? -cosine : cosine};
+}
+
 // Maps from the unit square, each with a density that does not vary over its target.
 
 /// Uniform on the unit sphere: z is uniform (Archimedes), density 1 / (4 pi).
@@ -21,5 +56,29 @@ struct Barycentric
 
 /// Uniform on the triangle u, v >= 0, u + v <= 1, density 2. Continuous, so it keeps well-spread points well spread.
 Barycentric square_to_uniform_triangle(double a, double b);
+
+/// A triangle on the unit sphere: what a flat triangle hides of the sky at a point.
+class SphericalTriangle
+{
+public:
+    /// Unit vectors to the corners, in any sense of rotation.
+    SphericalTriangle(Vec3 a, Vec3 b, Vec3 c);
+
+    /// [sr] 0 for a degenerate one.
+    double solid_angle() const { return solid_angle_; }
+
+    /// Direction with density 1 / solid_angle (Arvo: Stratified sampling of spherical triangles, SIGGRAPH 1995). The
+    /// solid angle must not be 0.
+    Vec3 direction(double u, double v) const;
+
+private:
+    Vec3 a_;
+    Vec3 b_;
+    Vec3 c_;
+    double cos_ab_;
+    double sin_alpha_ = 0.0; ///< angle at a
+    double cos_alpha_ = 0.0;
+    double solid_angle_ = 0.0;
+};
 
 } // namespace multipath

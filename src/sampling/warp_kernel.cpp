@@ -1,7 +1,6 @@
 #include "sampling/warp_kernel.h"
 
 #include "parallel/instruction_set.h"
-#include "sampling/warp_kernels.h"
 
 namespace multipath {
 

@@ -1,6 +1,6 @@
 // The maps for x86-64 processors with AVX2: 4 points at a time.
 
-#include "sampling/warp_kernels.h"
+#include "sampling/warp_kernel.h"
 
 #if defined(__x86_64__)
 

@@ -1,7 +1,7 @@
 // The maps in plain C++, for any processor: one point after the other.
 
 #include "parallel/double_lanes_plain.h"
-#include "sampling/warp_kernels.h"
+#include "sampling/warp_kernel.h"
 
 #include "sampling/lane_warp.inl"
 

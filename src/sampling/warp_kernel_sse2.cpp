@@ -1,6 +1,6 @@
 // The maps for every x86-64 processor: 2 points at a time.
 
-#include "sampling/warp_kernels.h"
+#include "sampling/warp_kernel.h"
 
 #if defined(__x86_64__)
 

@@ -1,18 +1,72 @@
 #include "scene/scene.h"
 
-#include "geometry/surface_boxes.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/intersector/surface_sizes.h"
+#include "parallel/mix_bits.h"
 #include "scene/input_error.h"
-#include "scene/scene_hash.h"
 
+#include <cstring>
 #include <utility>
 
 namespace multipath {
 
 namespace {
 
-std::vector<Tessellation> tessellate_all(const std::vector<Surface>& surfaces, double patch_size)
+class Hash
 {
-    std::vector<Tessellation> result;
+public:
+    void add(std::uint64_t value) { state_ = mix_bits(state_ ^ value); }
+    void add(double value)
+    {
+        const double without_sign_of_zero = value == 0.0 ? 0.0 : value;
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
+        add(bits);
+    }
+    void add(Vec3 v)
+    {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+    void add(Rgb c)
+    {
+        add(c.r);
+        add(c.g);
+        add(c.b);
+    }
+    std::uint64_t value() const { return state_; }
+
+private:
+    std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+} // namespace
+
+std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>& tessellations, bool two_sided)
+{
+    Hash hash;
+    hash.add(std::uint64_t{two_sided});
+    for (std::size_t s = 0; s < file.surfaces.size(); ++s) {
+        const Surface& surface = file.surfaces[s];
+        const Material& material = file.materials[file.material[s]];
+        hash.add(std::uint64_t{surface.shape == Shape::triangle});
+        hash.add(surface.origin);
+        hash.add(surface.edge_u);
+        hash.add(surface.edge_v);
+        hash.add(material.reflectance);
+        hash.add(material.emittance);
+        hash.add(std::uint64_t{tessellations[s].cells_u});
+        hash.add(std::uint64_t{tessellations[s].cells_v});
+    }
+    return hash.value();
+}
+
+namespace {
+
+LargeVector<Tessellation> tessellate_all(const SurfaceList& surfaces, double patch_size)
+{
+    LargeVector<Tessellation> result;
     result.reserve(surfaces.size());
     for (const Surface& surface : surfaces)
         result.push_back(tessellate(surface, patch_size));
@@ -42,7 +96,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     : file_(std::move(file)),
       two_sided_(two_sided),
       patch_size_(patch_size),
-      intersector_(file_->surfaces, *available_kernels()[0], threads),
+      intersector_(std::make_shared<const Intersector>(file_->surfaces, *available_kernels()[0], threads)),
       bounds_(bounds_of(file_->surfaces)),
       tessellations_(tessellate_all(file_->surfaces, patch_size))
 {
@@ -60,6 +114,8 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     cell_count_ = static_cast<std::uint32_t>(cells);
     patch_count_ = static_cast<std::uint32_t>(patches);
 
+    first_cell_.reserve(tessellations_.size());
+    cell_area_.reserve(tessellations_.size());
     surface_of_.reserve(cell_count_);
     Rgb reflecting_area;
     for (std::uint32_t s = 0; s < file_->surfaces.size(); ++s) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "geometry/bounds.h"
-#include "geometry/intersector.h"
 #include "scene/material.h"
 #include "scene/scene_file.h"
 #include "scene/tessellation.h"
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace multipath {
+
+class Intersector;
 
 /// Where a patch lies.
 struct Patch
@@ -34,10 +35,10 @@ public:
 
     const std::string& path() const { return file_->path; }
     const std::vector<Material>& materials() const { return file_->materials; }
-    const std::vector<Surface>& surfaces() const { return file_->surfaces; }
+    const SurfaceList& surfaces() const { return file_->surfaces; }
     const SceneFile& file() const { return *file_; }
     std::shared_ptr<const SceneFile> shared_file() const { return file_; } ///< for who keeps it without the scene
-    const Intersector& intersector() const { return intersector_; }
+    const Intersector& intersector() const { return *intersector_; }
     const Bounds& bounds() const { return bounds_; }
     bool two_sided() const { return two_sided_; }
     double patch_size() const { return patch_size_; } ///< [scene units]
@@ -88,12 +89,12 @@ private:
     std::shared_ptr<const SceneFile> file_;
     bool two_sided_ = false;
     double patch_size_ = 0.0;
-    Intersector intersector_;
+    std::shared_ptr<const Intersector> intersector_; ///< copies of a scene share it
     Bounds bounds_;
-    std::vector<Tessellation> tessellations_; ///< per surface
-    std::vector<std::uint32_t> first_cell_;   ///< per surface
-    std::vector<double> cell_area_;           ///< per surface [m^2]
-    std::vector<std::uint32_t> surface_of_;   ///< per cell
+    LargeVector<Tessellation> tessellations_; ///< per surface
+    LargeVector<std::uint32_t> first_cell_;   ///< per surface
+    LargeVector<double> cell_area_;           ///< per surface [m^2]
+    LargeVector<std::uint32_t> surface_of_;   ///< per cell
     std::uint32_t cell_count_ = 0;
     std::uint32_t patch_count_ = 0;
     std::uint64_t hash_ = 0;
@@ -114,5 +115,9 @@ inline Scene::Sides Scene::patches_at(std::uint32_t surface, double u, double v,
     const std::uint32_t cell = first_cell_[surface] + tessellations_[surface].cell_at(u, v);
     return {cell, two_sided_ ? cell_count_ + cell : none};
 }
+
+/// Identifies what a result was computed from: geometry, reflectances, emittances, subdivision and sides, but not
+/// names, comments or the spelling of numbers. FNV-1a over 64-bit values, the same on every machine.
+std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>& tessellations, bool two_sided);
 
 } // namespace multipath

@@ -19,7 +19,7 @@ struct SceneFile
     std::vector<std::string> groups; ///< names of `o` and `g` statements, in order of appearance; at least one ("")
 
     /// One entry per surface in all of these.
-    std::vector<Surface> surfaces;
+    SurfaceList surfaces;
     std::vector<std::uint32_t> material; ///< index into materials
     std::vector<std::uint32_t> group;    ///< index into groups
     std::vector<std::uint32_t> line;     ///< line of the face in the file; two surfaces of one polygon share it

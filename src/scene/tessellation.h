@@ -71,6 +71,14 @@ inline std::uint32_t Tessellation::cell_at(double u, double v) const
 Tessellation tessellate(const Surface& surface, double patch_size);
 
 /// How many cells all surfaces get; a real number, since a small patch size gives more than an integer holds.
-double cell_count(const std::vector<Surface>& surfaces, double patch_size);
+double cell_count(const SurfaceList& surfaces, double patch_size);
+
+/// A patch size [scene units] that gives a few thousand patches: the largest round number not above sqrt(A / 2500), or
+/// up to 2.5 times as much if it takes that to stay below 4000 patches.
+double default_patch_size(const SurfaceList& surfaces);
+
+/// The patch size [scene units] that cuts the surfaces into a number of patches close to `wanted`, never above it
+/// unless the surfaces alone are more.
+double patch_size_for_count(const SurfaceList& surfaces, std::uint64_t wanted);
 
 } // namespace multipath

@@ -1,7 +1,7 @@
 #include "scene/vertex_weld.h"
 
+#include "parallel/memory.h"
 #include "parallel/mix_bits.h"
-#include "parallel/prefetch.h"
 
 #include <cstring>
 
@@ -27,7 +27,7 @@ std::uint64_t hash_of(Vec3 p)
 
 } // namespace
 
-std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices)
+LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices)
 {
     std::size_t table_size = 16; // a power of two, less than half full
     while (table_size <= 2 * vertices.size())
@@ -37,12 +37,12 @@ std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices)
     // An entry is a vertex, and above the bits of its number some of its hash: another vertex is then hardly ever read.
     const std::uint64_t number_mask = table_size / 2 - 1;
     constexpr std::uint32_t empty = 0xffffffffu; // a number that no vertex has
-    std::vector<std::uint32_t> table(table_size, empty);
+    LargeVector<std::uint32_t> table(table_size, empty);
     const auto entry_of = [&](std::uint64_t hash, std::uint32_t i) {
         return static_cast<std::uint32_t>((hash >> 32 & ~number_mask) | i);
     };
 
-    std::vector<std::uint32_t> representative(vertices.size());
+    LargeVector<std::uint32_t> representative(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
         constexpr std::size_t ahead = 16; // the table is larger than the caches
         if (i + ahead < vertices.size())

@@ -3,7 +3,7 @@
 #include "export/comments.h"
 #include "export/csv_text.h"
 #include "radiosity/statistics.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

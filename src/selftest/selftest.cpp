@@ -1,6 +1,6 @@
 #include "selftest/selftest.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "radiosity/statistics.h"
 #include "sampling/random.h"
 #include "sampling/sequence.h"

@@ -1,6 +1,6 @@
 #include "study/convergence.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "radiosity/error_measure.h"
 #include "radiosity/statistics.h"
 #include "sampling/random.h"

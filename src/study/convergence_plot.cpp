@@ -2,7 +2,7 @@
 
 #include "export/svg/svg_elements.h"
 #include "export/svg/svg_plot.h"
-#include "scene/utf8.h"
+#include "scene/text/text_format.h"
 #include "study/number_words.h"
 #include "study/study_table.h"
 

@@ -1,6 +1,7 @@
 #include "transport/depth_complexity.h"
 
-#include "sampling/radical_inverse.h"
+#include "geometry/intersector/intersector.h"
+#include "sampling/halton.h"
 #include "transport/lines/local_rays.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "image/render.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 #include "viewer/packed_values.h"
 
 #include <algorithm>

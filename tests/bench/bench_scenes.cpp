@@ -1,7 +1,7 @@
 #include "bench_scenes.h"
 
 #include "sampling/random.h"
-#include "scene/patch_size.h"
+#include "scene/tessellation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 constexpr Shape parallelogram = Shape::parallelogram;
 
 /// The six sides of a box that stands on `corner`, spanned by two horizontal edges and a height, seen from outside.
-void add_box(Vec3 corner, Vec3 a, Vec3 b, double height, std::vector<Surface>& surfaces)
+void add_box(Vec3 corner, Vec3 a, Vec3 b, double height, SurfaceList& surfaces)
 {
     const Vec3 up = {0.0, height, 0.0};
     for (const Surface& side : {Surface{parallelogram, corner, a, b}, Surface{parallelogram, corner + up, b, a},
@@ -22,7 +22,7 @@ void add_box(Vec3 corner, Vec3 a, Vec3 b, double height, std::vector<Surface>& s
         surfaces.push_back(side);
 }
 
-void add_room(Vec3 size, std::vector<Surface>& surfaces)
+void add_room(Vec3 size, SurfaceList& surfaces)
 {
     const Vec3 x = {size.x, 0, 0};
     const Vec3 y = {0, size.y, 0};
@@ -35,9 +35,9 @@ void add_room(Vec3 size, std::vector<Surface>& surfaces)
 
 } // namespace
 
-std::vector<Surface> room_with_boxes(int boxes)
+SurfaceList room_with_boxes(int boxes)
 {
-    std::vector<Surface> surfaces = {{parallelogram, {1.2, 2.9, 1.2}, {0.6, 0, 0}, {0, 0, 0.6}}}; // looks down
+    SurfaceList surfaces = {{parallelogram, {1.2, 2.9, 1.2}, {0.6, 0, 0}, {0, 0, 0.6}}}; // looks down
     add_room({3, 3, 3}, surfaces);
     const int along = static_cast<int>(std::ceil(std::cbrt(static_cast<double>(boxes))));
     const double cell = 2.6 / along;
@@ -53,9 +53,9 @@ std::vector<Surface> room_with_boxes(int boxes)
     return surfaces;
 }
 
-std::vector<Surface> triangle_soup(std::size_t count, double size)
+SurfaceList triangle_soup(std::size_t count, double size)
 {
-    std::vector<Surface> surfaces;
+    SurfaceList surfaces;
     std::uint64_t counter = 0;
     const auto number = [&](double low, double high) {
         return low + (high - low) * bits_to_unit(random_bits(5, counter++));
@@ -75,9 +75,9 @@ std::vector<Surface> triangle_soup(std::size_t count, double size)
     return surfaces;
 }
 
-std::vector<Surface> as_triangles(const std::vector<Surface>& surfaces, int n)
+SurfaceList as_triangles(const SurfaceList& surfaces, int n)
 {
-    std::vector<Surface> triangles;
+    SurfaceList triangles;
     for (const Surface& s : surfaces)
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) {
@@ -90,7 +90,7 @@ std::vector<Surface> as_triangles(const std::vector<Surface>& surfaces, int n)
     return triangles;
 }
 
-Scene scene_of(const std::vector<Surface>& surfaces, std::uint64_t patches)
+Scene scene_of(const SurfaceList& surfaces, std::uint64_t patches)
 {
     SceneFile file;
     file.path = "bench";

@@ -11,15 +11,15 @@ namespace multipath {
 
 /// A room of 6 walls with a lamp below the ceiling and so many boxes of 6 sides in it, standing or hanging, turned by
 /// different angles: 7 + 6 * boxes rectangles, the lamp first.
-std::vector<Surface> room_with_boxes(int boxes);
+SurfaceList room_with_boxes(int boxes);
 
 /// Triangles of about this size scattered through the unit cube.
-std::vector<Surface> triangle_soup(std::size_t count, double size);
+SurfaceList triangle_soup(std::size_t count, double size);
 
 /// The same surfaces, each cut into n x n cells of two triangles.
-std::vector<Surface> as_triangles(const std::vector<Surface>& surfaces, int n);
+SurfaceList as_triangles(const SurfaceList& surfaces, int n);
 
 /// A scene of these surfaces, grey, whose first one emits, cut into about so many patches.
-Scene scene_of(const std::vector<Surface>& surfaces, std::uint64_t patches);
+Scene scene_of(const SurfaceList& surfaces, std::uint64_t patches);
 
 } // namespace multipath

@@ -4,8 +4,8 @@
 #include "bench_scenes.h"
 #include "contest.h"
 #include "embree_scene.h"
-#include "geometry/intersector.h"
-#include "geometry/surface_boxes.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/intersector/surface_sizes.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
 
@@ -24,11 +24,11 @@ constexpr std::size_t line_count = 64 * block;
 struct Rivals
 {
     std::string name;
-    std::vector<Surface> surfaces;
+    SurfaceList surfaces;
     std::vector<int> cuts; ///< n x n cells of every surface for Embree; 0: the surfaces are triangles
 };
 
-std::vector<Line> chords_through(const std::vector<Surface>& surfaces)
+std::vector<Line> chords_through(const SurfaceList& surfaces)
 {
     const Bounds box = bounds_of(surfaces);
     std::vector<Line> lines(line_count);
@@ -37,7 +37,7 @@ std::vector<Line> chords_through(const std::vector<Surface>& surfaces)
 }
 
 /// Diffuse rays from all surfaces, in turns of 64.
-std::vector<Line> rays_from(const std::vector<Surface>& surfaces, std::vector<std::uint32_t>& from)
+std::vector<Line> rays_from(const SurfaceList& surfaces, std::vector<std::uint32_t>& from)
 {
     const std::vector<Item> items = some_items(line_count);
     std::vector<Line> rays;
@@ -80,7 +80,7 @@ std::vector<Contestant> embrees_of(const Rivals& rivals, const std::string& unit
     if (!EmbreeScene::available())
         return contestants;
     for (const int cut : rivals.cuts) {
-        const std::vector<Surface> triangles = cut == 0 ? rivals.surfaces : as_triangles(rivals.surfaces, cut);
+        const SurfaceList triangles = cut == 0 ? rivals.surfaces : as_triangles(rivals.surfaces, cut);
         const auto mesh = std::make_shared<const EmbreeScene>(triangles);
         contestants.push_back({EmbreeScene::version() + ", " + std::to_string(triangles.size()) + " triangles", unit,
                                [mesh, &fresh, count] {

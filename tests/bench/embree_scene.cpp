@@ -65,7 +65,7 @@ struct EmbreeScene::Handles
         rtcReleaseDevice(device);
     }
 
-    RTCGeometry geometry(const std::vector<Surface>& triangles) const
+    RTCGeometry geometry(const SurfaceList& triangles) const
     {
         const RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -104,7 +104,7 @@ std::string EmbreeScene::version()
     return "Embree " + std::to_string(EMBREE_VERSION);
 }
 
-EmbreeScene::EmbreeScene(const std::vector<Surface>& triangles) : handles_(std::make_unique<Handles>())
+EmbreeScene::EmbreeScene(const SurfaceList& triangles) : handles_(std::make_unique<Handles>())
 {
     Handles::commit(handles_->closest_hit, handles_->geometry(triangles));
     const RTCGeometry filtered = handles_->geometry(triangles);
@@ -153,7 +153,7 @@ std::string EmbreeScene::version()
     return "none";
 }
 
-EmbreeScene::EmbreeScene(const std::vector<Surface>&) {}
+EmbreeScene::EmbreeScene(const SurfaceList&) {}
 
 EmbreeScene::~EmbreeScene() = default;
 

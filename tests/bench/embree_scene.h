@@ -19,7 +19,7 @@ public:
     static std::string version(); ///< "Embree 3"
 
     /// `triangles` must all be triangles.
-    explicit EmbreeScene(const std::vector<Surface>& triangles);
+    explicit EmbreeScene(const SurfaceList& triangles);
     ~EmbreeScene();
 
     /// All hits of each line by a filter function that counts and refuses them; returns how many.

@@ -2,7 +2,7 @@
 
 #include "check/scene_report.h"
 #include "radiosity/line_budget.h"
-#include "scene/patch_size.h"
+#include "scene/tessellation.h"
 #include "test_scenes.h"
 
 #include <algorithm>

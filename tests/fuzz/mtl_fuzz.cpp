@@ -2,7 +2,7 @@
 
 #include "fuzz_file.h"
 #include "scene/input_error.h"
-#include "scene/mtl_reader.h"
+#include "scene/obj/mtl_reader.h"
 
 #include <cmath>
 #include <cstdlib>

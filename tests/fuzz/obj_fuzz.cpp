@@ -2,9 +2,9 @@
 
 #include "fuzz_file.h"
 #include "scene/input_error.h"
-#include "scene/obj_reader.h"
-#include "scene/patch_size.h"
+#include "scene/obj/obj_reader.h"
 #include "scene/scene.h"
+#include "scene/tessellation.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 #include "geometry/convex_hull.h"
-
-#include "random_surfaces.h"
+#include "geometry/random_surfaces.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <vector>
 
 namespace convex_hull_test {
 
@@ -11,7 +11,7 @@ using namespace multipath;
 
 TEST_CASE("the hull of a box, whatever lies inside or on its faces, is the box")
 {
-    std::vector<Vec3> points;
+    LargeVector<Vec3> points;
     for (int i = 0; i <= 4; ++i)
         for (int j = 0; j <= 4; ++j)
             for (int k = 0; k <= 4; ++k)
@@ -22,7 +22,7 @@ TEST_CASE("the hull of a box, whatever lies inside or on its faces, is the box")
 // Points on a sphere: the hull has them all as corners and nearly the sphere's area, 4 pi (1 - O(1/n)).
 TEST_CASE("the hull of a sphere is nearly the sphere")
 {
-    std::vector<Vec3> points;
+    LargeVector<Vec3> points;
     const double golden_angle = 2.399963229728653;
     for (int i = 0; i < 3000; ++i) {
         const double z = 1.0 - (2.0 * i + 1.0) / 3000;
@@ -61,7 +61,7 @@ TEST_CASE("the hull of a set that is all but flat is that of its outline, twice"
         CAPTURE(thickness);
         for (std::uint64_t key = 0; key < 40; ++key) {
             Numbers numbers(key);
-            std::vector<Vec3> flat, thick;
+            LargeVector<Vec3> flat, thick;
             for (int i = 0; i < 500; ++i) {
                 const Vec3 p = numbers.point(-1, 1);
                 flat.push_back({p.x, p.y, 0});
@@ -83,7 +83,7 @@ TEST_CASE("the hull of a hundred thousand points of a circle is their polygon")
     const Vec3 x = normalized({1, 2, -0.5});
     const Vec3 y = normalized(cross(x, {0.3, -1, 2}));
     const Vec3 z = cross(x, y);
-    std::vector<Vec3> circle, drum;
+    LargeVector<Vec3> circle, drum;
     for (int i = 0; i < n; ++i) {
         const double angle = 2.0 * pi * ((i * 37) % n) / n;
         const Vec3 p = Vec3{5, 6, 7} + std::cos(angle) * x + std::sin(angle) * y;
@@ -94,7 +94,7 @@ TEST_CASE("the hull of a hundred thousand points of a circle is their polygon")
     const double polygon = 0.5 * n * std::sin(2.0 * pi / n);
     CHECK(ConvexHull(circle).area() == doctest::Approx(2.0 * polygon).epsilon(1e-9));
     CHECK(ConvexHull(drum).area() == doctest::Approx(2.0 * polygon + 2.0 * 2.0 * pi).epsilon(1e-6));
-    std::vector<Vec3> cone = circle;
+    LargeVector<Vec3> cone = circle;
     cone.push_back(Vec3{5, 6, 7} + z);
     CHECK(ConvexHull(cone).area() == doctest::Approx(polygon + pi * std::sqrt(2.0)).epsilon(1e-6));
 }
@@ -143,6 +143,69 @@ TEST_CASE("lines meet the hull of a box when they meet its faces")
         }
     CHECK(met > 100);
     CHECK(met < 1400);
+}
+
+namespace {
+
+/// Enough that corners are selected.
+constexpr int many = 6000;
+
+ConvexHull plain_hull(const SurfaceList& surfaces)
+{
+    LargeVector<Vec3> corners;
+    for (const Surface& s : surfaces) {
+        corners.insert(corners.end(), {s.origin, s.at(1.0, 0.0), s.at(0.0, 1.0)});
+        if (s.shape == Shape::parallelogram)
+            corners.push_back(s.at(1.0, 1.0));
+    }
+    return ConvexHull(corners);
+}
+
+/// Small surfaces at points that `place` chooses.
+template <class Place>
+SurfaceList scattered(std::uint64_t key, const Place& place)
+{
+    Numbers numbers(key);
+    SurfaceList surfaces;
+    for (int k = 0; k < many; ++k) {
+        const Shape shape = k % 3 == 0 ? Shape::parallelogram : Shape::triangle;
+        surfaces.push_back({shape, place(numbers), numbers.point(-0.05, 0.05), numbers.point(-0.05, 0.05)});
+    }
+    return surfaces;
+}
+
+} // namespace
+
+TEST_CASE("the hull of thousands of surfaces is that of all their corners")
+{
+    for (std::uint64_t key = 1; key <= 5; ++key) {
+        const auto in_cube = scattered(key, [](Numbers& numbers) { return numbers.point(-1, 1); });
+        CHECK(hull_of(in_cube).area() == doctest::Approx(plain_hull(in_cube).area()).epsilon(1e-9));
+        const auto on_sphere = scattered(key, [](Numbers& numbers) { return normalized(numbers.point(-1, 1)); });
+        CHECK(hull_of(on_sphere).area() == doctest::Approx(plain_hull(on_sphere).area()).epsilon(1e-9));
+        const auto far_away_rod = scattered(key, [](Numbers& numbers) {
+            const Vec3 p = numbers.point(-1, 1);
+            return Vec3{1000.0 + 100.0 * p.x, 0.1 * p.y - 50.0 * p.x, 0.1 * p.z};
+        });
+        CHECK(hull_of(far_away_rod).area() == doctest::Approx(plain_hull(far_away_rod).area()).epsilon(1e-7));
+    }
+}
+
+TEST_CASE("the hull of thousands of surfaces in a room is the room")
+{
+    SurfaceList surfaces = scattered(7, [](Numbers& numbers) { return numbers.point(-0.9, 0.9); });
+    for (const double side : {-1.0, 1.0})
+        surfaces.push_back({Shape::parallelogram, {-1, side, -2}, {2, 0, 0}, {0, 0, 4}});
+    CHECK(hull_of(surfaces).area() == doctest::Approx(2.0 * (4 + 8 + 8)));
+}
+
+TEST_CASE("the hull of thousands of surfaces in one plane has two sides")
+{
+    SurfaceList surfaces;
+    for (int i = 0; i < 80; ++i)
+        for (int j = 0; j < 60; ++j)
+            surfaces.push_back({Shape::parallelogram, {0.1 * i, 0.1 * j, 0.1 * i}, {0.1, 0, 0.1}, {0, 0.1, 0}});
+    CHECK(hull_of(surfaces).area() == doctest::Approx(2.0 * 8.0 * std::sqrt(2.0) * 6.0));
 }
 
 } // namespace convex_hull_test

@@ -25,10 +25,10 @@ private:
 };
 
 /// Unlike surfaces of both shapes, scattered through the unit cube, edges up to `size` in each coordinate.
-inline std::vector<Surface> scattered_surfaces(std::size_t count, double size, std::uint64_t key)
+inline SurfaceList scattered_surfaces(std::size_t count, double size, std::uint64_t key)
 {
     Numbers numbers(key);
-    std::vector<Surface> surfaces;
+    SurfaceList surfaces;
     while (surfaces.size() < count) {
         const Shape shape = numbers.unit() < 0.5 ? Shape::triangle : Shape::parallelogram;
         const Surface surface = {shape, numbers.point(0, 1), numbers.point(-size, size), numbers.point(-size, size)};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/exchange_area.h"
+#include "geometry/form_factor/exchange_area.h"
 
 #include <vector>
 
@@ -12,9 +12,9 @@ inline Surface rectangle(Vec3 corner, Vec3 u, Vec3 v)
 }
 
 /// n x n parallelograms, or n^2 triangles.
-inline std::vector<Surface> pieces(const Surface& s, int n)
+inline SurfaceList pieces(const Surface& s, int n)
 {
-    std::vector<Surface> result;
+    SurfaceList result;
     const double h = 1.0 / n;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
@@ -26,7 +26,7 @@ inline std::vector<Surface> pieces(const Surface& s, int n)
     return result;
 }
 
-inline double sum_of_exchanges(const std::vector<Surface>& a, const std::vector<Surface>& b, double touching)
+inline double sum_of_exchanges(const SurfaceList& a, const SurfaceList& b, double touching)
 {
     double sum = 0.0;
     for (const Surface& s : a)

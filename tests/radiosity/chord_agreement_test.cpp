@@ -1,7 +1,7 @@
 // Lines from the sphere and lines from the box have the same density, so the same light must come out.
 
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "statistics.h"
 #include "test_scenes.h"
 

@@ -3,7 +3,7 @@
 
 #include "form_factor.h"
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "statistics.h"
 #include "test_scenes.h"
 

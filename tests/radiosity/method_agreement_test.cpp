@@ -7,7 +7,7 @@
 // dark, and that is made up for: the missing light is that of the same scene lit by the unshot power alone.
 
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "statistics.h"
 #include "transport/lines/global_lines.h"
 

@@ -2,7 +2,7 @@
 
 #include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 
 #include <cstdlib>
 #include <doctest/doctest.h>

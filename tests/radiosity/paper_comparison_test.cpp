@@ -4,7 +4,7 @@
 
 #include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "sampling/sequence.h"
 
-#include "sampling/radical_inverse.h"
+#include "sampling/halton.h"
 
 #include <algorithm>
 #include <array>
@@ -299,49 +299,6 @@ TEST_CASE("numbers of points may be powers of two, up to where doubles count")
     CHECK(make_sequence("hammersley:2^52", 0)->item_limit() == 1ull << 52);
     CHECK(make_sequence("hammersley:2^10:3,5,7", 0)->name() == "hammersley:1024:3,5,7");
     CHECK_THROWS_AS(make_sequence("hammersley:2^53", 0), std::invalid_argument);
-}
-
-// Of bases 2, 7, 3, 5: 10 is 1010 in base 2, 13 in base 7, 101 in base 3, 20 in base 5.
-TEST_CASE("point 10 of Halton's sequence is that found by hand")
-{
-    const Item item = make_sequence("halton", 0)->item(10);
-    const Item by_hand = {5.0 / 16.0, 22.0 / 49.0, 10.0 / 27.0, 2.0 / 25.0};
-    for (std::size_t d = 0; d < 4; ++d)
-        CHECK(item[d] == doctest::Approx(by_hand[d]).epsilon(1e-14));
-}
-
-// A point that rounding has put just below the end of an interval belongs to the next.
-TEST_CASE("in base b each of the b^k intervals of length b^-k holds one of the first b^k points of Halton's sequences")
-{
-    const std::array<std::uint64_t, 4> counts = {4096, 2401, 2187, 3125}; // powers of 2, 7, 3, 5
-    for (const char* name : {"halton", "halton-permuted"}) {
-        CAPTURE(name);
-        const auto sequence = make_sequence(name, 1);
-        for (std::size_t d = 0; d < 4; ++d) {
-            std::set<std::uint64_t> intervals;
-            for (std::uint64_t n = 0; n < counts[d]; ++n) {
-                const double x = sequence->coordinate(n, static_cast<int>(d));
-                intervals.insert(static_cast<std::uint64_t>(x * static_cast<double>(counts[d]) + 1e-9));
-            }
-            CHECK(intervals.size() == counts[d]);
-        }
-    }
-}
-
-// The integral is 1 and the variance of the integrand (4/3)^4 - 1, so that the mean of n random points has a standard
-// deviation of 0.011. Points that are spread well are nearer.
-TEST_CASE("every kind of sequence integrates 16 x y z w to 1")
-{
-    constexpr std::size_t n = 1 << 14;
-    for (const std::string& name : all_names()) {
-        CAPTURE(name);
-        std::vector<Item> items(n);
-        make_sequence(name.compare(0, 10, "hammersley") == 0 ? "hammersley:16384" : name, 1)->generate(0, items);
-        double sum = 0.0;
-        for (const Item& x : items)
-            sum += 16.0 * x[0] * x[1] * x[2] * x[3];
-        CHECK(std::abs(sum / n - 1.0) < 4.0 * std::sqrt((std::pow(4.0 / 3.0, 4) - 1.0) / n));
-    }
 }
 
 } // namespace sequence_test

@@ -3,8 +3,8 @@
 #include "radiosity/direct_light.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
-#include "scene/patch_size.h"
+#include "scene/obj/obj_reader.h"
+#include "scene/tessellation.h"
 #include "statistics.h"
 
 #include <doctest/doctest.h>

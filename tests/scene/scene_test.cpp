@@ -1,7 +1,6 @@
 #include "scene/scene.h"
 
-#include "input_problem.h"
-#include "scene/scene_hash.h"
+#include "scene/input_problem.h"
 #include "test_scenes.h"
 
 #include <cstdint>

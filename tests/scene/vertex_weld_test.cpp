@@ -13,9 +13,9 @@ using namespace multipath;
 namespace {
 
 /// The first vertex at the same place, looked for among all.
-std::vector<std::uint32_t> welded_one_by_one(const std::vector<Vec3>& vertices)
+LargeVector<std::uint32_t> welded_one_by_one(const LargeVector<Vec3>& vertices)
 {
-    std::vector<std::uint32_t> first;
+    LargeVector<std::uint32_t> first;
     for (std::uint32_t i = 0; i < vertices.size(); ++i)
         for (std::uint32_t k = 0; k <= i; ++k)
             if (vertices[k] == vertices[i]) {
@@ -32,7 +32,7 @@ TEST_CASE("vertices at the same place are one, whatever the grid that they stand
     std::mt19937 random(7);
     for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 500u, 1000u})
         for (const double spacing : {1.0, 0.25, 0.1, 1e-3}) {
-            std::vector<Vec3> vertices;
+            LargeVector<Vec3> vertices;
             for (std::size_t i = 0; i < count; ++i) {
                 const auto coordinate = [&] { return spacing * (static_cast<double>(random() % 9) - 4.0); };
                 vertices.push_back({coordinate(), coordinate(), coordinate()});
@@ -43,7 +43,7 @@ TEST_CASE("vertices at the same place are one, whatever the grid that they stand
 
 TEST_CASE("round coordinates, which differ in few bits, do not crowd the table")
 {
-    std::vector<Vec3> pole; // a square mast, every corner twice
+    LargeVector<Vec3> pole; // a square mast, every corner twice
     for (int storey = 0; storey < 500; ++storey)
         for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}})
             pole.push_back({corner.x, corner.y, static_cast<double>(storey)});

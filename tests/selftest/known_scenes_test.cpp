@@ -1,6 +1,6 @@
 #include "selftest/known_scenes.h"
 
-#include "geometry/exchange_area.h"
+#include "geometry/form_factor/exchange_area.h"
 #include "radiosity/solve.h"
 #include "seeded_runs.h"
 

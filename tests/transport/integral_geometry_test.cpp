@@ -1,11 +1,12 @@
 // What lines and rays of the right density must find, by closed forms. "Within 4 standard errors": see laws_test.cpp.
 
-#include "geometry/exchange_area.h"
+#include "geometry/form_factor/exchange_area.h"
+#include "geometry/intersector/intersector.h"
 #include "statistics.h"
 #include "test_scenes.h"
+#include "transport/exchange/pair_counts.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
-#include "transport/exchange/pair_counts.h"
 
 #include <array>
 #include <doctest/doctest.h>

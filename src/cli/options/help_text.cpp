@@ -1,6 +1,6 @@
 #include "cli/options/help_text.h"
 
-#include "scene/utf8.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 

@@ -2,8 +2,7 @@
 
 #include "cli/options/help_text.h"
 #include "explain/line_trace.h"
-#include "scene/text_format.h"
-#include "scene/utf8.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

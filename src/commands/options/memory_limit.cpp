@@ -5,7 +5,7 @@
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/solve_options.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <filesystem>

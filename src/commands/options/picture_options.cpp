@@ -6,7 +6,7 @@
 #include "commands/solve/formats.h"
 #include "image/automatic_camera.h"
 #include "image/render.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

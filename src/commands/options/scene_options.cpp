@@ -3,8 +3,8 @@
 #include "cli/options/number_text.h"
 #include "cli/options/usage_error.h"
 #include "commands/options/memory_limit.h"
-#include "scene/obj_reader.h"
-#include "scene/patch_size.h"
+#include "scene/obj/obj_reader.h"
+#include "scene/tessellation.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -14,7 +14,7 @@
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
 #include "radiosity/reuse/gathered_light.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

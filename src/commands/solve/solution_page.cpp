@@ -4,7 +4,7 @@
 #include "image/false_colour/quantity.h"
 #include "radiosity/reuse/gathered_light.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 #include "viewer/viewer_page.h"
 
 #include <algorithm>

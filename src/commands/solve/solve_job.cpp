@@ -16,7 +16,7 @@
 #include "radiosity/line_budget.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 

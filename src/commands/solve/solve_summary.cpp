@@ -3,7 +3,7 @@
 #include "commands/options/method_options.h"
 #include "radiosity/reuse/counted_reuse.h"
 #include "radiosity/runs/replicates.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

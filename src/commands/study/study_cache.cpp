@@ -11,7 +11,7 @@
 #include "image/checksum.h"
 #include "radiosity/error_measure.h"
 #include "scene/input_error.h"
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 
 #include <cmath>
 #include <stdexcept>

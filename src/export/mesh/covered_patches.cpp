@@ -3,8 +3,9 @@
 
 #include "export/mesh/covered_patches.h"
 
-#include "geometry/flat_polygon.h"
-#include "parallel/ordered_blocks.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/polygon.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <cstdint>

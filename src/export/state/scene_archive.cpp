@@ -35,7 +35,7 @@ void visit_materials(Archive& archive, std::vector<Material>& materials)
         materials.push_back({names[m], reflectances[m], emittances[m], sources[m]});
 }
 
-void visit_surfaces(Archive& archive, std::vector<Surface>& surfaces)
+void visit_surfaces(Archive& archive, SurfaceList& surfaces)
 {
     std::vector<std::uint32_t> shapes;
     std::vector<Vec3> corners; // origin and edges of each

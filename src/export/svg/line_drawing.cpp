@@ -4,7 +4,7 @@
 #include "export/svg/line_drawing.h"
 
 #include "export/svg/svg_plot.h"
-#include "geometry/flat_polygon.h"
+#include "geometry/polygon.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sampling/point_set.h"
+#include "sampling/discrepancy.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "image/camera.h"
 #include "image/gather/place.h"
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "sampling/random.h"
 
 #include <optional>

@@ -1,5 +1,6 @@
 #include "image/gather/indirect_light.h"
 
+#include "geometry/intersector/intersector.h"
 #include "image/image.h"
 #include "sampling/warp.h"
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "geometry/first_hits.h"
 #include "geometry/hit.h"
+#include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/intersector.h"
 #include "geometry/vec3.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"

@@ -7,9 +7,9 @@
 #include "image/gather/source_light.h"
 
 #include "geometry/convex_hull.h"
-#include "geometry/flat_polygon.h"
-#include "geometry/polygon_irradiance.h"
-#include "sampling/spherical_triangle.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/polygon.h"
+#include "sampling/warp.h"
 
 #include <algorithm>
 #include <array>
@@ -72,7 +72,7 @@ bool ClearSight::find(std::uint32_t patch, std::uint32_t target) const
     std::vector<Vec3> points = corners_of(here);
     for (const Vec3& corner : corners_of(there))
         points.push_back(corner);
-    const ConvexHull hull(points);
+    const ConvexHull hull({points.begin(), points.end()});
     const std::uint32_t own = scene_.surface_of(patch);
     for (std::uint32_t s = 0; s < scene_.surfaces().size(); ++s) {
         if (s == own || s == target)

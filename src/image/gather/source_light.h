@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/flat_polygon.h"
+#include "geometry/polygon.h"
 #include "image/gather/place.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"

@@ -1,7 +1,7 @@
 #include "image/shading/flat_regions.h"
 
 #include "geometry/bounds.h"
-#include "geometry/flat_polygon.h"
+#include "geometry/polygon.h"
 
 #include <algorithm>
 #include <array>

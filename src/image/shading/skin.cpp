@@ -1,7 +1,8 @@
 #include "image/shading/skin.h"
 
 #include "geometry/bounds.h"
-#include "geometry/flat_polygon.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/polygon.h"
 #include "sampling/random.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "image/shading/flat_regions.h"
 #include "image/shading/skin.h"
 #include "image/shading/visible_patches.h"
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "image/shading/visible_patches.h"
 
-#include "parallel/ordered_blocks.h"
+#include "geometry/intersector/intersector.h"
+#include "parallel/blocks.h"
 #include "scene/tessellation.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 #include "radiosity/reuse/gathered_light.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "radiosity/first_shot.h"
 #include "radiosity/reuse/shadow_rays.h"
 #include "sampling/random.h"

@@ -1,6 +1,6 @@
 #include "radiosity/reuse/light_pair.h"
 
-#include "geometry/contour_integral.h"
+#include "geometry/form_factor/contour_integral.h"
 #include "sampling/warp.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/line.h"
-#include "geometry/polygon_irradiance.h"
+#include "geometry/polygon.h"
 #include "geometry/surface.h"
 #include "sampling/sequence.h"
 

@@ -1,8 +1,9 @@
 #include "radiosity/reuse/shadow_rays.h"
 
-#include "geometry/exchange_area.h"
-#include "geometry/flat_polygon.h"
-#include "parallel/ordered_blocks.h"
+#include "geometry/form_factor/exchange_area.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/polygon.h"
+#include "parallel/blocks.h"
 #include "sampling/random.h"
 #include "transport/exchange/contact.h"
 #include "transport/lines/local_rays.h"

@@ -1,6 +1,6 @@
 #include "radiosity/runs/share_sum.h"
 
-#include "parallel/shared_blocks.h"
+#include "parallel/blocks.h"
 #include "transport/exchange/exchange_estimate.h"
 #include "transport/exchange/line_counts.h"
 #include "transport/exchange/pair_counts.h"

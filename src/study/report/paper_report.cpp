@@ -1,6 +1,6 @@
 #include "study/report/paper_report.h"
 
-#include "scene/text_format.h"
+#include "scene/text/text_format.h"
 #include "study/number_words.h"
 #include "study/report/paper_claims.h"
 

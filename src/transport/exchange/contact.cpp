@@ -1,5 +1,7 @@
 #include "transport/exchange/contact.h"
 
+#include "geometry/intersector/intersector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

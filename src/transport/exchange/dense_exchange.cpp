@@ -1,6 +1,6 @@
 #include "transport/exchange/dense_exchange.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "transport/exchange/symmetric_product.h"
 
 #include <utility>

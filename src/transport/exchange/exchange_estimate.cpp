@@ -1,6 +1,6 @@
 #include "transport/exchange/exchange_estimate.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,8 +4,7 @@
 
 #include "transport/exchange/line_counts.h"
 
-#include "parallel/ordered_blocks.h"
-#include "parallel/shared_blocks.h"
+#include "parallel/blocks.h"
 #include "scene/input_error.h"
 #include "transport/depth_complexity.h"
 #include "transport/lines/line_segments.h"

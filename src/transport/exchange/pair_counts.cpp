@@ -1,7 +1,6 @@
 #include "transport/exchange/pair_counts.h"
 
-#include "parallel/ordered_blocks.h"
-#include "parallel/shared_blocks.h"
+#include "parallel/blocks.h"
 #include "transport/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 

@@ -1,56 +1,16 @@
 #pragma once
 
 #include "parallel/archive.h"
-#include "parallel/huge_pages.h"
+#include "parallel/memory.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <new>
 #include <string_view>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace multipath {
 
-/// Memory that the system hands out zeroed when it is first touched, so that a large table costs nothing to begin with.
-/// For plain numbers, whose zero is all bits zero.
-template <class Value>
-struct ZeroedMemory
-{
-    static_assert(std::is_trivially_copyable<Value>::value, "all bits zero must be a value");
-    using value_type = Value;
-
-    ZeroedMemory() = default;
-    template <class Other>
-    explicit ZeroedMemory(const ZeroedMemory<Other>&)
-    {
-    }
-
-    Value* allocate(std::size_t count)
-    {
-        void* const memory = std::calloc(count, sizeof(Value));
-        if (memory == nullptr)
-            throw std::bad_alloc();
-        ask_for_huge_pages(memory, count * sizeof(Value));
-        return static_cast<Value*>(memory);
-    }
-    void deallocate(Value* memory, std::size_t) { std::free(memory); }
-    template <class Other>
-    void construct(Other*)
-    {
-    }
-    template <class Other, class... Arguments>
-    void construct(Other* place, Arguments&&... arguments)
-    {
-        ::new (static_cast<void*>(place)) Other(std::forward<Arguments>(arguments)...);
-    }
-    bool operator==(const ZeroedMemory&) const { return true; }
-    bool operator!=(const ZeroedMemory&) const { return false; }
-};
-
-/// One value for each unordered pair of n patches, a patch with itself included: the lower triangle, row by row.
+/// One value for each unordered pair of n patches, a patch with itself included: the lower triangle, row by row. Zero
+/// at first; memory that was never written takes no room.
 template <class Value>
 class PairMatrix
 {
@@ -78,7 +38,7 @@ public:
 
 private:
     std::uint32_t n_;
-    std::vector<Value, ZeroedMemory<Value>> values_;
+    ZeroedVector<Value> values_;
 };
 
 } // namespace multipath

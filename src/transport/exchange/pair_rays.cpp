@@ -4,10 +4,9 @@
 
 #include "transport/exchange/pair_rays.h"
 
-#include "geometry/first_hits.h"
-#include "parallel/ordered_blocks.h"
-#include "parallel/shared_blocks.h"
-#include "sampling/spherical_triangle.h"
+#include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/intersector.h"
+#include "parallel/blocks.h"
 #include "sampling/warp.h"
 #include "transport/exchange/ray_allocation.h"
 

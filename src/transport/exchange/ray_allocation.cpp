@@ -1,6 +1,6 @@
 #include "transport/exchange/ray_allocation.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 #include "sampling/random.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel/shared_blocks.h"
+#include "parallel/blocks.h"
 #include "scene/scene.h"
 #include "transport/exchange/exchange_estimate.h"
 

@@ -1,6 +1,6 @@
 #include "transport/exchange/sparse_exchange.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "transport/exchange/symmetric_product.h"
 
-#include "parallel/ordered_blocks.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 
 #include "transport/exchange/unoccluded_exchange.h"
 
-#include "geometry/exchange_area.h"
-#include "geometry/flat_polygon.h"
-#include "geometry/shared_planes.h"
-#include "parallel/ordered_blocks.h"
+#include "geometry/form_factor/exchange_area.h"
+#include "geometry/intersector/shared_planes.h"
+#include "geometry/polygon.h"
+#include "parallel/blocks.h"
 #include "transport/exchange/contact.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/intersector.h"
+#include "geometry/intersector/intersector.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 #include "transport/lines/global_lines.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/first_hits.h"
+#include "geometry/intersector/hit_lists.h"
 #include "geometry/line.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"

@@ -1,7 +1,7 @@
 #include "export/mesh/obj_colours.h"
 
 #include "export/mesh/mesh_scenes.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 #include "image/automatic_camera.h"
 #include "image/render.h"
 #include "radiosity/solve.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

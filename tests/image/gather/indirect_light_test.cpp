@@ -1,5 +1,6 @@
 #include "image/gather/indirect_light.h"
 
+#include "geometry/intersector/intersector.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,8 @@
 #include "image/gather/source_light.h"
 
+#include "geometry/intersector/intersector.h"
 #include "sampling/sequence.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,6 @@
 #include "image/shading/flat_regions.h"
 
+#include "geometry/intersector/intersector.h"
 #include "image/shading/smooth_shading.h"
 #include "test_scenes.h"
 

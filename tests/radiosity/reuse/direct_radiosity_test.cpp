@@ -1,6 +1,6 @@
 #include "radiosity/reuse/gathered_light.h"
 
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "radiosity/reuse/gathered_light.h"
 
-#include "geometry/polygon_irradiance.h"
+#include "geometry/polygon.h"
 #include "radiosity/first_shot.h"
 #include "statistics.h"
 #include "test_scenes.h"

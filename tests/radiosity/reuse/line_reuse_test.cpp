@@ -7,7 +7,7 @@
 #include "radiosity/reuse/exchange_solver.h"
 #include "radiosity/solve.h"
 #include "scene/input_error.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 #include "transport/exchange/pair_counts.h"
 

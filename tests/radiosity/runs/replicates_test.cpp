@@ -4,7 +4,7 @@
 #include "radiosity/runs/replicates.h"
 
 #include "paused_work.h"
-#include "scene/obj_reader.h"
+#include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
 #include <cmath>

@@ -125,7 +125,7 @@ TEST_CASE("lines through a pair are those that would join it if there were nothi
     REQUIRE(scene.patch_count() == count);
     std::vector<Intersector> alone;
     for (const Surface& surface : scene.surfaces())
-        alone.emplace_back(std::vector<Surface>{surface});
+        alone.emplace_back(SurfaceList{surface});
     PairMatrix<std::uint32_t> expected(count);
     for_lines(scene, lines, [&](const Line& line) {
         std::vector<std::optional<Hit>> hits;

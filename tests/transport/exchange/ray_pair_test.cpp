@@ -3,7 +3,7 @@
 
 #include "transport/exchange/pair_rays.h"
 
-#include "geometry/exchange_area.h"
+#include "geometry/form_factor/exchange_area.h"
 #include "statistics.h"
 #include "test_scenes.h"
 

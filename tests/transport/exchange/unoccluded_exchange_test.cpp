@@ -2,8 +2,8 @@
 
 #include "transport/exchange/contact.h"
 
-#include "geometry/exchange_area.h"
-#include "geometry/shared_planes.h"
+#include "geometry/form_factor/exchange_area.h"
+#include "geometry/intersector/shared_planes.h"
 #include "test_scenes.h"
 
 #include <algorithm>

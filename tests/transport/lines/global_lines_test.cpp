@@ -1,7 +1,7 @@
 #include "transport/lines/global_lines.h"
 
-#include "geometry/intersector.h"
-#include "geometry/surface_boxes.h"
+#include "geometry/intersector/intersector.h"
+#include "geometry/intersector/surface_sizes.h"
 #include "statistics.h"
 
 #include <array>
@@ -25,7 +25,7 @@ Bounds box_between(Vec3 low, Vec3 high)
 }
 
 /// The box from inside.
-std::vector<Surface> walls_of(const Bounds& box)
+SurfaceList walls_of(const Bounds& box)
 {
     const Vec3 d = box.size();
     return {{Shape::parallelogram, box.low, {0, 0, d.z}, {d.x, 0, 0}},
@@ -50,7 +50,7 @@ struct Crossings
     double to_front = 0.0;
 };
 
-std::vector<Crossings> crossings_of(const std::vector<Surface>& surfaces, const GlobalLines& lines,
+std::vector<Crossings> crossings_of(const SurfaceList& surfaces, const GlobalLines& lines,
                                     const std::vector<Item>& items)
 {
     const Intersector intersector(surfaces);
@@ -67,7 +67,7 @@ std::vector<Crossings> crossings_of(const std::vector<Surface>& surfaces, const 
 }
 
 /// Counts are binomial: a line crosses a flat patch at most once, from either side with probability 1/2.
-void check_crossings(const std::vector<Surface>& surfaces, const GlobalLines& lines, std::uint64_t count)
+void check_crossings(const SurfaceList& surfaces, const GlobalLines& lines, std::uint64_t count)
 {
     const std::vector<Crossings> crossings = crossings_of(surfaces, lines, items_of("random", 4, count));
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -85,7 +85,7 @@ void check_crossings(const std::vector<Surface>& surfaces, const GlobalLines& li
 // area A, wherever it lies and however it is turned.
 TEST_CASE("a global line crosses patches in proportion to their area")
 {
-    const std::vector<Surface> surfaces = {
+    const SurfaceList surfaces = {
         {Shape::parallelogram, {0, 0, 0}, {1, 0, 0}, {0, 0, 2}},             // on the border of the box
         {Shape::parallelogram, {0.4, 0.5, 0.9}, {0.2, 0, 0}, {0, 0.2, 0.1}}, // small, in the middle, oblique
         {Shape::triangle, {0.9, 0.1, 0.1}, {0, 0.8, 0}, {0, 0, 1.8}},
@@ -101,7 +101,7 @@ TEST_CASE("a global line crosses patches in proportion to their area")
 TEST_CASE("random patches and the walls themselves are crossed as often as their area says")
 {
     const Bounds room = box_between({-1, 0, 2}, {2, 1, 4});
-    std::vector<Surface> surfaces = walls_of(room);
+    SurfaceList surfaces = walls_of(room);
     const std::vector<Item> numbers = items_of("random", 9, 72);
     for (std::size_t k = 0; k < numbers.size(); k += 3) {
         const auto vector = [&](std::size_t row) {
@@ -211,7 +211,7 @@ TEST_CASE("in a flat scene every line of the box crosses the plane once")
         const Vec3 u = 2.0 * axes[k];
         const Vec3 v = axes[k + 1];
         const Vec3 corner = {0.5, -1.0, 3.0};
-        const std::vector<Surface> surfaces = {{Shape::parallelogram, corner, 0.25 * u, v},
+        const SurfaceList surfaces = {{Shape::parallelogram, corner, 0.25 * u, v},
                                                {Shape::parallelogram, corner + 0.25 * u, 0.75 * u, v}};
         const GlobalLines lines(bounds_of(surfaces), Chords::box);
         constexpr std::uint64_t count = 100000;

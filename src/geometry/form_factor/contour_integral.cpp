@@ -1,0 +1,199 @@
+// One pair of edges contributes cos(alpha) times the integral of ln r over both, s along the one and t along the other.
+// Measured from the feet of the common perpendicular (of length h), r^2 = h^2 + s^2 + t^2 - 2 s t cos(alpha), and
+//     d(s ln r)/ds + d(t ln r)/dt = 2 ln r + 1 - h^2 / r^2.
+// So Gauss' theorem in the rectangle of (s, t) leaves integrals of ln r from a corner to an edge, which are
+// elementary, and the integral of h^2 / r^2. The latter is not, but it vanishes where edges meet, where ln r is
+// singular; with s = h sinh(x) / sin(alpha) it becomes an integral over x of the angle that an edge subtends, which is
+// smooth. Parallel edges are elementary altogether, perpendicular ones contribute nothing.
+
+#include "geometry/form_factor/contour_integral.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+constexpr double two_pi = 6.283185307179586476925;
+
+struct Edge
+{
+    Vec3 from;
+    Vec3 direction; ///< unit vector
+    double length;
+};
+
+struct Edges
+{
+    std::array<Edge, 5> edges; ///< the first `size` count
+    std::size_t size;
+};
+
+Edges edges_of(const FlatPolygon& polygon)
+{
+    Edges result = {{}, polygon.size};
+    for (std::size_t k = 0; k < polygon.size; ++k) {
+        const Vec3 along = polygon.next(k) - polygon.corners[k];
+        const double l = length(along);
+        result.edges[k] = {polygon.corners[k], l > 0.0 ? (1.0 / l) * along : Vec3{}, l};
+    }
+    return result;
+}
+
+/// ln r, or 0 at r = 0: there it is multiplied by a length that vanishes faster.
+double log_distance(double squared_distance)
+{
+    return squared_distance > 0.0 ? 0.5 * std::log(squared_distance) : 0.0;
+}
+
+/// Integral of ln r from a point to an edge.
+double point_to_edge(Vec3 point, const Edge& edge)
+{
+    const Vec3 to = edge.from - point;
+    const double begin = dot(to, edge.direction);
+    const double end = begin + edge.length;
+    const Vec3 across = to - begin * edge.direction;
+    const double w2 = dot(across, across);
+    const double w = std::sqrt(w2);
+    return end * log_distance(end * end + w2) - begin * log_distance(begin * begin + w2) - edge.length +
+           w * std::atan2(w * edge.length, w2 + begin * end);
+}
+
+/// The second integral of ln r over the distance u along two parallel lines h apart.
+double parallel_term(double u, double h)
+{
+    return 0.5 * (u * u - h * h) * log_distance(u * u + h * h) - 0.75 * u * u + h * u * std::atan2(u, h);
+}
+
+/// Integral of ln r over two parallel edges.
+double parallel_edges(const Edge& a, const Edge& b, double cosine)
+{
+    const Vec3 to = b.from - a.from;
+    const double begin = dot(to, a.direction);
+    const Vec3 across = to - begin * a.direction;
+    const double h = length(across);
+    const double end = begin + std::copysign(b.length, cosine);
+    const double sum = parallel_term(end, h) - parallel_term(end - a.length, h) - parallel_term(begin, h) +
+                       parallel_term(begin - a.length, h);
+    return std::copysign(1.0, cosine) * sum;
+}
+
+/// Gauss-Legendre on [-1, 1]: half of the ten symmetric nodes and their weights.
+struct GaussNode
+{
+    double place;
+    double weight;
+};
+constexpr std::array<GaussNode, 5> gauss_10 = {{{0.1488743389816312, 0.2955242247147529},
+                                                {0.4333953941292472, 0.2692667193099963},
+                                                {0.6794095682990244, 0.2190863625159820},
+                                                {0.8650633666889845, 0.1494513491505806},
+                                                {0.9739065285171717, 0.0666713443086881}}};
+
+/// Two lines that are not parallel, with s and t measured from the feet of their common perpendicular.
+struct SkewEdges
+{
+    double s_begin, s_end;
+    double t_begin, t_end;
+    double h; ///< shortest distance of the lines
+    double sine, cosine;
+};
+
+/// The angle under which the foot of s = h sinh(x) / sin(alpha) on the second line's plane sees the second edge.
+double subtended_angle(const SkewEdges& e, double x)
+{
+    const double up = std::exp(x);
+    const double down = 1.0 / up;
+    const double foot = e.h * e.cosine / e.sine * 0.5 * (up - down);
+    const double distance = e.h * 0.5 * (up + down);
+    return std::atan2(distance * (e.t_end - e.t_begin), distance * distance + (e.t_end - foot) * (e.t_begin - foot));
+}
+
+/// Do ten nodes suffice for this interval? The angle, as a function of a complex x, is singular where r = 0 at an end
+/// of the second edge: above and below asinh(t sin(alpha) / h) by the acute angle of the edges.
+bool is_smooth(const SkewEdges& e, double begin, double end)
+{
+    const double half = 0.5 * (end - begin);
+    constexpr double negligible = 1e-9;
+    if (e.h * e.h / e.sine * half < negligible * (e.s_end - e.s_begin) * (e.t_end - e.t_begin))
+        return true;
+    const double height = std::asin(std::min(e.sine, 1.0));
+    for (const double t : {e.t_begin, e.t_end}) {
+        const double place = std::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
+        const double gap = std::max({0.0, begin - place, place - end});
+        if (gap * gap + height * height < half * half)
+            return false;
+    }
+    return true;
+}
+
+double integral_of_angle(const SkewEdges& e, double begin, double end)
+{
+    const double middle = 0.5 * (begin + end);
+    if (!is_smooth(e, begin, end))
+        return integral_of_angle(e, begin, middle) + integral_of_angle(e, middle, end);
+    const double half = 0.5 * (end - begin);
+    double sum = 0.0;
+    for (const GaussNode& node : gauss_10)
+        sum += node.weight *
+               (subtended_angle(e, middle - half * node.place) + subtended_angle(e, middle + half * node.place));
+    return half * sum;
+}
+
+/// Integral of h^2 / r^2 over both edges.
+double apart_term(const SkewEdges& e)
+{
+    constexpr double meeting = 1e-10;
+    if (e.h < meeting * std::min(e.s_end - e.s_begin, e.t_end - e.t_begin))
+        return 0.0;
+    const double x_begin = std::asinh(e.s_begin * e.sine / e.h);
+    const double x_end = std::asinh(e.s_end * e.sine / e.h);
+    return e.h * e.h / e.sine * integral_of_angle(e, x_begin, x_end);
+}
+
+/// Integral of ln r over two edges that are not parallel.
+double skew_edges(const Edge& a, const Edge& b, double cosine, double squared_sine)
+{
+    const Vec3 to = b.from - a.from;
+    const double along_a = dot(to, a.direction);
+    const double along_b = dot(to, b.direction);
+    const double sine = std::sqrt(squared_sine);
+    const double s_begin = (cosine * along_b - along_a) / squared_sine;
+    const double t_begin = (along_b - cosine * along_a) / squared_sine;
+    const double h = std::abs(dot(to, cross(a.direction, b.direction))) / sine;
+    const SkewEdges e = {s_begin, s_begin + a.length, t_begin, t_begin + b.length, h, sine, cosine};
+
+    const Vec3 a_end = a.from + a.length * a.direction;
+    const Vec3 b_end = b.from + b.length * b.direction;
+    const double border = e.s_end * point_to_edge(a_end, b) - e.s_begin * point_to_edge(a.from, b) +
+                          e.t_end * point_to_edge(b_end, a) - e.t_begin * point_to_edge(b.from, a);
+    return 0.5 * (border - a.length * b.length + apart_term(e));
+}
+
+} // namespace
+
+double contour_integral(const FlatPolygon& a, const FlatPolygon& b)
+{
+    constexpr double perpendicular = 1e-12;
+    // At smaller angles the feet of the common perpendicular are too far away to keep the digits.
+    constexpr double parallel = 1e-6;
+    const Edges a_edges = edges_of(a);
+    const Edges b_edges = edges_of(b);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a_edges.size; ++k)
+        for (std::size_t l = 0; l < b_edges.size; ++l) {
+            const Edge& e = a_edges.edges[k];
+            const Edge& f = b_edges.edges[l];
+            const double cosine = dot(e.direction, f.direction);
+            if (std::abs(cosine) < perpendicular)
+                continue;
+            const Vec3 turn = cross(e.direction, f.direction);
+            const double squared_sine = dot(turn, turn);
+            sum += cosine * (squared_sine < parallel * parallel ? parallel_edges(e, f, cosine)
+                                                                : skew_edges(e, f, cosine, squared_sine));
+        }
+    return sum / two_pi;
+}
+
+} // namespace multipath

@@ -1,0 +1,261 @@
+// How much slack the tests of SurfaceBlock need. They must pass every line that SurfaceTable::decide, in double
+// precision, lets pass. Let e = 2^-24 be the rounding error of single precision, r = 1 the half diagonal of the box, L
+// the length of the line's direction D, M its moment, n the unit normal, U = 2 r to_u the gradient of u (from -1 to 1)
+// and m = max(|U|, |V|). All surfaces and the part of the line near them lie in the unit sphere, so
+//     |M| <= L,  |u_moment| = |U x n| <= m,  |u_direction| = |u_0 n + offset U| <= 2 m,  |offset| <= 1,
+// since u vanishes in the sphere (|u_0| <= m).
+//
+// 1. u a is a sum of six products of rounded factors: 2 e for the factors of each, at most 7 e for the product and the
+//    additions it takes part in, fused or not: 9 e (m L + 2 m L) = 27 m e L. The approach a: 6 e L. |a| + slack L: e L.
+// 2. Double precision: the line begins at most 10^7 r from the origin and the box (FilterFrame::reach), where u, the
+//    plane's distance and the moment lose less than 10^-8 (m + 1) L < e/4 (m + 1) L each, the four together e (m + 1)
+//    L. Nothing is said of the sign of a, which rounding can turn when a line lies in the plane: |u a| <= |a| needs
+//    none. In all |u a| exceeds |a| by at most 28 m e L + 8 e L < 32 (m + 1) e L: the slack.
+// 3. The diagonal of a triangle: (u a + v a) sign(a) is wrong by twice that when the sign is right. When it is wrong, a
+//    is mere rounding, |a| < 8 e L, and |u a|, |v a| passed by double precision are no larger than it: again twice the
+//    slack is enough.
+// 4. The distance h = offset - dot(n, middle), |middle| < 1.5: (2 + 4) e (1 + 1.5) = 15 e, and |a| half_length, at most
+//    1.01, 10 e: below 32 e. The double precision result passes |h| <= |a| half_length: what it meets lies in the box,
+//    and the line was cut outside of it.
+//
+// Where the row itself describes the surface badly (slivers), what passes may lie beside the surface: that is what
+// can_be_filtered excludes. Boxes around surfaces have 2 coplanar_distance of the diagonal to spare, that is 2e-5 r;
+// the row takes 1.4e-5 r of it, 1e-5 r for surfaces moved to a shared plane, and the boxes' own rounding 2e-6 r.
+
+#include "geometry/intersector/block_filling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+constexpr double slack_per_gradient = 32.0 * 0x1p-24;
+constexpr double displacement_limit = 1.4e-5; // [r]
+constexpr double gradient_limit = 1e12;       // [1/r] keeps products of single precision finite
+
+void put(float (&vector)[3][SurfaceBlock::lanes], unsigned lane, Vec3 value)
+{
+    vector[0][lane] = static_cast<float>(value.x);
+    vector[1][lane] = static_cast<float>(value.y);
+    vector[2][lane] = static_cast<float>(value.z);
+}
+
+} // namespace
+
+SurfaceBlock empty_block()
+{
+    SurfaceBlock block{};
+    std::fill(std::begin(block.diagonal), std::end(block.diagonal), SurfaceBlock::no_diagonal);
+    std::fill(std::begin(block.slack), std::end(block.slack), -1.0f);
+    return block;
+}
+
+void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame)
+{
+    const Vec3 normal = row.vector(0);
+    const double offset = frame.scale() * (row.offset[0] - dot(normal, frame.centre()));
+    put(block.normal, lane, normal);
+    block.offset[lane] = static_cast<float>(offset);
+    double steepest = 0.0;
+    const auto put_coordinate = [&](std::size_t i, auto& moment, auto& direction) {
+        const Vec3 gradient = 2.0 * frame.radius() * row.vector(i);
+        const double at_centre = 2.0 * (dot(row.vector(i), frame.centre()) + row.offset[i]) - 1.0;
+        put(moment, lane, cross(gradient, normal));
+        put(direction, lane, at_centre * normal + offset * gradient);
+        steepest = std::max(steepest, length(gradient));
+    };
+    put_coordinate(1, block.u_moment, block.u_direction);
+    put_coordinate(2, block.v_moment, block.v_direction);
+    const double slack = slack_per_gradient * (1.0 + steepest);
+    block.slack[lane] = static_cast<float>(slack);
+    const bool is_triangle = row.offset[3] > 0.0;
+    block.diagonal[lane] = is_triangle ? static_cast<float>(2.0 * slack) : SurfaceBlock::no_diagonal;
+}
+
+// The point where the row has given plane distance, u and v solves three linear equations; its distance from the corner
+// that should be there, by Cramer's rule, once for the rounding of the row and once for that of its use.
+bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const FilterFrame& frame)
+{
+    const Vec3 normal = row.vector(0);
+    const Vec3 to_u = row.vector(1);
+    const Vec3 to_v = row.vector(2);
+    const double u_steepness = length(to_u);
+    const double v_steepness = length(to_v);
+    const double steepest = frame.radius() * std::max(u_steepness, v_steepness);
+    const double determinant = std::abs(dot(normal, cross(to_u, to_v)));
+    const double rounding = 1e-15 * frame.reach() * frame.radius();
+    const auto displacement = [&](double u, double v) {
+        const Vec3 corner = surface.at(u, v);
+        const double beside_plane = std::abs(dot(normal, corner) - row.offset[0]) + rounding;
+        const double u_error = std::abs(dot(to_u, corner) + row.offset[1] - u) + rounding * u_steepness;
+        const double v_error = std::abs(dot(to_v, corner) + row.offset[2] - v) + rounding * v_steepness;
+        return (beside_plane * length(cross(to_u, to_v)) + u_error * v_steepness + v_error * u_steepness) / determinant;
+    };
+    const double limit = displacement_limit * frame.radius();
+    return steepest < gradient_limit && displacement(0.0, 0.0) < limit && displacement(1.0, 0.0) < limit &&
+           displacement(0.0, 1.0) < limit;
+}
+
+// How much slack the tests of RectangleFrame need, in the terms of block_filling.cpp: e = 2^-24, L the length of the
+// direction, everything in the unit sphere. A rectangle is taken into a frame when its normal and its edges differ from
+// the axes by no more than the tolerance T = 1e-5.
+//
+// First as if nothing was divided by a: u a = (m - centre) a + h d, which must not exceed half |a|.
+// 1. Rounding: a component of the direction is wrong by at most 6 e L, one of the middle (|m| < 1.5) by 9 e, h by 13 e,
+//    m - centre (at most 2.5) by 13 e; so (m - centre) a + h d by 2 (2.5 * 6 + 13) e L: 56 e L; the limit by 8 e L.
+// 2. Tolerance: a and d differ by T L, h and m by 1.5 T: 2 (2.5 + 1.5) T L = 8 T L; the limit by T L.
+//    In all 64 e L + 9 T L < 10 T L.
+// 3. |h| <= |a| half_length, and h = a t for the true place t: 13 e + 10 e + 1.5 T + 1.01 T < 4 T.
+// A sign of a that rounding turned matters to none of these.
+//
+// Then divided by |a|, for |a| not less than least_approach, A = 1e-6 S, S = FilterLine::scale between L and 2 L.
+// 4. The reciprocal is wrong by its share R <= 2^-11. t = h / a, |h| < 2.6, is wrong by 2.6 R / |a| and 3 e / |a| for
+//    its operations, in all with 3. by less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the distance slack.
+// 5. So t d adds 2.6 R L / |a| to 10 T L / |a|; the operations add 10 e L / |a|; together less than (1.1e-4 + 3 R) L /
+//    |a|: the slack.
+// 6. Where |a| < A, A stands for it. What double precision passes has |h| <= |a| half_length + 4 T < 1.01 A / L + 4 T.
+//    So |t| exceeds neither half_length + 4 T / A, nor the true place by more than 2 half_length + 4 T / A, 2.02 A / L
+//    being below 4.1e-6; and |u| < 2.5 + (1.01 A / L + 4 T) L / A < 44, less than the slack of 1.1e-4 S / A > 100.
+
+namespace {
+
+constexpr double tolerance = 1e-5;
+
+/// A coordinate along an edge: dot(along, q) - centre runs from -half to half.
+struct EdgeCoordinate
+{
+    Vec3 along; ///< unit vector
+    double centre;
+    double half;
+};
+
+/// A parallelogram in the coordinates of the filter.
+struct PlacedParallelogram
+{
+    Vec3 normal;
+    double offset;
+    std::array<EdgeCoordinate, 2> edges;
+};
+
+EdgeCoordinate edge_coordinate(Vec3 gradient, double at_centre)
+{
+    const double steepness = length(gradient);
+    return {(1.0 / steepness) * gradient, (0.5 - at_centre) / steepness, 0.5 / steepness};
+}
+
+PlacedParallelogram placed(const SurfaceRow& row, const FilterFrame& frame)
+{
+    const auto edge = [&](std::size_t i) {
+        return edge_coordinate(frame.radius() * row.vector(i), dot(row.vector(i), frame.centre()) + row.offset[i]);
+    };
+    return {row.vector(0), frame.scale() * (row.offset[0] - dot(row.vector(0), frame.centre())), {edge(1), edge(2)}};
+}
+
+/// 1 or -1 if the vectors are equal up to this sign and the tolerance.
+std::optional<double> equal_up_to_sign(Vec3 a, Vec3 b)
+{
+    const double sign = dot(a, b) < 0.0 ? -1.0 : 1.0;
+    return length(a - sign * b) <= tolerance ? std::optional<double>(sign) : std::nullopt;
+}
+
+using Axes = std::array<Vec3, 3>;
+
+struct Place
+{
+    std::size_t frame;
+    std::size_t axis;
+    FrameRectangle rectangle;
+    std::uint32_t surface;
+};
+
+/// The rectangle in terms of the axes, if they are those of its normal and edges.
+std::optional<Place> place_in(const Axes& axes, const PlacedParallelogram& p)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::optional<double> normal_sign = equal_up_to_sign(p.normal, axes[k]);
+        if (!normal_sign)
+            continue;
+        for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+            const EdgeCoordinate& u = p.edges[first];
+            const EdgeCoordinate& v = p.edges[1 - first];
+            const std::optional<double> u_sign = equal_up_to_sign(u.along, axes[(k + 1) % 3]);
+            const std::optional<double> v_sign = equal_up_to_sign(v.along, axes[(k + 2) % 3]);
+            if (u_sign && v_sign)
+                return Place{0,
+                             k,
+                             {static_cast<float>(*normal_sign * p.offset), static_cast<float>(*u_sign * u.centre),
+                              static_cast<float>(*v_sign * v.centre), static_cast<float>(u.half),
+                              static_cast<float>(v.half)},
+                             0};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Axes along the normal and the edges; the last one fits only if the edges are perpendicular.
+Axes axes_of(const PlacedParallelogram& p)
+{
+    return {p.normal, p.edges[0].along, cross(p.normal, p.edges[0].along)};
+}
+
+RectangleFrame frame_with(const Axes& axes)
+{
+    RectangleFrame frame{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        frame.axis[k][0] = static_cast<float>(axes[k].x);
+        frame.axis[k][1] = static_cast<float>(axes[k].y);
+        frame.axis[k][2] = static_cast<float>(axes[k].z);
+    }
+    return frame;
+}
+
+} // namespace
+
+FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<std::uint32_t>& surfaces,
+                                 const FilterFrame& filter_frame)
+{
+    FramedRectangles result;
+    std::vector<Axes> frames;
+    std::vector<Place> places;
+    for (const std::uint32_t surface : surfaces) {
+        if (table.is_triangle(surface)) {
+            result.others.push_back(surface);
+            continue;
+        }
+        const PlacedParallelogram p = placed(table.row(surface), filter_frame);
+        std::optional<Place> place;
+        std::size_t frame = 0;
+        for (; frame < frames.size() && !place; ++frame)
+            place = place_in(frames[frame], p);
+        if (!place) {
+            const Axes own = axes_of(p);
+            place = place_in(own, p);
+            if (!place) {
+                result.others.push_back(surface);
+                continue;
+            }
+            frames.push_back(own);
+            frame = frames.size();
+        }
+        places.push_back({frame - 1, place->axis, place->rectangle, surface});
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+        return a.frame != b.frame ? a.frame < b.frame : a.axis < b.axis;
+    });
+    for (const Axes& axes : frames)
+        result.frames.push_back(frame_with(axes));
+    for (const Place& place : places) {
+        result.rectangles.push_back(place.rectangle);
+        result.surfaces.push_back(place.surface);
+        for (std::size_t k = place.axis; k < 3; ++k)
+            result.frames[place.frame].end[k] = static_cast<std::uint32_t>(result.rectangles.size());
+    }
+    return result;
+}
+
+} // namespace multipath

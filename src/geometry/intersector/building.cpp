@@ -1,0 +1,145 @@
+// What an intersector is made of: shared planes, then few surfaces side by side, or a hierarchy of many.
+
+#include "geometry/intersector/intersector.h"
+
+#include "geometry/intersector/block_filling.h"
+#include "geometry/intersector/surface_sizes.h"
+#include "parallel/blocks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t at_a_time = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
+
+/// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
+/// once for all of its own, of any other surface.
+bool is_few(const FramedRectangles& framed)
+{
+    const std::size_t surfaces = framed.rectangles.size() + framed.others.size();
+    const std::size_t cost = 8 * framed.rectangles.size() + 18 * framed.frames.size() + 20 * framed.others.size();
+    return surfaces <= FlatSurfaces::most && cost <= 2560;
+}
+
+} // namespace
+
+/// What is made of the surfaces first: planes and the hierarchy take about as long, and go side by side.
+struct Intersector::Groundwork
+{
+    FilterFrame frame;
+    LargeVector<Bounds> boxes;
+    SharedPlanes planes;
+    std::vector<std::uint32_t> size_rank;
+    PlaneNeighbours neighbours;
+    WideTree tree; ///< of all surfaces, if they are many
+
+    static Groundwork of(const SurfaceList& surfaces, int threads)
+    {
+        Groundwork ground;
+        ground.frame = FilterFrame(box_around(surfaces));
+        ground.boxes = boxes_around_each(surfaces);
+        parallel_blocks(2, threads, [&](std::uint64_t part) {
+            if (part == 0)
+                ground.find_planes(surfaces);
+            else if (surfaces.size() > FlatSurfaces::most)
+                ground.arrange();
+        });
+        return ground;
+    }
+
+private:
+    void find_planes(const SurfaceList& surfaces)
+    {
+        const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
+        planes = share_planes(surfaces, order);
+        size_rank = size_ranks(order);
+        neighbours = PlaneNeighbours(boxes, planes.plane_number);
+    }
+
+    void arrange()
+    {
+        std::vector<std::uint32_t> all(boxes.size());
+        std::iota(all.begin(), all.end(), 0u);
+        tree = WideTree(boxes, all, frame);
+    }
+};
+
+Intersector::Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
+    : Intersector(surfaces, Groundwork::of(surfaces, threads), kernel, threads)
+{
+}
+
+Intersector::Intersector(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads)
+    : kernel_(&kernel),
+      table_(surfaces, groundwork.planes, threads),
+      frame_(groundwork.frame),
+      tree_(std::move(groundwork.tree)),
+      outside_is_solid_(form_a_room(surfaces)),
+      plane_(std::move(groundwork.planes.plane_number)),
+      size_rank_(std::move(groundwork.size_rank)),
+      neighbours_(std::move(groundwork.neighbours))
+{
+    const std::vector<std::uint32_t> filtered = sort_out_unfiltered(surfaces, threads);
+    if (filtered.size() <= FlatSurfaces::most)
+        framed_ = group_by_frames(table_, filtered, frame_);
+    if (filtered.size() <= FlatSurfaces::most && is_few(framed_)) {
+        tree_ = {};
+        lane_number_.assign(framed_.others.begin(), framed_.others.end());
+        lane_number_.insert(lane_number_.end(), framed_.surfaces.begin(), framed_.surfaces.end());
+    } else {
+        if (tree_.empty() || !unfiltered_.empty())
+            tree_ = WideTree(groundwork.boxes, filtered, frame_);
+        lane_number_ = tree_.things();
+        framed_ = {};
+    }
+    fill_blocks(threads);
+}
+
+/// Returns the others.
+std::vector<std::uint32_t> Intersector::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
+{
+    std::vector<unsigned char> fits(surfaces.size());
+    parallel_ranges(table_.size(), at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t s = first; s < end; ++s)
+            fits[s] = can_be_filtered(table_.row(s), surfaces[s], frame_);
+    });
+    std::vector<std::uint32_t> filtered;
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+        (fits[s] != 0 ? filtered : unfiltered_).push_back(s);
+    return filtered;
+}
+
+void Intersector::fill_blocks(int threads)
+{
+    const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
+    const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (tree_.empty()) {
+        const auto end_of_triangles = std::stable_partition(lane_number_.begin(), lane_number_.end(), is_triangle);
+        flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
+        flat_number_.assign(lane_number_.begin(), lane_number_.end());
+        for (const std::uint32_t surface : lane_number_)
+            flat_plane_.push_back(static_cast<float>(plane_[surface]));
+    }
+    blocks_.resize((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes);
+    const auto fill = [&](std::size_t block) {
+        const std::size_t first = SurfaceBlock::lanes * block;
+        const std::size_t end = std::min<std::size_t>(lane_number_.size(), first + SurfaceBlock::lanes);
+        if (!tree_.empty())
+            std::stable_partition(place(first), place(end), is_triangle);
+        blocks_[block] = empty_block();
+        for (std::size_t i = first; i < end; ++i)
+            if (lane_number_[i] != WideTree::nothing)
+                fill_lane(blocks_[block], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
+    };
+    const auto count = static_cast<std::uint32_t>(blocks_.size());
+    parallel_ranges(count, at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t block = first; block < end; ++block)
+            fill(block);
+    });
+}
+
+} // namespace multipath

@@ -1,0 +1,158 @@
+#pragma once
+
+#include "geometry/bounds.h"
+#include "geometry/conditions.h"
+#include "geometry/intersector/surface_block.h"
+#include "geometry/line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace multipath {
+
+/// A line as the filters see it: in single precision, in coordinates in which the scene's box has its centre at 0 and
+/// its half diagonal is 1, by its Plücker coordinates (direction and moment) and by the part of it near the scene.
+/// Parameters keep their scale: `middle` + t * `direction` with -half_length <= t <= half_length.
+struct FilterLine
+{
+    float direction[3];
+    float moment[3]; ///< cross(p, direction), the same for all points p of the line
+    float middle[3];
+    float half_length;
+    float scale;     ///< |x| + |y| + |z| of the direction: not less than its length
+    bool whole;      ///< neither end lies inside the box, so that the ends need no test
+    double middle_t; ///< parameter of `middle` on the line itself
+};
+
+enum class LineCourse : std::uint32_t {
+    misses = 0, ///< the scene's box: it meets nothing
+    passes = 1, ///< through the box; the filters can tell what it meets
+    unfit = 2   ///< too far away or of a length that single precision cannot hold: only double precision can tell
+};
+
+/// Many placed lines, member by member, so that a compiler can place several at once.
+struct LineBatch
+{
+    static constexpr std::size_t most = 256; ///< so that a batch stays in the first cache
+
+    alignas(64) float direction[3][most];
+    float moment[3][most];
+    float middle[3][most];
+    float half_length[most];
+    float scale[most];
+    std::uint32_t whole[most];
+    std::uint32_t course[most]; ///< a LineCourse
+    double middle_t[most];
+
+    FilterLine line(std::size_t i) const
+    {
+        return {{direction[0][i], direction[1][i], direction[2][i]},
+                {moment[0][i], moment[1][i], moment[2][i]},
+                {middle[0][i], middle[1][i], middle[2][i]},
+                half_length[i],
+                scale[i],
+                whole[i] != 0,
+                middle_t[i]};
+    }
+};
+
+/// What each line of a batch may meet.
+struct FlatMarks
+{
+    alignas(64) std::uint32_t word[FlatSurfaces::most / 32][LineBatch::most]; ///< bit s % 32 of word[s / 32]: surface s
+};
+
+/// What each line of a batch may meet first.
+struct NearestCandidates
+{
+    alignas(64) float first[LineBatch::most]; ///< at the earliest, from the line's middle on; FlatSurfaces::never
+    float second[LineBatch::most];            ///< the same of any other surface
+    float number[LineBatch::most];            ///< FlatSurfaces::number of the first surface
+};
+
+/// The coordinates of FilterLine for a scene.
+class FilterFrame
+{
+public:
+    FilterFrame() = default;
+    /// `box` holds everything that could be met, with room for rounding (see SurfaceBlock).
+    explicit FilterFrame(const Bounds& box);
+
+    /// Writes `placed` whatever the course is.
+    LineCourse place(const Line& line, FilterLine& placed) const;
+
+    Vec3 to_frame(Vec3 p) const { return scale_ * (p - centre_); }
+    Vec3 centre() const { return centre_; }
+    double radius() const { return radius_; }
+    double scale() const { return scale_; } ///< 1 / radius
+    double reach() const { return reach_; } ///< [radius] how far from the origin and from the box a line may begin
+
+private:
+    /// Surfaces on the very border count as inside, points there do not.
+    bool is_inside(Vec3 q) const
+    {
+        constexpr double border = 0.9999;
+        return every(std::abs(q.x) < border * half_size_.x, std::abs(q.y) < border * half_size_.y,
+                     std::abs(q.z) < border * half_size_.z);
+    }
+
+    Vec3 centre_;
+    double radius_ = 1.0;
+    double scale_ = 1.0;
+    double reach_ = 0.0;
+    double centre_square_ = 0.0; ///< of the centre's distance from the origin, in the frame
+    Vec3 half_size_;             ///< of the box, in the frame
+};
+
+// No branches: whether a random chord meets the box is hard to predict.
+inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
+{
+    const Vec3 o = to_frame(line.origin);
+    const Vec3 d = scale_ * line.direction;
+    const double square = dot(d, d);
+
+    // The separating axes of a line and a box are the cross products of the direction and the axes.
+    const Vec3 m = cross(o, d);
+    const Vec3 size = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+    const bool apart = any(std::abs(m.x) > half_size_.y * size.z + half_size_.z * size.y,
+                           std::abs(m.y) > half_size_.z * size.x + half_size_.x * size.z,
+                           std::abs(m.z) > half_size_.x * size.y + half_size_.y * size.x);
+
+    // The part inside a sphere around the box.
+    const double inverse_square = 1.0 / square;
+    const double nearest = -dot(o, d) * inverse_square;
+    const double half_chord = 1.01 * std::sqrt(inverse_square);
+    const double sphere_entry = nearest - half_chord;
+    const double sphere_exit = nearest + half_chord;
+    const double first = sphere_entry > 0.0 ? sphere_entry : 0.0;
+    const double last = sphere_exit < line.t_max ? sphere_exit : line.t_max;
+    const double middle_t = 0.5 * (first + last);
+    const Vec3 middle = o + middle_t * d;
+    placed = {{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)},
+              {static_cast<float>(m.x), static_cast<float>(m.y), static_cast<float>(m.z)},
+              {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)},
+              static_cast<float>(0.5 * (last - first)),
+              static_cast<float>(size.x + size.y + size.z),
+              !any(is_inside(o), is_inside(o + last * d)),
+              middle_t};
+
+    const bool fits = every(square > 1e-40, square < 1e40, dot(o, o) + centre_square_ < reach_ * reach_);
+    const bool meets = every(!apart, first <= last);
+    const bool is_point = every(size.x == 0.0, size.y == 0.0, size.z == 0.0);
+    return static_cast<LineCourse>(static_cast<std::uint32_t>(every(fits, meets)) |
+                                   static_cast<std::uint32_t>(!any(fits, is_point)) << 1);
+}
+
+inline FilterFrame::FilterFrame(const Bounds& box)
+    : centre_(box.centre()),
+      radius_(0.5 * box.diagonal()),
+      scale_(1.0 / radius_),
+      reach_(std::clamp(100.0 * scale_ * length(centre_), 1e4, 1e7)),
+      centre_square_(dot(scale_ * centre_, scale_ * centre_)),
+      half_size_(0.5 * scale_ * box.size())
+{
+}
+
+} // namespace multipath

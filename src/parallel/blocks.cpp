@@ -1,0 +1,248 @@
+#include "parallel/blocks.h"
+
+#include "parallel/thread_pool.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+using PauseWish = std::function<bool()>;
+
+/// The state that the threads of one ordered_blocks call share.
+class OrderedRun
+{
+public:
+    using BlockFunction = std::function<void(std::uint64_t, int)>;
+
+    OrderedRun(std::uint64_t first, std::uint64_t end, int slots, const BlockFunction& produce,
+               const BlockFunction& consume, const PauseWish& wants_pause)
+        : first_(first),
+          slots_(static_cast<std::uint64_t>(slots)),
+          produce_(produce),
+          consume_(consume),
+          wants_pause_(wants_pause),
+          end_(end),
+          places_(slots_),
+          started_(first),
+          consumed_(first)
+    {
+        for (int slot = slots; slot-- > 0;)
+            free_slots_.push_back(slot);
+    }
+
+    void work()
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        try {
+            while (!failure_ && consumed_ < end_) {
+                const bool ready = !consuming_ && place(consumed_).produced;
+                const bool has_work = started_ < end_ && started_ < consumed_ + slots_;
+                if (ready && (consumer_ == std::this_thread::get_id() || consumed_ == first_ || !has_work))
+                    consume_next(lock);
+                else if (started_ > first_ && started_ < end_ && wants_pause_())
+                    end_ = started_;
+                else if (has_work)
+                    produce_next(lock);
+                else
+                    changed_.wait(lock);
+            }
+        } catch (...) {
+            if (!lock.owns_lock())
+                lock.lock();
+            if (!failure_)
+                failure_ = std::current_exception();
+        }
+        changed_.notify_all();
+    }
+
+    /// The first block not done.
+    std::uint64_t next() const
+    {
+        if (failure_)
+            std::rethrow_exception(failure_);
+        return consumed_;
+    }
+
+private:
+    /// What is known of a block that was started and is not consumed.
+    struct Place
+    {
+        bool produced = false;
+        int slot = 0;
+    };
+
+    Place& place(std::uint64_t block) { return places_[static_cast<std::size_t>(block % slots_)]; }
+
+    void consume_next(std::unique_lock<std::mutex>& lock)
+    {
+        consuming_ = true;
+        consumer_ = std::this_thread::get_id();
+        const std::uint64_t block = consumed_;
+        const int slot = place(block).slot;
+        lock.unlock();
+        consume_(block, slot);
+        lock.lock();
+        place(block).produced = false;
+        free_slots_.push_back(slot);
+        ++consumed_;
+        consuming_ = false;
+        changed_.notify_all();
+    }
+
+    void produce_next(std::unique_lock<std::mutex>& lock)
+    {
+        const std::uint64_t block = started_++;
+        const int slot = free_slots_.back();
+        free_slots_.pop_back();
+        place(block).slot = slot;
+        lock.unlock();
+        produce_(block, slot);
+        lock.lock();
+        place(block).produced = true;
+        changed_.notify_all();
+    }
+
+    const std::uint64_t first_;
+    const std::uint64_t slots_;
+    const BlockFunction& produce_;
+    const BlockFunction& consume_;
+    const PauseWish& wants_pause_;
+
+    std::mutex mutex_; ///< guards all below
+    std::condition_variable changed_;
+    std::uint64_t end_; ///< comes forward to what was started where a pause is wanted
+    std::vector<Place> places_;
+    std::vector<int> free_slots_; ///< the last to become free on top: it is still in the caches
+    std::thread::id consumer_;    ///< of the last block: what consuming changes is in the caches of its processor
+    std::uint64_t started_;
+    std::uint64_t consumed_;
+    bool consuming_ = false;
+    std::exception_ptr failure_;
+};
+
+} // namespace
+
+int slot_count(int threads)
+{
+    return threads <= 1 ? 1 : 4 * threads;
+}
+
+namespace {
+
+/// Blocks first ... end - 1, or fewer where a pause is wanted, but at least one. Returns the first not done.
+std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads,
+                         const std::function<void(std::uint64_t, int)>& produce,
+                         const std::function<void(std::uint64_t, int)>& consume, const PauseWish& wants_pause)
+{
+    if (threads <= 1) {
+        std::uint64_t block = first;
+        while (block < end && !(block > first && wants_pause())) {
+            produce(block, 0);
+            consume(block, 0);
+            ++block;
+        }
+        return block;
+    }
+    OrderedRun run(first, end, slot_count(threads), produce, consume, wants_pause);
+    run_on_threads(threads, [&] { run.work(); });
+    return run.next();
+}
+
+} // namespace
+
+void ordered_blocks(std::uint64_t block_count, int threads,
+                    const std::function<void(std::uint64_t block, int slot)>& produce,
+                    const std::function<void(std::uint64_t block, int slot)>& consume)
+{
+    run_blocks(0, block_count, threads, produce, consume, [] { return false; });
+}
+
+void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
+                      const std::function<void(std::uint64_t block, int slot)>& produce,
+                      const std::function<void(std::uint64_t block, int slot)>& consume)
+{
+    const PauseWish wants_pause = [&] { return run.checkpoint && run.checkpoint->wants_pause(); };
+    if (next < end)
+        run.count_lines(0);
+    while (next < end && !run.stopped()) {
+        next = run_blocks(next, end, run.threads, produce, consume, wants_pause);
+        if (wants_pause())
+            run.checkpoint->pause();
+    }
+}
+
+void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work)
+{
+    const auto used = std::min<std::uint64_t>(block_count, static_cast<std::uint64_t>(std::max(threads, 1)));
+    std::atomic<std::uint64_t> next{0};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    run_on_threads(static_cast<int>(used), [&] {
+        try {
+            for (std::uint64_t block = next++; block < block_count; block = next++)
+                work(block);
+        } catch (...) {
+            next = block_count;
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (!failure)
+                failure = std::current_exception();
+        }
+    });
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
+void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
+                     const std::function<void(std::uint32_t first, std::uint32_t end)>& work)
+{
+    const std::uint64_t ranges = (std::uint64_t{count} + range_size - 1) / range_size;
+    parallel_blocks(ranges, threads, [&](std::uint64_t number) {
+        const auto first = static_cast<std::uint32_t>(number * range_size);
+        work(first, first + std::min(range_size, count - first));
+    });
+}
+
+void SharedRange::visit(Archive& archive)
+{
+    archive.value<std::uint64_t>("pieces of all", all);
+    archive.value<std::uint64_t>("first piece", first);
+    archive.value<std::uint64_t>("next piece", next);
+    archive.value<std::uint64_t>("end piece", end);
+    archive.value<std::uint64_t>("shares", shares);
+    if (first > next || next > end || end > all)
+        throw ArchiveError("the state is damaged: no such pieces of work");
+}
+
+SharedRange united(std::vector<SharedRange> ranges)
+{
+    std::sort(ranges.begin(), ranges.end(), [](const SharedRange& a, const SharedRange& b) {
+        return a.first < b.first || (a.first == b.first && a.end < b.end);
+    });
+    std::uint64_t done = 0;
+    for (const SharedRange& range : ranges) {
+        if (range.first != done || range.next != range.end || range.all != ranges[0].all)
+            throw ArchiveError("the shares do not fit together; expected all shares of one run, each of them finished");
+        done = range.end;
+    }
+    if (done != ranges[0].all)
+        throw ArchiveError("the shares are not all there; expected each share of the run");
+    return {done, 0, done, done, 1};
+}
+
+void shared_blocks(SharedRange& range, const RunControl& run, const std::function<void(std::uint64_t, int)>& produce,
+                   const std::function<void(std::uint64_t, int)>& consume)
+{
+    resumable_blocks(range.next, range.end, run, produce, consume);
+    if (range.is_share() && !run.stopped())
+        run.checkpoint->hand_in();
+}
+
+} // namespace multipath

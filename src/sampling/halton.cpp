@@ -1,0 +1,266 @@
+#include "sampling/halton.h"
+
+#include "sampling/random.h"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t largest_table = 4096; // 32 kB a base: four of them fit the second cache
+
+} // namespace
+
+double radical_inverse(std::uint64_t base, std::uint64_t n)
+{
+    std::uint64_t reversed = 0;
+    std::uint64_t power = 1;
+    const std::uint64_t limit = (std::uint64_t{1} << 63) / base;
+    while (n > 0 && power <= limit) {
+        const std::uint64_t quotient = n / base;
+        reversed = reversed * base + (n - quotient * base);
+        power *= base;
+        n = quotient;
+    }
+    const double value = static_cast<double>(reversed) / static_cast<double>(power);
+    return value < 1.0 ? value : 1.0 - 0x1p-53;
+}
+
+RadicalInverse::RadicalInverse(std::uint64_t base) : base_(base)
+{
+    std::uint64_t size = base;
+    while (size * base <= largest_table)
+        size *= base;
+    low_.reserve(size);
+    for (std::uint64_t n = 0; n < size; ++n)
+        low_.push_back(radical_inverse(base, n));
+}
+
+double RadicalInverse::high_part(std::uint64_t high_digits) const
+{
+    return radical_inverse(base_, high_digits) / static_cast<double>(low_.size());
+}
+
+namespace {
+
+constexpr std::uint64_t largest_base = 1'000'000; // its first million points are a diagonal line: of no use
+constexpr std::uint64_t halton_limit = std::uint64_t{1} << 63;
+
+void check_bases(const std::vector<std::uint64_t>& bases)
+{
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+        if (bases[i] < 2)
+            throw std::invalid_argument("a Halton base must be at least 2, got " + std::to_string(bases[i]));
+        if (bases[i] > largest_base)
+            throw std::invalid_argument("a Halton base above 1000000 is of no use, got " + std::to_string(bases[i]));
+        for (std::size_t j = 0; j < i; ++j)
+            if (std::gcd(bases[i], bases[j]) != 1)
+                throw std::invalid_argument("Halton bases must have no common divisor, but " +
+                                            std::to_string(bases[j]) + " and " + std::to_string(bases[i]) + " have");
+    }
+}
+
+std::string bases_text(const std::vector<RadicalInverse>& inverses)
+{
+    std::string text;
+    for (const RadicalInverse& inverse : inverses)
+        text += (text.empty() ? "" : ",") + std::to_string(inverse.base());
+    return text;
+}
+
+/// Added modulo 1 without leaving [0, 1).
+double shifted(double x, double shift)
+{
+    return x + shift < 1.0 ? x + shift : x + shift - 1.0;
+}
+
+/// Plain and shifted; the plain one has the shift 0.
+class HaltonSequence : public Sequence
+{
+public:
+    HaltonSequence(std::string kind, const std::vector<std::uint64_t>& bases, std::vector<double> shifts)
+        : kind_(std::move(kind)), inverses_(bases.begin(), bases.end()), shifts_(std::move(shifts))
+    {
+    }
+
+    std::string name() const override { return kind_ + ":" + bases_text(inverses_); }
+    int dimensions() const override { return static_cast<int>(inverses_.size()); }
+    std::uint64_t item_limit() const override { return halton_limit; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        const auto d = static_cast<std::size_t>(dimension);
+        return shifted(inverses_[d](n), shifts_[d]);
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        for (std::size_t d = 0; d < 4; ++d) {
+            const double shift = shifts_[d];
+            inverses_[d].for_range(first, items.size(),
+                                   [&](std::uint64_t k, double x) { items[k][d] = shifted(x, shift); });
+        }
+    }
+
+private:
+    std::string kind_;
+    std::vector<RadicalInverse> inverses_;
+    std::vector<double> shifts_;
+};
+
+/// Radical inverses whose digits are permuted, place by place, for all places that change a double. Also the zeros
+/// beyond the last digit of n are permuted: without them the points would not be uniform.
+class PermutedInverse
+{
+public:
+    PermutedInverse(std::uint64_t base, std::uint64_t key) : base_(base)
+    {
+        std::uint64_t counter = 0;
+        for (double weight = 1.0; weight > 0x1p-54;) {
+            weight /= static_cast<double>(base);
+            std::vector<double> place(base);
+            for (std::uint64_t digit = 0; digit < base; ++digit)
+                place[digit] = weight * static_cast<double>(digit);
+            for (std::uint64_t left = base; left > 1; --left) // Fisher and Yates; the bias of 2^-44 is not seen
+                std::swap(place[left - 1], place[random_bits(key, counter++) % left]);
+            places_.push_back(std::move(place));
+        }
+        std::uint64_t size = 1;
+        while (size == 1 || (size * base <= largest_table && low_places_ < places_.size())) {
+            size *= base;
+            ++low_places_;
+        }
+        for (std::uint64_t n = 0; n < size; ++n)
+            low_.push_back(sum_of_places(n, 0, low_places_));
+    }
+
+    double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
+
+    /// Calls put(k, value) for the numbers first + k, k = 0 ... count - 1: the high digits change seldom.
+    template <class Put>
+    void for_range(std::uint64_t first, std::uint64_t count, const Put& put) const
+    {
+        std::uint64_t last_high = first / low_.size();
+        double high = high_part(last_high);
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const std::uint64_t n = first + k;
+            if (n / low_.size() != last_high) {
+                last_high = n / low_.size();
+                high = high_part(last_high);
+            }
+            put(k, sum(low_[n % low_.size()], high));
+        }
+    }
+
+private:
+    static double sum(double low, double high) { return low + high < 1.0 ? low + high : 1.0 - 0x1p-53; }
+    double high_part(std::uint64_t high_digits) const
+    {
+        return sum_of_places(high_digits, low_places_, places_.size());
+    }
+    double sum_of_places(std::uint64_t n, std::size_t first, std::size_t last) const
+    {
+        double value = 0.0;
+        for (std::size_t place = first; place < last; ++place, n /= base_)
+            value += places_[place][n % base_];
+        return value;
+    }
+
+    std::uint64_t base_;
+    std::vector<std::vector<double>> places_; ///< per place: permuted digit * base^-(place + 1)
+    std::size_t low_places_ = 0;
+    std::vector<double> low_; ///< sums over the first low_places_ places
+};
+
+class PermutedHalton final : public Sequence
+{
+public:
+    PermutedHalton(const std::vector<std::uint64_t>& bases, std::uint64_t seed)
+    {
+        for (std::size_t d = 0; d < bases.size(); ++d) {
+            inverses_.emplace_back(bases[d], random_bits(mix_bits(seed ^ 0xa54ff53a5f1d36f1u), d));
+            text_ += (d == 0 ? "" : ",") + std::to_string(bases[d]);
+        }
+    }
+
+    std::string name() const override { return "halton-permuted:" + text_; }
+    int dimensions() const override { return static_cast<int>(inverses_.size()); }
+    std::uint64_t item_limit() const override { return halton_limit; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        return inverses_[static_cast<std::size_t>(dimension)](n);
+    }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        for (std::size_t d = 0; d < 4; ++d)
+            inverses_[d].for_range(first, items.size(), [&](std::uint64_t k, double x) { items[k][d] = x; });
+    }
+
+private:
+    std::vector<PermutedInverse> inverses_;
+    std::string text_;
+};
+
+class HammersleySequence final : public Sequence
+{
+public:
+    HammersleySequence(std::uint64_t count, const std::vector<std::uint64_t>& bases)
+        : count_(count), inverses_(bases.begin(), bases.end())
+    {
+    }
+
+    std::string name() const override { return "hammersley:" + std::to_string(count_) + ":" + bases_text(inverses_); }
+    int dimensions() const override { return 1 + static_cast<int>(inverses_.size()); }
+    std::uint64_t item_limit() const override { return count_; }
+    double coordinate(std::uint64_t n, int dimension) const override
+    {
+        if (dimension == 0)
+            return static_cast<double>(n) / static_cast<double>(count_);
+        return inverses_[static_cast<std::size_t>(dimension) - 1](n);
+    }
+
+private:
+    std::uint64_t count_;
+    std::vector<RadicalInverse> inverses_;
+};
+
+} // namespace
+
+std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vector<std::uint64_t>& bases,
+                                               std::uint64_t seed)
+{
+    check_bases(bases);
+    if (kind == HaltonKind::permuted)
+        return std::make_unique<PermutedHalton>(bases, seed);
+    std::vector<double> shifts(bases.size(), 0.0);
+    if (kind == HaltonKind::shift)
+        for (std::size_t d = 0; d < shifts.size(); ++d)
+            shifts[d] = bits_to_unit(random_bits(mix_bits(seed ^ 0x510e527fade682d1u), d));
+    return std::make_unique<HaltonSequence>(kind == HaltonKind::shift ? "halton-shift" : "halton", bases, shifts);
+}
+
+std::unique_ptr<Sequence> make_hammersley_sequence(std::uint64_t count, const std::vector<std::uint64_t>& bases)
+{
+    check_bases(bases);
+    constexpr std::uint64_t most = std::uint64_t{1} << 52; // n / count must differ from its neighbours
+    if (count < 1 || count > most)
+        throw std::invalid_argument("hammersley needs a number of points from 1 to 2^52, got " + std::to_string(count));
+    return std::make_unique<HammersleySequence>(count, bases);
+}
+
+std::vector<std::uint64_t> default_bases(int dimensions)
+{
+    if (dimensions == 4)
+        return {2, 7, 3, 5};
+    std::vector<std::uint64_t> primes;
+    for (std::uint64_t candidate = 2; primes.size() < static_cast<std::size_t>(dimensions); ++candidate) {
+        bool is_prime = true;
+        for (const std::uint64_t prime : primes)
+            is_prime = is_prime && candidate % prime != 0;
+        if (is_prime)
+            primes.push_back(candidate);
+    }
+    return primes;
+}
+
+} // namespace multipath

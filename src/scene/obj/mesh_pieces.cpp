@@ -1,0 +1,226 @@
+#include "scene/obj/mesh_pieces.h"
+
+#include "geometry/bounds.h"
+#include "scene/obj/polygon.h"
+#include "scene/text/text_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+/// Corners times reflex corners of one polygon: about a second of ear clipping.
+constexpr double largest_clipping_work = 1e8;
+
+double area_of(Vec3 a, Vec3 b, Vec3 c)
+{
+    return 0.5 * length(cross(b - a, c - a));
+}
+
+double diameter_of(const std::vector<Vec3>& points)
+{
+    Bounds box;
+    for (const Vec3 p : points)
+        box.include(p);
+    return box.diagonal();
+}
+
+/// Many faces with the same flaw make one warning.
+struct FlawCount
+{
+    std::uint32_t first_line = 0;
+    std::size_t count = 0;
+
+    void add(std::uint32_t line)
+    {
+        first_line = count == 0 ? line : first_line;
+        ++count;
+    }
+};
+
+class FaceCutter
+{
+public:
+    FaceCutter(const ObjMesh& mesh, const SceneScale& scale) : mesh_(mesh), scale_(scale) {}
+    MeshPieces cut();
+
+private:
+    void cut_face(std::uint32_t face, const std::uint32_t* corners);
+    void cut_polygon(std::uint32_t face);
+    void cut_quad(std::uint32_t face);
+    void clip(std::uint32_t face, Vec3 area);
+    void pass_over_straight_corners();
+    bool is_straight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+    void load_positions();
+    void add_triangle(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    void add_warning(const FlawCount& flaw, const std::string& what);
+    Vec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+
+    const ObjMesh& mesh_;
+    const SceneScale scale_;
+    MeshPieces result_;
+    FlawCount bent_, crossed_;
+    std::vector<std::uint32_t> polygon_; ///< vertices of the face at work
+    std::vector<Vec3> positions_;        ///< of these
+};
+
+MeshPieces FaceCutter::cut()
+{
+    result_.pieces.reserve(mesh_.faces.size());
+    const std::uint32_t* corners = mesh_.corners.data();
+    for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face) {
+        cut_face(face, corners);
+        corners += mesh_.faces[face].corner_count;
+    }
+    add_warning(bent_, "polygon is not planar and was cut into triangles");
+    add_warning(crossed_, "polygon crosses itself and its triangles overlap, mend it in the modelling program");
+    return std::move(result_);
+}
+
+void FaceCutter::cut_face(std::uint32_t face, const std::uint32_t* corners)
+{
+    const std::uint32_t count = mesh_.faces[face].corner_count;
+    const std::size_t pieces_before = result_.pieces.size();
+    if (count == 3) {
+        add_triangle(face, corners[0], corners[1], corners[2]);
+    } else {
+        polygon_.assign(corners, corners + count);
+        cut_polygon(face);
+    }
+    if (result_.pieces.size() == pieces_before)
+        ++result_.zero_area_faces;
+}
+
+void FaceCutter::cut_polygon(std::uint32_t face)
+{
+    pass_over_straight_corners();
+    if (polygon_.size() < 3)
+        return;
+    if (polygon_.size() == 3) {
+        add_triangle(face, polygon_[0], polygon_[1], polygon_[2]);
+        return;
+    }
+    load_positions();
+    const Vec3 area = area_vector(positions_);
+    const bool lobes_cancel = length(area) <= scale_.smallest_area();
+    if (lobes_cancel) {
+        crossed_.add(mesh_.faces[face].line);
+        for (std::size_t i = 2; i < polygon_.size(); ++i)
+            add_triangle(face, polygon_[0], polygon_[i - 1], polygon_[i]);
+        return;
+    }
+    const double bend = distance_from_plane(positions_, area);
+    if (bend > scale_.widest_crack() && bend > 1e-4 * diameter_of(positions_))
+        bent_.add(mesh_.faces[face].line);
+    if (polygon_.size() == 4 && reflex_corner_count(positions_, area) == 0)
+        cut_quad(face);
+    else
+        clip(face, area);
+}
+
+void FaceCutter::cut_quad(std::uint32_t face)
+{
+    const auto [v0, v1, v2, v3] = std::array{polygon_[0], polygon_[1], polygon_[2], polygon_[3]};
+    if (is_parallelogram(at(v0), at(v1), at(v2), at(v3), scale_)) {
+        result_.pieces.push_back({{v0, v1, v2, v3}, face});
+        return;
+    }
+    add_triangle(face, v0, v1, v2);
+    add_triangle(face, v0, v2, v3);
+}
+
+void FaceCutter::clip(std::uint32_t face, Vec3 area)
+{
+    const double work =
+        static_cast<double>(polygon_.size()) * static_cast<double>(reflex_corner_count(positions_, area));
+    if (work > largest_clipping_work)
+        refuse({mesh_.path, mesh_.faces[face].line}, "concave polygon of " + std::to_string(polygon_.size()) +
+                                                         " corners, expected at most about 10,000: cut it up");
+    const Triangulation cut = clip_ears(positions_, area, scale_.smallest_area());
+    if (cut.crosses_itself)
+        crossed_.add(mesh_.faces[face].line);
+    for (const auto& [a, b, c] : cut.triangles)
+        add_triangle(face, polygon_[a], polygon_[b], polygon_[c]);
+}
+
+/// Also drops corners at the same point as their neighbour, and spikes.
+void FaceCutter::pass_over_straight_corners()
+{
+    std::vector<std::uint32_t>& p = polygon_;
+    std::size_t kept = 0;
+    for (const std::uint32_t corner : p) {
+        while (kept >= 2 && is_straight(p[kept - 2], p[kept - 1], corner))
+            --kept;
+        p[kept++] = corner;
+    }
+    std::size_t first = 0;
+    for (bool changed = true; changed;) {
+        changed = false;
+        while (kept - first >= 3 && is_straight(p[kept - 2], p[kept - 1], p[first])) {
+            --kept;
+            changed = true;
+        }
+        while (kept - first >= 3 && is_straight(p[kept - 1], p[first], p[first + 1])) {
+            ++first;
+            changed = true;
+        }
+    }
+    p.resize(kept);
+    p.erase(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(first));
+    if (p.size() == 3 && is_straight(p[0], p[1], p[2]))
+        p.clear();
+}
+
+bool FaceCutter::is_straight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+{
+    return area_of(at(a), at(b), at(c)) <= scale_.smallest_area();
+}
+
+void FaceCutter::load_positions()
+{
+    positions_.clear();
+    for (const std::uint32_t vertex : polygon_)
+        positions_.push_back(at(vertex));
+}
+
+void FaceCutter::add_triangle(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+{
+    if (!is_straight(a, b, c))
+        result_.pieces.push_back({{a, b, c, Piece::no_vertex}, face});
+}
+
+void FaceCutter::add_warning(const FlawCount& flaw, const std::string& what)
+{
+    if (flaw.count == 0)
+        return;
+    const std::string others = flaw.count == 1 ? "" : " (and " + std::to_string(flaw.count - 1) + " more)";
+    result_.warnings.push_back(name_of({mesh_.path, flaw.first_line}) + ": " + what + others);
+}
+
+} // namespace
+
+SceneScale scale_of(const ObjMesh& mesh)
+{
+    Bounds box;
+    for (const std::uint32_t corner : mesh.corners)
+        box.include(mesh.vertices[corner]);
+    const Vec3 size = box.size();
+    return {std::max({size.x, size.y, size.z})};
+}
+
+bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scale)
+{
+    const auto square = [](Vec3 a) { return dot(a, a); };
+    const double gap = square((v1 - v0) - (v2 - v3));
+    return gap <= scale.widest_crack() * scale.widest_crack() &&
+           gap <= 1e-6 * std::min(square(v1 - v0), square(v3 - v0));
+}
+
+MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale)
+{
+    return FaceCutter(mesh, scale).cut();
+}
+
+} // namespace multipath

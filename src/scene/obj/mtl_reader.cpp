@@ -1,0 +1,311 @@
+#include "scene/obj/mtl_reader.h"
+
+#include "scene/text/text_lines.h"
+#include "scene/text/text_words.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+namespace multipath {
+
+namespace {
+
+// [W/m^2] Powers and their squares must stay within the range of doubles.
+constexpr double largest_emittance = 1e30;
+constexpr double smallest_emittance = 1e-30;
+
+class MtlParser
+{
+public:
+    MtlParser(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library)
+        : path_(path), emission_from_(emission_from), library_(library), lines_(path)
+    {
+    }
+    void parse();
+
+private:
+    void statement(const TextLine& line);
+    void define(const std::string& name, TextPlace place);
+    void set_reflectance(std::string_view rest, TextPlace place);
+    void set_emittance(std::string_view keyword, std::string_view rest, TextPlace place);
+    Rgb colour(std::string_view keyword, std::string_view rest, TextPlace place) const;
+    void note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place);
+    void note_ignored(std::string_view keyword, TextPlace place);
+    void note_ambient(std::string_view rest);
+    MtlMaterial& current_material(std::string_view keyword, TextPlace place);
+    const std::string& name_of_current() const;
+    std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
+
+    const std::string path_;
+    const EmissionFrom emission_from_;
+    MaterialLibrary& library_;
+    TextLines lines_;
+    std::optional<std::uint32_t> current_;
+    std::vector<std::string> ignored_;
+    std::uint32_t first_ignored_line_ = 0;
+};
+
+void MtlParser::parse()
+{
+    TextLine line;
+    while (lines_.next(line))
+        statement(line);
+    if (ignored_.empty())
+        return;
+    std::string names;
+    for (const std::string& name : ignored_)
+        names += (names.empty() ? "" : ", ") + name;
+    library_.warnings.push_back(name_of({path_, first_ignored_line_}) + ": ignored, since only Kd and " +
+                                emission_keyword() + " count: " + names);
+}
+
+void MtlParser::statement(const TextLine& line)
+{
+    std::string_view rest = line.text;
+    const std::string_view keyword = next_word(rest);
+    if (keyword.empty() || keyword[0] == '#')
+        return;
+    if (keyword == "newmtl")
+        define(std::string(name_in(rest)), line.place);
+    else if (keyword == "Kd")
+        set_reflectance(without_comment(rest), line.place);
+    else if (keyword == emission_keyword())
+        set_emittance(keyword, without_comment(rest), line.place);
+    else
+        note_ignored(keyword, line.place);
+    if (keyword == "Ka")
+        note_ambient(without_comment(rest));
+}
+
+/// A name defined again starts afresh, in its old place.
+void MtlParser::define(const std::string& name, TextPlace place)
+{
+    const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
+    const auto [entry, is_new] = library_.number_of_name.emplace(name, next_number);
+    current_ = entry->second;
+    MtlMaterial fresh;
+    fresh.material.name = name;
+    fresh.material.source = name_of(place);
+    if (is_new) {
+        library_.materials.push_back(fresh);
+        return;
+    }
+    library_.warnings.push_back(name_of(place) + ": material " + in_quotes(name) + " is defined again (first at " +
+                                library_.materials[*current_].material.source + "), the last definition counts");
+    library_.materials[*current_] = fresh;
+}
+
+void MtlParser::set_reflectance(std::string_view rest, TextPlace place)
+{
+    MtlMaterial& current = current_material("Kd", place);
+    const Rgb reflectance = colour("Kd", rest, place);
+    const auto [least, largest] = std::minmax({reflectance.r, reflectance.g, reflectance.b});
+    if (least < 0.0)
+        refuse(place, "Kd of material " + in_quotes(current.material.name) + " is negative, expected 0 to 1");
+    if (largest > 1.0)
+        refuse(place, "Kd of material " + in_quotes(current.material.name) +
+                          " is above 1, it would reflect more light than it receives; expected 0 to 1");
+    note_repetition("Kd", current.kd_line, place);
+    current.material.reflectance = reflectance;
+    current.kd_line = place.line;
+}
+
+void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, TextPlace place)
+{
+    MtlMaterial& current = current_material(keyword, place);
+    Rgb emittance = colour(keyword, rest, place);
+    const auto [least, largest] = std::minmax({emittance.r, emittance.g, emittance.b});
+    if (least < 0.0 || largest > largest_emittance)
+        refuse(place, std::string(keyword) + " of material " + in_quotes(current.material.name) + " is " +
+                          (least < 0.0 ? "negative" : "above 1e30") + ", expected the emitted power per area");
+    note_repetition(keyword, current.emission_line, place);
+    current.emission_too_small = false;
+    for (double* channel : {&emittance.r, &emittance.g, &emittance.b})
+        if (*channel > 0.0 && *channel < smallest_emittance) {
+            *channel = 0.0;
+            current.emission_too_small = true;
+        }
+    if (current.emission_too_small)
+        library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
+                                    in_quotes(current.material.name) + " is below 1e-30, which counts as 0");
+    current.material.emittance = emittance;
+    current.emission_line = place.line;
+}
+
+/// Three numbers, or one for grey.
+Rgb MtlParser::colour(std::string_view keyword, std::string_view rest, TextPlace place) const
+{
+    const std::string statement = std::string(keyword) + " of material " + in_quotes(name_of_current());
+    std::array<double, 3> values = {};
+    std::size_t count = 0;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+        if (word == "spectral" || word == "xyz")
+            refuse(place, statement + " is given as " + in_quotes(word) + ", expected red, green and blue");
+        if (count == values.size())
+            refuse(place, statement + " has more than three numbers, expected one or three");
+        values[count++] = read_number(word, place, statement);
+    }
+    if (count != 1 && count != 3)
+        refuse(place, statement + " has " + std::to_string(count) + " numbers, expected one or three");
+    return count == 1 ? Rgb{values[0], values[0], values[0]} : Rgb{values[0], values[1], values[2]};
+}
+
+/// Only for a hint when the scene has no light, so anything goes.
+void MtlParser::note_ambient(std::string_view rest)
+{
+    if (!current_)
+        return;
+    const double red = to_number(next_word(rest)).value_or(0.0);
+    const double green = to_number(next_word(rest)).value_or(red);
+    library_.materials[*current_].ambient = {red, green, to_number(next_word(rest)).value_or(red)};
+}
+
+void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place)
+{
+    if (first_line != 0)
+        library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
+                                    in_quotes(name_of_current()) + " is given again (first in line " +
+                                    std::to_string(first_line) + "), the last value counts");
+}
+
+void MtlParser::note_ignored(std::string_view keyword, TextPlace place)
+{
+    constexpr std::size_t most_names = 16;
+    const std::string name = in_quotes(keyword);
+    first_ignored_line_ = ignored_.empty() ? place.line : first_ignored_line_;
+    if (ignored_.size() < most_names && std::find(ignored_.begin(), ignored_.end(), name) == ignored_.end())
+        ignored_.push_back(name);
+}
+
+MtlMaterial& MtlParser::current_material(std::string_view keyword, TextPlace place)
+{
+    if (!current_)
+        refuse(place, std::string(keyword) + " before the first `newmtl`, expected the name of a material first");
+    return library_.materials[*current_];
+}
+
+const std::string& MtlParser::name_of_current() const
+{
+    return library_.materials[*current_].material.name;
+}
+
+} // namespace
+
+void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library)
+{
+    MtlParser(path, emission_from, library).parse();
+}
+
+// "a b.mtl" may be one file or two, and the format does not say which: the longest run of words that is a file counts.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_words = 32;
+
+char lower_case(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+}
+
+bool equal_but_for_case(const std::string& a, const std::string& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char c, char d) { return lower_case(c) == lower_case(d); });
+}
+
+/// The entry of a folder with this name in any case; of several the first by name, whatever the file system's order.
+std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
+{
+    std::error_code error;
+    if (fs::exists(folder / name, error))
+        return folder / name;
+    std::optional<fs::path> found;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string entry_name = entry->path().filename().string();
+        if (equal_but_for_case(entry_name, name) && (!found || entry_name < found->filename().string()))
+            found = folder / entry_name;
+    }
+    return found;
+}
+
+/// Only regular files: a pipe would wait for ever.
+std::optional<std::string> find_file(const fs::path& folder, std::string name)
+{
+    std::replace(name.begin(), name.end(), '\\', '/');
+    const fs::path relative(name);
+    fs::path found = relative.is_absolute() ? relative.root_path() : folder;
+    for (const fs::path& part : relative.relative_path()) {
+        if (part == "." || part.empty())
+            continue;
+        const std::optional<fs::path> entry = find_entry(found, part.string());
+        if (!entry)
+            return std::nullopt;
+        found = *entry;
+    }
+    std::error_code error;
+    return fs::is_regular_file(found, error) ? std::optional<std::string>(found.string()) : std::nullopt;
+}
+
+/// A word of the argument, or all that stands between two quotes; where it lies in the argument.
+struct NamePart
+{
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    bool is_quoted = false;
+};
+
+std::vector<NamePart> parts_of(std::string_view names, TextPlace place)
+{
+    std::vector<NamePart> parts;
+    for (std::size_t begin = names.find_first_not_of(" \t"); begin != std::string_view::npos;) {
+        if (parts.size() == most_words)
+            refuse(place, "more than 32 words in `mtllib`, expected the names of MTL files");
+        const char quote = names[begin] == '"' || names[begin] == '\'' ? names[begin] : '\0';
+        const std::size_t closing = quote == '\0' ? std::string_view::npos : names.find(quote, begin + 1);
+        if (closing != std::string_view::npos)
+            parts.push_back({begin + 1, closing, true});
+        else
+            parts.push_back({begin, std::min(names.find_first_of(" \t", begin), names.size()), false});
+        begin = names.find_first_not_of(" \t", parts.back().end + (parts.back().is_quoted ? 1 : 0));
+    }
+    return parts;
+}
+
+std::string text_of(std::string_view names, const NamePart& first, const NamePart& last)
+{
+    return std::string(names.substr(first.begin, last.end - first.begin));
+}
+
+} // namespace
+
+std::vector<std::string> find_mtl_files(std::string_view names, TextPlace place)
+{
+    const std::vector<NamePart> parts = parts_of(names, place);
+    if (parts.empty())
+        refuse(place, "`mtllib` without a name, expected the name of an MTL file");
+    const fs::path folder = fs::path(std::string(place.path)).parent_path();
+
+    std::vector<std::string> files;
+    for (std::size_t first = 0; first < parts.size();) {
+        const std::size_t longest = parts[first].is_quoted ? 1 : parts.size() - first;
+        std::optional<std::string> file;
+        std::size_t length = longest + 1;
+        while (!file && --length > 0)
+            file = find_file(folder, text_of(names, parts[first], parts[first + length - 1]));
+        if (!file)
+            refuse(place, "material file " + in_quotes(names.substr(parts[first].begin)) +
+                              " not found in the folder `" + (folder.empty() ? "." : folder.string()) +
+                              "`, without it no surface emits light");
+        files.push_back(*file);
+        first += length;
+    }
+    return files;
+}
+
+} // namespace multipath

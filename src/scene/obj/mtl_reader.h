@@ -1,0 +1,41 @@
+#pragma once
+
+#include "scene/material.h"
+#include "scene/text/text_lines.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace multipath {
+
+/// A material as its file defines it, with what messages want to know.
+struct MtlMaterial
+{
+    Material material;
+    Rgb ambient;                     ///< `Ka`; in some files the emission of lamps
+    std::uint32_t kd_line = 0;       ///< 0: not given, the material reflects nothing
+    std::uint32_t emission_line = 0; ///< of `Ke` or `Ka`, whichever counts; 0: not given
+    bool emission_too_small = false; ///< of one colour or more, which therefore count as 0
+};
+
+/// The materials of all MTL files of a scene.
+struct MaterialLibrary
+{
+    std::vector<MtlMaterial> materials; ///< in the order of their first definition
+    std::unordered_map<std::string, std::uint32_t> number_of_name;
+    std::vector<std::string> warnings;
+};
+
+/// Adds the materials of a file. Of two definitions the last counts, with a warning. Throws InputError for reflectances
+/// outside [0, 1], negative or infinite emission, and what else does not make sense.
+void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library);
+
+/// The files that the argument of `mtllib` names, as paths that can be opened. Names are relative to the folder of the
+/// OBJ file; they may be several, in quotes, contain blanks or backslashes, or have the wrong case.
+/// Throws InputError at `place` for a name without a file.
+std::vector<std::string> find_mtl_files(std::string_view names, TextPlace place);
+
+} // namespace multipath

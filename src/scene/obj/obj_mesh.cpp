@@ -1,0 +1,290 @@
+// The OBJ format is a list of statements, a line each. `v` adds a vertex, `f` a polygon by vertex numbers: from 1, or
+// negative and counted back from the vertices read so far. Numbers beyond those are allowed to refer forward, so they
+// are checked when the whole file is read. Texture coordinates and normals say nothing about diffuse light and are
+// skipped.
+
+#include "scene/obj/obj_mesh.h"
+
+#include "scene/text/text_lines.h"
+#include "scene/text/text_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+/// Squares of areas must stay within the range of single precision, in which exchange between patches is kept.
+constexpr double largest_coordinate = 1e9;
+
+/// Free-form surfaces, and files in files: to skip them would change the scene.
+constexpr std::array<std::string_view, 6> unsupported_keywords = {"surf", "bzp", "bsp", "cdp", "cdc", "call"};
+
+/// Statements that say nothing about what a diffuse surface is: lines and points have no area, curves neither.
+constexpr std::array<std::string_view, 31> harmless_keywords = {
+    "vn",     "vt",     "vp",        "s",          "l",     "p",     "mg",     "lod",   "bevel", "c_interp", "d_interp",
+    "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech", "cstype", "deg",   "bmat",  "step",     "parm",
+    "trim",   "hole",   "scrv",      "sp",         "con",   "end",   "curv",   "curv2", "csh"};
+
+template <std::size_t size>
+bool contains(const std::array<std::string_view, size>& words, std::string_view word)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Gives names numbers, in order of appearance.
+class NameNumbers
+{
+public:
+    /// The number of the name, and whether it is new.
+    std::pair<std::uint32_t, bool> number_of(const std::string& name)
+    {
+        const auto [place, is_new] = numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));
+        return {place->second, is_new};
+    }
+
+private:
+    std::unordered_map<std::string, std::uint32_t> numbers_;
+};
+
+class ObjParser
+{
+public:
+    explicit ObjParser(const std::string& path) : lines_(path) { mesh_.path = path; }
+    ObjMesh parse();
+
+private:
+    void statement(const TextLine& line);
+    void named_statement(std::string_view keyword, std::string_view rest, const TextPlace& place);
+    void vertex(std::string_view rest, const TextPlace& place);
+    void face(std::string_view rest, const TextLine& line);
+    std::uint32_t corner(std::string_view word, const TextPlace& place) const;
+    void number_names(TextPlace place);
+    void library(std::string_view names, const TextPlace& place);
+    void unknown(std::string_view keyword, const TextPlace& place);
+    void make_room_for_vertices();
+    void check_corners() const;
+    void summarise_warnings();
+    TextPlace at_line(std::uint32_t line) const { return {mesh_.path, line}; }
+
+    TextLines lines_;
+    ObjMesh mesh_;
+    std::string material_;
+    std::string group_;
+    bool names_changed_ = true;
+    std::uint32_t material_number_ = 0;
+    std::uint32_t group_number_ = 0;
+    NameNumbers material_numbers_;
+    NameNumbers group_numbers_;
+    std::uint32_t first_weight_line_ = 0;
+    std::size_t weight_count_ = 0;
+    std::uint32_t first_unknown_line_ = 0;
+    std::vector<std::string> unknown_keywords_;
+};
+
+ObjMesh ObjParser::parse()
+{
+    bool any_line = false;
+    TextLine line;
+    while (lines_.next(line)) {
+        statement(line);
+        any_line = true;
+    }
+    if (!any_line)
+        refuse(at_line(1), "the file is empty, expected a Wavefront OBJ file");
+    if (mesh_.faces.empty())
+        refuse(at_line(0), mesh_.faces_without_corners == 0
+                               ? "no faces found, expected a Wavefront OBJ file with `f` statements"
+                               : "every face has fewer than three vertices");
+    check_corners();
+    summarise_warnings();
+    return std::move(mesh_);
+}
+
+void ObjParser::statement(const TextLine& line)
+{
+    std::string_view rest = line.text;
+    const std::string_view keyword = next_word(rest);
+    if (keyword == "v")
+        vertex(without_comment(rest), line.place);
+    else if (keyword == "f" || keyword == "fo")
+        face(without_comment(rest), line);
+    else if (!keyword.empty() && keyword[0] != '#' && keyword != "vn" && keyword != "vt")
+        named_statement(keyword, rest, line.place);
+}
+
+void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextPlace& place)
+{
+    if (keyword == "usemtl") {
+        material_ = name_in(rest);
+        names_changed_ = true;
+    } else if (keyword == "g" || keyword == "o") {
+        group_ = name_in(rest);
+        names_changed_ = true;
+    } else if (keyword == "mtllib") {
+        library(name_in(rest), place);
+    } else if (contains(unsupported_keywords, keyword)) {
+        refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
+    } else if (!contains(harmless_keywords, keyword)) {
+        unknown(keyword, place);
+    }
+}
+
+/// Some exporters repeat the statement for every object.
+void ObjParser::library(std::string_view names, const TextPlace& place)
+{
+    constexpr std::size_t most_libraries = 256; // the search for files that a bad file may cause must end
+    std::vector<ObjName>& known = mesh_.libraries;
+    if (std::any_of(known.begin(), known.end(), [&](const ObjName& other) { return other.name == names; }))
+        return;
+    if (known.size() == most_libraries)
+        refuse(place, "more than 256 different `mtllib` statements");
+    known.push_back({std::string(names), place.line});
+}
+
+void ObjParser::unknown(std::string_view keyword, const TextPlace& place)
+{
+    constexpr std::size_t most_names = 8;
+    if (unknown_keywords_.empty())
+        first_unknown_line_ = place.line;
+    const std::string name = in_quotes(keyword);
+    if (unknown_keywords_.size() < most_names &&
+        std::find(unknown_keywords_.begin(), unknown_keywords_.end(), name) == unknown_keywords_.end())
+        unknown_keywords_.push_back(name);
+}
+
+/// x y z, then perhaps a weight (one more number) or a colour (three more).
+void ObjParser::vertex(std::string_view rest, const TextPlace& place)
+{
+    std::array<double, 3> x = {};
+    for (double& coordinate : x) {
+        coordinate = read_number(next_word(rest), place, "vertex");
+        if (std::abs(coordinate) > largest_coordinate)
+            refuse(place, "coordinate beyond 1e9, expected a scene of sensible size");
+    }
+    if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
+        refuse(place, "more than 2^31 vertices do not fit");
+    make_room_for_vertices();
+    mesh_.vertices.push_back({x[0], x[1], x[2]});
+
+    double fourth = 1.0;
+    std::size_t extra_count = 0;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+        const double value = read_number(word, place, "vertex");
+        fourth = extra_count++ == 0 ? value : fourth;
+    }
+    if (extra_count == 1 && fourth != 1.0) {
+        first_weight_line_ = weight_count_ == 0 ? place.line : first_weight_line_;
+        ++weight_count_;
+    }
+}
+
+void ObjParser::face(std::string_view rest, const TextLine& line)
+{
+    if (names_changed_)
+        number_names(line.place);
+    const std::size_t first = mesh_.corners.size();
+    std::string_view last_word;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+        mesh_.corners.push_back(corner(word, line.place));
+        last_word = word;
+    }
+    const std::size_t count = mesh_.corners.size() - first;
+    if (!line.ended && (count < 3 || last_word.back() == '/'))
+        refuse(line.place, "the file ends in the middle of a face, expected at least three whole corners");
+    if (mesh_.corners.size() > std::numeric_limits<std::uint32_t>::max() / 2)
+        refuse(line.place, "more than 2^31 corners of faces do not fit");
+    if (count < 3) {
+        mesh_.corners.resize(first);
+        ++mesh_.faces_without_corners;
+        return;
+    }
+    mesh_.faces.push_back({static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_});
+}
+
+/// The vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A number that refers forward is returned unchecked.
+std::uint32_t ObjParser::corner(std::string_view word, const TextPlace& place) const
+{
+    constexpr std::int64_t too_large = std::numeric_limits<std::uint32_t>::max();
+    const bool negative = word[0] == '-';
+    std::size_t i = negative || word[0] == '+' ? 1 : 0;
+    const std::size_t first_digit = i;
+    std::int64_t number = 0;
+    for (; i < word.size() && word[i] >= '0' && word[i] <= '9'; ++i)
+        number = number < too_large ? 10 * number + (word[i] - '0') : number;
+    if (i == first_digit || word.find_first_not_of("0123456789/+-", i) != std::string_view::npos ||
+        (i < word.size() && word[i] != '/'))
+        refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
+    if (number == 0)
+        refuse(place, "vertex number 0, expected numbers from 1, or negative ones that count back");
+
+    const std::int64_t vertex_count = static_cast<std::int64_t>(mesh_.vertices.size());
+    if (negative && number > vertex_count)
+        refuse(place, "vertex " + in_quotes(word) + " counts back beyond the first vertex, " +
+                          std::to_string(vertex_count) + " are defined before this line");
+    if (number >= too_large)
+        refuse(place, "vertex number " + in_quotes(word) + " is too large");
+    return static_cast<std::uint32_t>(negative ? vertex_count - number : number - 1);
+}
+
+void ObjParser::number_names(TextPlace place)
+{
+    names_changed_ = false;
+    const auto [material, material_is_new] = material_numbers_.number_of(material_);
+    if (material_is_new)
+        mesh_.materials.push_back({material_, place.line});
+    const auto [group, group_is_new] = group_numbers_.number_of(group_);
+    if (group_is_new)
+        mesh_.groups.push_back(group_);
+    material_number_ = material;
+    group_number_ = group;
+}
+
+/// A full list of some length gets room for what the rest of the file holds, if that is like what was read: moving
+/// millions of vertices again and again takes time, room that stays empty does not.
+void ObjParser::make_room_for_vertices()
+{
+    constexpr std::size_t some = 4096;
+    const auto count = static_cast<double>(mesh_.vertices.size());
+    const double read = lines_.share_read();
+    if (mesh_.vertices.size() == mesh_.vertices.capacity() && count >= some && read > 0.0 && read < 1.0)
+        mesh_.vertices.reserve(static_cast<std::size_t>(std::max(2.0 * count, 1.05 * count / read)));
+}
+
+void ObjParser::check_corners() const
+{
+    std::size_t next = 0;
+    for (const ObjFace& face : mesh_.faces)
+        for (const std::size_t end = next + face.corner_count; next < end; ++next)
+            if (mesh_.corners[next] >= mesh_.vertices.size())
+                refuse(at_line(face.line), "vertex " + std::to_string(mesh_.corners[next] + std::uint64_t{1}) +
+                                               " does not exist, the file has " +
+                                               std::to_string(mesh_.vertices.size()));
+}
+
+void ObjParser::summarise_warnings()
+{
+    if (weight_count_ != 0)
+        mesh_.warnings.push_back(name_of(at_line(first_weight_line_)) + ": the weight of a vertex (fourth number) is " +
+                                 "ignored, polygons have none (" + std::to_string(weight_count_) + " in the file)");
+    if (unknown_keywords_.empty())
+        return;
+    std::string names;
+    for (const std::string& name : unknown_keywords_)
+        names += (names.empty() ? "" : ", ") + name;
+    mesh_.warnings.push_back(name_of(at_line(first_unknown_line_)) + ": unknown statements ignored: " + names);
+}
+
+} // namespace
+
+ObjMesh parse_obj(const std::string& path)
+{
+    return ObjParser(path).parse();
+}
+
+} // namespace multipath

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "geometry/vec3.h"
+#include "parallel/memory.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// A polygon of an OBJ file; its corners are the next `corner_count` entries of ObjMesh::corners.
+struct ObjFace
+{
+    std::uint32_t corner_count = 0; ///< at least 3
+    std::uint32_t line = 0;
+    std::uint32_t material = 0; ///< index into ObjMesh::materials
+    std::uint32_t group = 0;    ///< index into ObjMesh::groups
+};
+
+/// A name together with the line that first has it.
+struct ObjName
+{
+    std::string name;
+    std::uint32_t line = 0;
+};
+
+/// What an OBJ file says, before its polygons are cut and its materials are looked up.
+struct ObjMesh
+{
+    std::string path;
+    LargeVector<Vec3> vertices;
+    LargeVector<std::uint32_t> corners; ///< vertices from 0, all valid, face after face
+    LargeVector<ObjFace> faces;
+    std::vector<ObjName> materials;        ///< names of `usemtl` that faces use; "" for faces before the first `usemtl`
+    std::vector<std::string> groups;       ///< names of `o` and `g` that faces use, in order of appearance
+    std::vector<ObjName> libraries;        ///< arguments of `mtllib`, not yet cut into names
+    std::size_t faces_without_corners = 0; ///< dropped: one or two vertices
+    std::vector<std::string> warnings;
+};
+
+/// Throws InputError for everything that is wrong in the text of the file, and for a file without faces.
+ObjMesh parse_obj(const std::string& path);
+
+} // namespace multipath

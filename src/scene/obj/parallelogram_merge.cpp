@@ -1,0 +1,152 @@
+// Every pair that shares an edge may form a parallelogram, and in a regular mesh a triangle has up to three such
+// partners. The diagonal of a rectangle is the longest edge of both its halves, so pairs across longest edges go first:
+// that finds the rectangles that an exporter cut, in whatever order it wrote their halves. Then the rest is joined.
+
+#include "scene/obj/parallelogram_merge.h"
+
+#include "scene/vertex_weld.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace multipath {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 4>;
+
+class TriangleMerger
+{
+public:
+    TriangleMerger(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale)
+        : pieces_(pieces), mesh_(mesh), scale_(scale)
+    {
+    }
+    std::size_t merge();
+
+private:
+    void weld_corners();
+    void list_triangles_by_vertex();
+    void merge_across_edges(bool longest);
+    void merge_across_edge(std::uint32_t first, std::size_t edge);
+    bool merge_pair(std::uint32_t first, std::size_t edge, std::uint32_t second);
+    std::size_t longest_edge_of(const Corners& triangle) const;
+    bool is_open(std::uint32_t piece) const { return pieces_[piece].is_triangle() && !is_gone(pieces_[piece]); }
+    static bool is_gone(const Piece& piece) { return piece.corners[0] == Piece::no_vertex; }
+    Vec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+
+    LargeVector<Piece>& pieces_;
+    const ObjMesh& mesh_;
+    const SceneScale scale_;
+    /// The open triangles at vertex v are triangles_[ends_[v]] up to triangles_[ends_[v + 1]].
+    LargeVector<std::uint32_t> ends_, triangles_;
+    std::size_t pair_count_ = 0;
+};
+
+std::size_t TriangleMerger::merge()
+{
+    weld_corners();
+    list_triangles_by_vertex();
+    merge_across_edges(true);
+    merge_across_edges(false);
+    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_gone), pieces_.end());
+    return pair_count_;
+}
+
+/// From here on, corners at the same position are the same vertex.
+void TriangleMerger::weld_corners()
+{
+    const LargeVector<std::uint32_t> welded = weld(mesh_.vertices);
+    for (Piece& piece : pieces_)
+        for (std::uint32_t& corner : piece.corners)
+            corner = corner == Piece::no_vertex ? corner : welded[corner];
+}
+
+/// Counts, sums up, fills in: the runs come out in the order of the triangles.
+void TriangleMerger::list_triangles_by_vertex()
+{
+    ends_.assign(mesh_.vertices.size() + 1, 0);
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+        for (std::size_t k = 0; k < 3 && is_open(i); ++k)
+            ++ends_[pieces_[i].corners[k]];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& end : ends_)
+        end = sum += end;
+    triangles_.resize(sum);
+    for (std::uint32_t i = static_cast<std::uint32_t>(pieces_.size()); i-- > 0;)
+        for (std::size_t k = 0; k < 3 && is_open(i); ++k)
+            triangles_[--ends_[pieces_[i].corners[k]]] = i;
+}
+
+/// Either across the longest edge of each triangle or across the two others.
+void TriangleMerger::merge_across_edges(bool longest)
+{
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+        if (!is_open(i))
+            continue;
+        const std::size_t longest_edge = longest_edge_of(pieces_[i].corners);
+        for (std::size_t edge = 0; edge < 3 && is_open(i); ++edge)
+            if ((edge == longest_edge) == longest)
+                merge_across_edge(i, edge);
+    }
+}
+
+/// Looks for a later triangle that runs through the edge the other way.
+void TriangleMerger::merge_across_edge(std::uint32_t first, std::size_t edge)
+{
+    constexpr std::ptrdiff_t most_candidates = 64; // a file with all triangles at one vertex must not take for ever
+    const std::uint32_t vertex = pieces_[first].corners[edge];
+    const auto end = triangles_.begin() + ends_[vertex + 1];
+    const auto begin = std::upper_bound(triangles_.begin() + ends_[vertex], end, first);
+    for (auto other = begin; other != end && other - begin < most_candidates; ++other)
+        if (is_open(*other) && merge_pair(first, edge, *other))
+            return;
+}
+
+/// If the two form a parallelogram across this edge of the first, that becomes it and the second is marked as gone.
+bool TriangleMerger::merge_pair(std::uint32_t first, std::size_t edge, std::uint32_t second)
+{
+    const Corners p = pieces_[first].corners;
+    const Corners q = pieces_[second].corners;
+    const std::uint32_t from = p[edge];
+    const std::uint32_t to = p[(edge + 1) % 3];
+    std::size_t opposite = 0; // corner of the second that is not on the edge
+    while (opposite < 3 && (q[(opposite + 1) % 3] != to || q[(opposite + 2) % 3] != from))
+        ++opposite;
+    const ObjFace& face = mesh_.faces[pieces_[first].face];
+    const ObjFace& other_face = mesh_.faces[pieces_[second].face];
+    if (opposite == 3 || face.material != other_face.material || face.group != other_face.group)
+        return false;
+
+    Corners joined = {p[0], p[1], p[2], p[2]};
+    if (edge == 0)
+        joined[2] = p[1];
+    joined[edge + 1] = q[opposite];
+    if (!is_parallelogram(at(joined[0]), at(joined[1]), at(joined[2]), at(joined[3]), scale_))
+        return false;
+    pieces_[first].corners = joined;
+    pieces_[second].corners[0] = Piece::no_vertex;
+    ++pair_count_;
+    return true;
+}
+
+/// Number of the edge from corner i to the next.
+std::size_t TriangleMerger::longest_edge_of(const Corners& triangle) const
+{
+    std::array<double, 3> squares = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 edge = at(triangle[(i + 1) % 3]) - at(triangle[i]);
+        squares[i] = dot(edge, edge);
+    }
+    return static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+}
+
+} // namespace
+
+std::size_t merge_triangles(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale)
+{
+    return TriangleMerger(pieces, mesh, scale).merge();
+}
+
+} // namespace multipath

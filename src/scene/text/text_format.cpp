@@ -1,0 +1,64 @@
+#include "scene/text/text_format.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+namespace multipath {
+
+std::string format(const char* pattern, ...)
+{
+    va_list values;
+    va_start(values, pattern);
+    va_list values_again;
+    va_copy(values_again, values);
+    const int length = std::vsnprintf(nullptr, 0, pattern, values);
+    va_end(values);
+    std::string text(static_cast<std::size_t>(std::max(length, 0)), '\0');
+    std::vsnprintf(text.data(), text.size() + 1, pattern, values_again);
+    va_end(values_again);
+    return text;
+}
+
+std::string grouped(std::uint64_t count)
+{
+    std::string digits = std::to_string(count);
+    for (std::size_t place = digits.size(); place > 3; place -= 3)
+        digits.insert(place - 3, ",");
+    return digits;
+}
+
+namespace {
+
+bool is_continuation(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;
+}
+
+} // namespace
+
+std::size_t utf8_character_size(std::string_view text)
+{
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    if (text.empty())
+        return 0;
+    if (byte(0) < 0x80)
+        return 1;
+    const std::size_t size = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < size)
+        return 0;
+    for (std::size_t k = 1; k < size; ++k)
+        if (!is_continuation(text[k]))
+            return 0;
+    // Longer than needed, a half of a pair of UTF-16, or beyond the last character.
+    const bool wrong = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
+                       (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
+    return wrong ? 0 : size;
+}
+
+std::size_t column_count(std::string_view text)
+{
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation));
+}
+
+} // namespace multipath

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace multipath {
+
+/// What printf would print.
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+std::string
+format(const char* pattern, ...);
+
+/// 4194304 as "4,194,304".
+std::string grouped(std::uint64_t count);
+
+/// How many bytes at the beginning of a text make one well-formed character of UTF-8 (RFC 3629); 0 if none do.
+std::size_t utf8_character_size(std::string_view text);
+
+/// Columns of a screen that a text takes, if each of its characters takes one: bytes without continuation bytes.
+std::size_t column_count(std::string_view text);
+
+} // namespace multipath

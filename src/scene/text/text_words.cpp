@@ -1,0 +1,203 @@
+// Decimal numbers are read by hand: a number of a mesh has few digits, so that digits and power of ten are both exact
+// as doubles and one division gives the correctly rounded result (Clinger 1990). The rest, a small minority, goes to
+// strtod.
+
+#include "scene/text/text_words.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::ptrdiff_t most_digits = 19; // of 64 bits
+
+struct Decimal
+{
+    bool is_number = false;
+    bool negative = false;
+    bool all_digits_kept = true;
+    std::uint64_t digits = 0;
+    int exponent = 0; ///< value = digits * 10^exponent
+};
+
+bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/// Adds the digits at p to the number and returns the end of them. More than most_digits overflow.
+const char* scan_digits(const char* p, const char* end, Decimal& number)
+{
+    for (; p != end && is_digit(*p); ++p)
+        number.digits = 10 * number.digits + static_cast<std::uint64_t>(*p - '0');
+    return p;
+}
+
+const char* scan_sign(const char* p, const char* end, bool& negative)
+{
+    if (p != end && (*p == '+' || *p == '-'))
+        negative = *p++ == '-';
+    return p;
+}
+
+/// The optional "e-12" at p; nothing if the "e" has no digits.
+std::optional<int> scan_exponent(const char* p, const char* end)
+{
+    constexpr int beyond_all_doubles = 100'000'000; // also with all the digits of the longest line
+    if (p == end)
+        return 0;
+    if (*p != 'e' && *p != 'E')
+        return std::nullopt;
+    bool negative = false;
+    p = scan_sign(p + 1, end, negative);
+    if (p == end)
+        return std::nullopt;
+    int exponent = 0;
+    for (; p != end && is_digit(*p); ++p)
+        exponent = exponent < beyond_all_doubles ? 10 * exponent + (*p - '0') : exponent;
+    return p == end ? std::optional<int>(negative ? -exponent : exponent) : std::nullopt;
+}
+
+Decimal scan_decimal(std::string_view word)
+{
+    Decimal number;
+    const char* const end = word.data() + word.size();
+    const char* const whole = scan_sign(word.data(), end, number.negative);
+    const char* p = scan_digits(whole, end, number);
+    std::ptrdiff_t digit_count = p - whole;
+    if (p != end && *p == '.') {
+        const char* const fraction = p + 1;
+        p = scan_digits(fraction, end, number);
+        digit_count += p - fraction;
+        number.exponent = -static_cast<int>(p - fraction);
+    }
+    const std::optional<int> exponent = scan_exponent(p, end);
+    if (digit_count == 0 || !exponent)
+        return number;
+    number.is_number = true;
+    number.all_digits_kept = digit_count <= most_digits;
+    number.exponent += *exponent;
+    return number;
+}
+
+constexpr std::array<double, 23> exact_powers_of_ten = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                        1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                        1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// Not std::optional: to copy one costs as much as to read a number.
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// no_number if one operation cannot give it.
+double exact_value(const Decimal& number)
+{
+    constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
+    const int size = std::abs(number.exponent);
+    if (!number.all_digits_kept || number.digits > exact_integers ||
+        size >= static_cast<int>(exact_powers_of_ten.size()))
+        return no_number;
+    const double power = exact_powers_of_ten[static_cast<std::size_t>(size)];
+    const double digits = static_cast<double>(number.digits);
+    const double value = number.exponent < 0 ? digits / power : digits * power;
+    return number.negative ? -value : value;
+}
+
+/// no_number for anything but a finite decimal number.
+double value_of(std::string_view word)
+{
+    const Decimal number = scan_decimal(word);
+    if (!number.is_number)
+        return no_number;
+    const double exact = exact_value(number);
+    if (!std::isnan(exact))
+        return exact;
+    const double value = std::strtod(std::string(word).c_str(), nullptr);
+    return std::isfinite(value) ? value : no_number;
+}
+
+std::string_view without_sign(std::string_view word)
+{
+    return word.substr(!word.empty() && (word[0] == '+' || word[0] == '-') ? 1 : 0);
+}
+
+bool names_infinity_or_nan(std::string_view word)
+{
+    const std::string_view start = without_sign(word).substr(0, 3);
+    std::string lower;
+    for (const char c : start)
+        lower += static_cast<char>(c | 0x20);
+    return lower == "nan" || lower == "inf";
+}
+
+std::string problem_with(std::string_view word)
+{
+    if (word.empty())
+        return "a number is missing";
+    if (names_infinity_or_nan(word))
+        return in_quotes(word) + " is not a finite number";
+    if (scan_decimal(word).is_number)
+        return in_quotes(word) + " is too large for a number";
+    if (word.find(',') != std::string_view::npos)
+        return in_quotes(word) + " has a decimal comma, expected a decimal point";
+    return in_quotes(word) + " is not a number";
+}
+
+} // namespace
+
+std::string_view trimmed(std::string_view text)
+{
+    while (!text.empty() && is_blank(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+std::string_view next_word(std::string_view& rest)
+{
+    std::size_t begin = 0;
+    while (begin < rest.size() && is_blank(rest[begin]))
+        ++begin;
+    std::size_t end = begin;
+    while (end < rest.size() && !is_blank(rest[end]))
+        ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
+}
+
+std::string_view without_comment(std::string_view text)
+{
+    return text.substr(0, text.find('#'));
+}
+
+std::string_view name_in(std::string_view rest)
+{
+    for (std::size_t i = rest.find('#'); i != std::string_view::npos; i = rest.find('#', i + 1)) {
+        const bool blank_before = i == 0 || is_blank(rest[i - 1]);
+        const bool blank_behind = i + 1 == rest.size() || is_blank(rest[i + 1]);
+        if (blank_before && blank_behind)
+            return trimmed(rest.substr(0, i));
+    }
+    return trimmed(rest);
+}
+
+std::optional<double> to_number(std::string_view word)
+{
+    const double value = value_of(word);
+    return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+}
+
+double read_number(std::string_view word, const TextPlace& place, std::string_view owner)
+{
+    const double value = value_of(word);
+    if (std::isnan(value))
+        refuse(place, std::string(owner) + ": " + problem_with(word));
+    return value;
+}
+
+} // namespace multipath

@@ -1,0 +1,48 @@
+#include "geometry/intersector/surface_sizes.h"
+
+#include "geometry/intersector/shared_planes.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+namespace surface_sizes_test {
+
+using namespace multipath;
+
+TEST_CASE("surfaces are ordered by area, equal ones by number, and ranked the other way round")
+{
+    const auto square = [](double edge) {
+        return Surface{Shape::parallelogram, {0, 0, 0}, {edge, 0, 0}, {0, edge, 0}};
+    };
+    const SurfaceList surfaces = {square(2), square(1), square(3), square(1)};
+    CHECK(from_large_to_small(surfaces) == std::vector<std::uint32_t>{2, 0, 1, 3});
+    CHECK(size_ranks(from_large_to_small(surfaces)) == std::vector<std::uint32_t>{2, 1, 3, 0});
+}
+
+TEST_CASE("walls seen from inside form a room, also without one of them; a box in the open does not")
+{
+    SceneBuilder inside, outside;
+    SurfaceList walls = inside.room({5, 5, 5}, {6, 7, 8}, inside.grey(0.5, 1.0)).file().surfaces;
+    CHECK(form_a_room(walls));
+    walls.pop_back();
+    CHECK(form_a_room(walls));
+    CHECK(!form_a_room(outside.box({5, 5, 5}, {6, 7, 8}, outside.grey(0.5, 1.0)).file().surfaces));
+}
+
+TEST_CASE("boxes leave room on all sides for a shared plane")
+{
+    SceneBuilder builder;
+    const SurfaceList walls = builder.room({0, 0, 0}, {3, 4, 12}, builder.grey(0.5, 1.0)).file().surfaces;
+    const double room = 13.0 * coplanar_distance;
+    const Bounds box = box_around(walls);
+    CHECK(box.low.x < -room);
+    CHECK(box.high.z > 12.0 + room);
+    const LargeVector<Bounds> boxes = boxes_around_each(walls);
+    CHECK(boxes[0].low.y < -room); // the floor
+    CHECK(boxes[0].high.y > room);
+    CHECK(boxes[0].high.y < 10.0 * room);
+}
+
+} // namespace surface_sizes_test

@@ -1,0 +1,82 @@
+#include "parallel/blocks.h"
+
+#include <atomic>
+#include <doctest/doctest.h>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace blocks_test {
+
+using namespace multipath;
+
+TEST_CASE("every block is produced once and consumed in order, one at a time")
+{
+    for (const int threads : {1, 2, 5}) {
+        std::vector<std::uint64_t> slots(static_cast<std::size_t>(slot_count(threads)));
+        std::vector<std::uint64_t> consumed;
+        std::atomic<int> consumers{0};
+        ordered_blocks(
+            1000, threads,
+            [&](std::uint64_t block, int slot) { slots[static_cast<std::size_t>(slot)] = block * block; },
+            [&](std::uint64_t block, int slot) {
+                CHECK(++consumers == 1);
+                CHECK(slots[static_cast<std::size_t>(slot)] == block * block);
+                consumed.push_back(block);
+                --consumers;
+            });
+        REQUIRE(consumed.size() == 1000);
+        for (std::uint64_t block = 0; block < 1000; ++block)
+            CHECK(consumed[block] == block);
+    }
+}
+
+TEST_CASE("the failure of a block ends the work and reaches the caller")
+{
+    for (const int threads : {1, 4}) {
+        const auto fail_at_50 = [](std::uint64_t block) {
+            if (block == 50)
+                throw std::runtime_error("block 50");
+        };
+        CHECK_THROWS_WITH(parallel_blocks(1000, threads, fail_at_50), "block 50");
+        CHECK_THROWS_WITH(
+            ordered_blocks(
+                1000, threads, [](std::uint64_t, int) {}, [&](std::uint64_t block, int) { fail_at_50(block); }),
+            "block 50");
+    }
+}
+
+// The first block waits for the 99 others, which one thread is left to do.
+TEST_CASE("a long block does not hold up the others")
+{
+    std::atomic<int> done{0};
+    parallel_blocks(100, 2, [&](std::uint64_t block) {
+        while (block == 0 && done < 99)
+            std::this_thread::yield();
+        ++done;
+    });
+    CHECK(done == 100);
+}
+
+TEST_CASE("no blocks are no work")
+{
+    parallel_blocks(0, 4, [](std::uint64_t) { FAIL("called"); });
+}
+
+TEST_CASE("ranges cover all numbers once, and only the last one is shorter than asked for")
+{
+    for (const std::uint32_t count : {0u, 1u, 63u, 64u, 65u, 1000u})
+        for (const int threads : {1, 3}) {
+            std::vector<std::atomic<int>> visits(count);
+            parallel_ranges(count, 64, threads, [&](std::uint32_t first, std::uint32_t end) {
+                CHECK(first % 64 == 0);
+                CHECK((end == count || end == first + 64));
+                for (std::uint32_t i = first; i < end; ++i)
+                    ++visits[i];
+            });
+            for (const std::atomic<int>& number : visits)
+                CHECK(number == 1);
+        }
+}
+
+} // namespace blocks_test

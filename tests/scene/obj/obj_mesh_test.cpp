@@ -1,0 +1,95 @@
+#include "scene/obj/obj_mesh.h"
+
+#include "scene/input_problem.h"
+#include "scene/scratch_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+namespace obj_mesh_test {
+
+using namespace multipath;
+
+namespace {
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+
+ObjMesh parse(const std::string& text)
+{
+    const ScratchFolder folder;
+    return parse_obj(folder.write("a.obj", text));
+}
+
+std::string problem(const std::string& text)
+{
+    return problem_of([&] { parse(text); });
+}
+
+} // namespace
+
+TEST_CASE("corners may have texture coordinates and normals in any notation")
+{
+    for (const char* face : {"f 1 2 3", "f 1/7 2/8 3/9", "f 1//7 2//8 3//9", "f 1/1/1 2/2/2 3/3/3", "f +1 -2 3/-1",
+                             "f\t1\t2 \t3\t", "f 1 2 3#comment", "f 1 2 \\\n3", "f \\\r\n 1 2 3 \\ \r\n"}) {
+        CAPTURE(face);
+        CHECK(parse(triangle + face + "\n").corners == LargeVector<std::uint32_t>{0, 1, 2});
+    }
+}
+
+TEST_CASE("a corner that is not a number is refused")
+{
+    for (const char* face : {"f 1 2 3x", "f 1 2 x", "f 1 2 1.5", "f 1 2 /3", "f 1 2 -", "f 1 2 --1", "f 1 2 3|4"}) {
+        CAPTURE(face);
+        CHECK(contains(problem(triangle + face + "\n"), "a.obj:4: `"));
+    }
+}
+
+TEST_CASE("a file that ends within a face is refused, one that only lacks the last line feed is not")
+{
+    CHECK(parse(triangle + "f 1 2 3").faces.size() == 1);
+    for (const char* end : {"f 1 2", "f 1 2 ", "f 1 2 3/", "f 1//1 2//2 3//", "f", "f 1 2 3 \\", "f 1 2 \\\n"}) {
+        CAPTURE(end);
+        CHECK(contains(problem(triangle + "f 1 2 3\n" + end), "a.obj:5: "));
+    }
+}
+
+TEST_CASE("free-form surfaces are refused and unknown statements warned of")
+{
+    CHECK(contains(problem(triangle + "surf 0 1 0 1 1 2 3\n"), "a.obj:4: `surf` is not supported"));
+    const ObjMesh mesh = parse(triangle + "s 1\nvt 0 0\nvn 0 0 1\nl 1 2\nface 1 2 3\nf 1 2 3\nface 1 2 3\n");
+    REQUIRE(mesh.warnings.size() == 1);
+    CHECK(contains(mesh.warnings[0], "a.obj:8: unknown statements ignored: `face`"));
+}
+
+TEST_CASE("a name keeps its blanks, its number sign and its backslash, but no comment")
+{
+    const ObjMesh mesh = parse(triangle + "usemtl Material #25\nf 1 2 3\nusemtl old wood # from the shop\nf 1 2 3\n" +
+                               "usemtl C:\\\nf 1 2 3\nusemtl\nf 1 2 3\n");
+    REQUIRE(mesh.materials.size() == 4);
+    CHECK(mesh.materials[0].name == "Material #25");
+    CHECK(mesh.materials[1].name == "old wood");
+    CHECK(mesh.materials[2].name == "C:\\");
+    CHECK(mesh.materials[3].name == "");
+    CHECK(mesh.faces.size() == 4);
+}
+
+TEST_CASE("a backslash in a comment continues nothing")
+{
+    CHECK(parse(triangle + "# folder C:\\\nf 1 2 3\nf 1 2 3 # \\\nf 1 2 3\n").faces.size() == 3);
+}
+
+TEST_CASE("coordinates too large to compute with are refused")
+{
+    CHECK(contains(problem("v 1e10 0 0\n"), "a.obj:1: coordinate beyond 1e9"));
+    CHECK(contains(problem("v 0 0 0 x\n"), "a.obj:1: vertex: `x` is not a number"));
+}
+
+TEST_CASE("a file without faces is refused")
+{
+    CHECK(contains(problem("hello world\n"), "no faces found"));
+    CHECK(contains(problem(triangle + "f 1 2\n"), "every face has fewer than three vertices"));
+}
+
+} // namespace obj_mesh_test

@@ -1,0 +1,178 @@
+#include "scene/obj/obj_reader.h"
+
+#include "scene/input_problem.h"
+#include "scene/scratch_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+namespace obj_reader_test {
+
+using namespace multipath;
+
+namespace {
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+/// A closed unit cube, seen from inside.
+const std::string cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                         "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+
+/// Files of one scene: room.obj and room.mtl.
+struct SceneText
+{
+    std::string obj;
+    std::string mtl;
+
+    SceneFile read(EmissionFrom from = EmissionFrom::ke) const
+    {
+        folder.write("room.mtl", mtl);
+        return read_obj(folder.write("room.obj", obj), from);
+    }
+    std::string problem(EmissionFrom from = EmissionFrom::ke) const
+    {
+        return problem_of([&] { read(from); });
+    }
+
+    ScratchFolder folder = {};
+};
+
+bool any_contains(const std::vector<std::string>& lines, const std::string& part)
+{
+    for (const std::string& line : lines)
+        if (contains(line, part))
+            return true;
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("a quad becomes a parallelogram with the corner and the edges of the file")
+{
+    const SceneFile scene = SceneText{"mtllib room.mtl\n" + square + "o lamp\nusemtl m\nf 2 3 4 1\n",
+                                      "newmtl m\nKd 0.25 0.5 0.75\nKe 1 2 3\n"}
+                                .read();
+    REQUIRE(scene.surfaces.size() == 1);
+    CHECK(scene.surfaces[0].shape == Shape::parallelogram);
+    CHECK(scene.surfaces[0].origin == Vec3{1, 0, 0});
+    CHECK(scene.surfaces[0].edge_u == Vec3{0, 1, 0});
+    CHECK(scene.surfaces[0].edge_v == Vec3{-1, 0, 0});
+    CHECK(scene.surfaces[0].normal() == Vec3{0, 0, 1});
+    CHECK(scene.groups == std::vector<std::string>{"lamp"});
+    CHECK(scene.line == std::vector<std::uint32_t>{8});
+    CHECK(scene.materials[scene.material[0]].reflectance == Rgb{0.25, 0.5, 0.75});
+    CHECK(scene.materials[scene.material[0]].emittance == Rgb{1, 2, 3});
+    CHECK(contains(scene.materials[scene.material[0]].source, "room.mtl:1"));
+    REQUIRE(scene.material_files.size() == 1);
+    CHECK(contains(scene.material_files[0], "room.mtl"));
+    CHECK(scene.warnings.empty());
+    CHECK(scene.counts == "1 material, 1 emitter, 1 face -> 1 surface");
+}
+
+TEST_CASE("what was dropped, joined or replaced is counted in the summary")
+{
+    const SceneText text{"mtllib room.mtl\n" + square +
+                             "usemtl lamp\nf 1 2 3\nf 1 3 4\nusemtl paint\nf 1 2\nf 1 1 2\nf 1 3 2\n",
+                         "newmtl lamp\nKd 0\nKe 1\nnewmtl spare\nKd 0.5\n"};
+    CHECK(text.read().counts ==
+          "2 materials, 1 emitter, 5 faces -> 2 surfaces; 1 pair of triangles joined, 1 zero-area "
+          "face dropped, 1 face of fewer than three vertices dropped, 1 unknown material replaced, "
+          "1 material not used");
+}
+
+TEST_CASE("an unknown material is grey, with one warning for its name")
+{
+    const SceneFile scene =
+        SceneText{"mtllib room.mtl\n" + square +
+                      "usemtl lamp\nf 1 2 3 4\nusemtl wood\nf 1 2 3\nusemtl lamp\nusemtl wood\nf 2 3 4\n",
+                  "newmtl lamp\nKd 0\nKe 1\n"}
+            .read();
+    CHECK(scene.materials[scene.material[1]].name == "wood");
+    CHECK(scene.materials[scene.material[1]].reflectance == Rgb{0.5, 0.5, 0.5});
+    REQUIRE(scene.warnings.size() == 1);
+    CHECK(contains(scene.warnings[0], "room.obj:9: material `wood` is not defined in `room.mtl`, grey"));
+}
+
+TEST_CASE("a scene without light says why")
+{
+    const std::string paint = "newmtl paint\nKd 0.5\n";
+    const std::string faces = "mtllib room.mtl\n" + square + "usemtl paint\nf 1 2 3 4\n";
+    CHECK(contains(SceneText{square + "f 1 2 3\n", ""}.problem(), "no material file is named"));
+    CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(),
+                   "used but defined nowhere: `light`, read `room.mtl`"));
+    CHECK(contains(SceneText{faces, paint + "Ke 1e-323\n"}.problem(), "below 1e-30, which counts as 0: `paint`"));
+    CHECK(contains(SceneText{faces, paint + "newmtl sun\nKe 9\n"}.problem(), "emitting but used by no face: `sun`"));
+    std::string suns;
+    for (int i = 1; i <= 7; ++i)
+        suns += "newmtl sun" + std::to_string(i) + "\nKe 9\n";
+    CHECK(contains(SceneText{faces, paint + suns}.problem(), "`sun1`, `sun2`, `sun3`, `sun4`, `sun5` and 2 more"));
+}
+
+TEST_CASE("a scene too small to compute with is refused")
+{
+    const std::string faces = "mtllib room.mtl\nv 0 0 0\nv 1e-10 0 0\nv 0 1e-10 0\nusemtl lamp\nf 1 2 3\n";
+    CHECK(contains(SceneText{faces, "newmtl lamp\nKe 1\n"}.problem(), "lie within 1e-9 of each other"));
+}
+
+TEST_CASE("a lamp in Ka is found on request, and pointed out without")
+{
+    const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\nusemtl wall\nf 4 3 2 1\n",
+                         "newmtl lamp\nKa 20 10 5\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
+    CHECK(contains(text.problem(), "Ka makes a lamp of `lamp`: try --emission-from Ka"));
+    const SceneFile scene = text.read(EmissionFrom::ka);
+    CHECK(scene.materials[scene.material[0]].emittance == Rgb{20, 10, 5});
+    CHECK(scene.materials[scene.material[1]].emittance == Rgb{});
+
+    const SceneText everywhere{text.obj, "newmtl lamp\nKa 1 1 1\nKd 0.5\nnewmtl wall\nKa 1 1 1\nKd 0.5\n"};
+    CHECK_FALSE(contains(everywhere.problem(), "--emission-from"));
+    // Ambient light of one material, as modellers leave it behind.
+    const SceneText vault{text.obj, "newmtl lamp\nKa 0.7 0.7 0.6\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
+    CHECK_FALSE(contains(vault.problem(), "--emission-from"));
+    const SceneText all_bright{text.obj, "newmtl lamp\nKa 2 2 2\nKd 0.5\nnewmtl wall\nKa 2 2 2\nKd 0.5\n"};
+    CHECK_FALSE(contains(all_bright.problem(), "--emission-from"));
+}
+
+// A surface that is only dropped faces emits nothing.
+TEST_CASE("a lamp without area is no emitter")
+{
+    const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 2\nusemtl wall\nf 1 2 3 4\n",
+                         "newmtl lamp\nKd 0\nKe 1\nnewmtl wall\nKd 0.5\n"};
+    CHECK(contains(text.problem(), "no emitter"));
+}
+
+TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open one is not")
+{
+    const std::string white = "newmtl white\nKd 0.5 1 0.5\nKe 1\n";
+    const std::string start = "mtllib room.mtl\nusemtl white\n";
+    CHECK(contains(SceneText{start + cube, white}.problem(), "nothing absorbs"));
+
+    const std::string open_cube = cube.substr(0, cube.rfind("f "));
+    const SceneFile open = SceneText{start + open_cube, white}.read();
+    CHECK(any_contains(open.warnings, "room.mtl:1: Kd = 1"));
+
+    const std::string grey = "newmtl grey\nKd 0.5\n";
+    const std::string last_wall = "usemtl grey\n" + cube.substr(cube.rfind("f "));
+    CHECK(SceneText{start + open_cube + last_wall, white + grey}.read().surfaces.size() == 6);
+    CHECK(SceneText{start + open_cube + last_wall, white}.read().surfaces.size() == 6); // not defined, so grey
+}
+
+TEST_CASE("a material without Kd reflects nothing, with a warning")
+{
+    const SceneFile scene =
+        SceneText{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\n", "newmtl lamp\nKe 1\n"}.read();
+    CHECK(scene.materials[0].reflectance == Rgb{});
+    CHECK(any_contains(scene.warnings, "room.mtl:1: no Kd"));
+}
+
+TEST_CASE("groups come in order of appearance, and the same name is the same group")
+{
+    const SceneFile scene =
+        SceneText{"mtllib room.mtl\nusemtl m\n" + square + "f 1 2 3\no a\nf 1 2 3\ng b c\nf 1 2 3\ng a\nf 1 2 3\n",
+                  "newmtl m\nKd 0\nKe 1\n"}
+            .read();
+    CHECK(scene.groups == std::vector<std::string>{"", "a", "b c"});
+    CHECK(scene.group == std::vector<std::uint32_t>{0, 1, 2, 1});
+}
+
+} // namespace obj_reader_test

@@ -1,0 +1,122 @@
+#include "scene/text/text_lines.h"
+
+#include "scene/input_problem.h"
+#include "scene/scratch_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace text_lines_test {
+
+using namespace multipath;
+
+namespace {
+
+using Lines = std::vector<std::pair<std::string, std::uint32_t>>;
+
+Lines lines_of(const std::string& path)
+{
+    TextLines lines(path);
+    Lines all;
+    TextLine line;
+    while (lines.next(line))
+        all.emplace_back(std::string(line.text), line.place.line);
+    return all;
+}
+
+Lines split(const std::string& text)
+{
+    const ScratchFolder folder;
+    return lines_of(folder.write("a.txt", text));
+}
+
+std::string problem(const std::string& text)
+{
+    return problem_of([&] { split(text); });
+}
+
+} // namespace
+
+TEST_CASE("any line end ends a line, and lines are numbered as an editor does")
+{
+    CHECK(split("a\nb\r\nc\rd") == Lines{{"a", 1}, {"b", 2}, {"c", 3}, {"d", 4}});
+    CHECK(split("a\n\n\r\n\r\rb\n") == Lines{{"a", 1}, {"", 2}, {"", 3}, {"", 4}, {"", 5}, {"b", 6}});
+    CHECK(split("").empty());
+    CHECK(split("\xef\xbb\xbf"
+                "a\n") == Lines{{"a", 1}});
+}
+
+// The first buffer is 256 KiB: line ends of two characters and long lines must survive its border.
+TEST_CASE("lines do not depend on where the file is cut into blocks")
+{
+    const std::size_t buffer = std::size_t{1} << 18;
+    for (std::size_t length = buffer - 3; length <= buffer + 1; ++length)
+        CHECK(split(std::string(length, 'x') + "\r\ny\r\n") == Lines{{std::string(length, 'x'), 1}, {"y", 2}});
+    const std::string long_line(5 * buffer, 'z');
+    CHECK(split("a\n" + long_line + "\nb") == Lines{{"a", 1}, {long_line, 2}, {"b", 3}});
+}
+
+TEST_CASE("the share of the file that was read grows from nothing to all")
+{
+    const ScratchFolder folder;
+    std::string text;
+    for (int k = 0; k < 100000; ++k)
+        text += "123456789\n";
+    const std::string path = folder.write("a.txt", text);
+    TextLines lines(path);
+    CHECK(lines.share_read() == 0.0);
+    TextLine line;
+    for (int k = 1; lines.next(line); ++k)
+        if (k % 1000 == 0)
+            CHECK(lines.share_read() == doctest::Approx(k / 100000.0));
+    CHECK(lines.share_read() == 1.0);
+}
+
+TEST_CASE("a backslash joins lines, but not in names and comments")
+{
+    CHECK(split("f 1 \\\r\n2\\ \n3\nv\n") == Lines{{"f 1  2 3", 1}, {"v", 4}});
+    CHECK(split("mtllib a\\\n# c\\\nmap_Kd d\\\nv 1 # \\\n") ==
+          Lines{{"mtllib a\\", 1}, {"# c\\", 2}, {"map_Kd d\\", 3}, {"v 1 # \\", 4}});
+    CHECK(contains(problem("a\nf 1 \\\n"), "a.txt:2: the file ends behind a `\\`"));
+}
+
+TEST_CASE("what is not UTF-8 text is refused")
+{
+    using namespace std::string_literals;
+    CHECK(contains(problem("\xff\xfev\0 \0"s), "a.txt:1: is UTF-16 text, expected UTF-8"));
+    CHECK(contains(problem("\xfe\xff\0v\0 "s), "a.txt:1: is UTF-16 text"));
+    CHECK(contains(problem("v\0 \0001\0"s), "a.txt:1: is UTF-16 text"));
+    CHECK(contains(problem("a\nb\0c\n"s), "a.txt:2: control character"));
+    for (std::size_t place = 0; place < 20; ++place) { // eight characters are looked at together
+        std::string text = "v 1 2 3 # caf\xc3\xa9 \xff\x7f~\n";
+        text[place] = '\x1f';
+        CHECK(contains(problem(text), "a.txt:1: control character"));
+    }
+    CHECK(
+        contains(problem("a\n" + std::string(TextLines::longest_line + 2, 'x')), "a.txt:2: line is longer than 16 MB"));
+    std::string endless;
+    while (endless.size() <= TextLines::longest_line)
+        endless += std::string(1 << 20, 'x') + "\\\n";
+    CHECK(contains(problem("a\n" + endless), "a.txt:2: continued line is longer than 16 MB"));
+}
+
+TEST_CASE("a file that cannot be read is refused with the reason")
+{
+    const ScratchFolder folder;
+    const auto problem_with = [](const std::string& path) { return problem_of([&] { lines_of(path); }); };
+    CHECK(problem_with(folder.path("none.obj")) ==
+          folder.path("none.obj") + ": cannot be opened: No such file or directory");
+    CHECK(problem_with(folder.path("")) == folder.path("") + ": is a directory, expected a file");
+}
+
+TEST_CASE("words in messages are short and printable")
+{
+    CHECK(in_quotes("a b") == "`a b`");
+    CHECK(in_quotes("a\x1b\n") == "`a??`");
+    CHECK(in_quotes(std::string(1000, 'x')).size() == 65);
+}
+
+} // namespace text_lines_test
