@@ -96,7 +96,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     : file_(std::move(file)),
       two_sided_(two_sided),
       patch_size_(patch_size),
-      intersector_(std::make_shared<const Intersector>(file_->surfaces, *available_kernels()[0], threads)),
+      intersector_(std::make_shared<const Intersector>(file_->surfaces, threads)),
       bounds_(bounds_of(file_->surfaces)),
       tessellations_(tessellate_all(file_->surfaces, patch_size))
 {

@@ -5,6 +5,7 @@
 #include "contest.h"
 #include "embree_scene.h"
 #include "geometry/intersector/intersector.h"
+#include "geometry/intersector/kernel.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"

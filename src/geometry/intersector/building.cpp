@@ -1,6 +1,6 @@
 // What an intersector is made of: shared planes, then few surfaces side by side, or a hierarchy of many.
 
-#include "geometry/intersector/intersector.h"
+#include "geometry/intersector/core.h"
 
 #include "geometry/intersector/block_filling.h"
 #include "geometry/intersector/surface_sizes.h"
@@ -28,7 +28,7 @@ bool is_few(const FramedRectangles& framed)
 } // namespace
 
 /// What is made of the surfaces first: planes and the hierarchy take about as long, and go side by side.
-struct Intersector::Groundwork
+struct IntersectorCore::Groundwork
 {
     FilterFrame frame;
     LargeVector<Bounds> boxes;
@@ -68,12 +68,13 @@ private:
     }
 };
 
-Intersector::Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
-    : Intersector(surfaces, Groundwork::of(surfaces, threads), kernel, threads)
+IntersectorCore::IntersectorCore(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
+    : IntersectorCore(surfaces, Groundwork::of(surfaces, threads), kernel, threads)
 {
 }
 
-Intersector::Intersector(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads)
+IntersectorCore::IntersectorCore(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel,
+                                 int threads)
     : kernel_(&kernel),
       table_(surfaces, groundwork.planes, threads),
       frame_(groundwork.frame),
@@ -100,7 +101,7 @@ Intersector::Intersector(const SurfaceList& surfaces, Groundwork groundwork, con
 }
 
 /// Returns the others.
-std::vector<std::uint32_t> Intersector::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
+std::vector<std::uint32_t> IntersectorCore::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
 {
     std::vector<unsigned char> fits(surfaces.size());
     parallel_ranges(table_.size(), at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
@@ -113,7 +114,7 @@ std::vector<std::uint32_t> Intersector::sort_out_unfiltered(const SurfaceList& s
     return filtered;
 }
 
-void Intersector::fill_blocks(int threads)
+void IntersectorCore::fill_blocks(int threads)
 {
     const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
     const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };

@@ -1,18 +1,16 @@
 #pragma once
 
 #include "geometry/hit.h"
-#include "geometry/intersector/filter_line.h"
-#include "geometry/intersector/kernel.h"
-#include "geometry/line.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace multipath {
 
-/// The hits of several lines, line after line in one array; what Intersector::all_hits fills. Its memory serves again.
+/// The hits of several lines, line after line in one array; what Intersector::all_hits fills. Reuses its memory.
 class HitLists
 {
 public:
@@ -32,6 +30,11 @@ public:
         const Hit& operator[](std::size_t i) const { return first[i]; }
     };
 
+    HitLists();
+    HitLists(const HitLists& other); ///< without the work space
+    HitLists& operator=(const HitLists& other);
+    ~HitLists();
+
     std::size_t size() const { return end_.size(); } ///< number of lines
     std::size_t hit_count() const { return end_.empty() ? 0 : end_.back(); }
     List operator[](std::size_t line) const
@@ -40,37 +43,33 @@ public:
     }
 
 private:
-    friend class Intersector;
+    friend class IntersectorCore;
 
-    void reserve_candidates(std::size_t count)
-    {
-        if (candidates_.size() < count)
-            candidates_.resize(2 * count);
-    }
+    struct Scratch;
 
     std::vector<Hit> hits_; ///< may hold more than the lines need
     std::vector<std::size_t> end_;
-
-    // What passes from one phase to the next, for a part of the lines.
-    LineBatch batch_{};
-    bool all_whole_ = true;              ///< see FilterLine
-    std::vector<std::uint32_t> passing_; ///< numbers in the batch
-    FlatMarks marks_{};
-    std::vector<LineCandidate> candidates_; ///< may hold more than candidate_count_
-    std::size_t candidate_count_ = 0;
+    std::unique_ptr<Scratch> scratch_;
 };
 
-/// For each of many rays the first surface that it meets, or none; what Intersector::closest_hits_from fills. Its
-/// memory serves again.
+/// For each of many rays the first surface that it meets, or none; what Intersector::closest_hits_from fills. Reuses
+/// its memory.
 class FirstHits
 {
 public:
+    FirstHits();
+    FirstHits(const FirstHits& other); ///< without the work space
+    FirstHits& operator=(const FirstHits& other);
+    ~FirstHits();
+
     std::size_t size() const { return is_hit_.size(); } ///< number of rays
     bool is_hit(std::size_t ray) const { return is_hit_[ray] != 0; }
     const Hit& operator[](std::size_t ray) const { return hits_[ray]; } ///< of a ray that has one
 
 private:
-    friend class Intersector;
+    friend class IntersectorCore;
+
+    struct Scratch;
 
     void resize(std::size_t rays)
     {
@@ -86,12 +85,7 @@ private:
 
     std::vector<Hit> hits_;
     std::vector<std::uint32_t> is_hit_;
-
-    // What passes from one phase to the next.
-    LineBatch batch_{};
-    std::vector<std::uint32_t> covered_; ///< rays that start below another surface
-    std::vector<Line> whole_lines_;      ///< along these
-    HitLists along_;
+    std::unique_ptr<Scratch> scratch_;
 };
 
 } // namespace multipath

@@ -2,23 +2,23 @@
 // decided; it does come first if no other can be met before it. Where that is in doubt, which is rare, and where the
 // start of a ray is covered, more is looked at.
 
-#include "geometry/intersector/intersector.h"
+#include "geometry/intersector/core.h"
 
 #include <algorithm>
 #include <array>
 
 namespace multipath {
 
-void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                    FirstHits& found) const
+void IntersectorCore::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                        FirstHits& found) const
 {
     found.resize(count);
     for (std::size_t first = 0; first < count; first += LineBatch::most) {
         const std::size_t together = std::min(count - first, LineBatch::most);
-        kernel_->place_lines(frame_, rays + first, together, found.batch_);
+        kernel_->place_lines(frame_, rays + first, together, found.scratch_->batch);
         std::uint32_t courses = 0;
         for (std::size_t i = 0; i < together; ++i)
-            courses |= found.batch_.course[i];
+            courses |= found.scratch_->batch.course[i];
         if (!unfiltered_.empty() || (courses & static_cast<std::uint32_t>(LineCourse::unfit)) != 0)
             for (std::size_t i = first; i < first + together; ++i)
                 found.put(i, nearest(rays[i], plane_[from[i]]));
@@ -30,14 +30,14 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
     find_first_of_covered(from, rays, count, found);
 }
 
-void Intersector::find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first,
-                                       std::size_t count, FirstHits& found) const
+void IntersectorCore::find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first,
+                                           std::size_t count, FirstHits& found) const
 {
     alignas(64) std::array<float, LineBatch::most> own_plane{};
     for (std::size_t i = 0; i < count; ++i)
         own_plane[i] = static_cast<float>(plane_[from[first + i]]);
     NearestCandidates candidates;
-    kernel_->nearest_flat(flat_surfaces(), found.batch_, count, own_plane.data(), candidates);
+    kernel_->nearest_flat(flat_surfaces(), found.scratch_->batch, count, own_plane.data(), candidates);
     std::array<std::uint32_t, LineBatch::most> surface;
     for (std::size_t i = 0; i < count; ++i)
         surface[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(candidates.number[i]));
@@ -45,47 +45,49 @@ void Intersector::find_first_among_few(const std::uint32_t* from, const Line* ra
                             found.is_hit_.data() + first);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t ray = first + i;
-        const bool passes = found.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+        const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
         const bool is_hit = every(passes, candidates.first[i] < FlatSurfaces::never, found.is_hit_[ray] != 0);
         const bool alone = candidates.second[i] == FlatSurfaces::never;
-        const double second = found.batch_.middle_t[i] + static_cast<double>(candidates.second[i]);
+        const double second = found.scratch_->batch.middle_t[i] + static_cast<double>(candidates.second[i]);
         found.is_hit_[ray] = is_hit;
         if (!any(!passes, alone, every(is_hit, found.hits_[ray].t < second)))
             found.put(ray, nearest(rays[ray], plane_[from[ray]]));
     }
 }
 
-void Intersector::find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
-                                     FirstHits& found) const
+void IntersectorCore::find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first,
+                                         std::size_t count, FirstHits& found) const
 {
     for (std::size_t i = 0; i < count; ++i) {
-        const bool passes = found.batch_.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
-        found.put(first + i, passes ? nearest_in_tree(rays[first + i], found.batch_.line(i), plane_[from[first + i]])
-                                    : std::nullopt);
+        const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+        found.put(first + i,
+                  passes ? nearest_in_tree(rays[first + i], found.scratch_->batch.line(i), plane_[from[first + i]])
+                         : std::nullopt);
     }
 }
 
 /// Overwrites what was found for rays that start where another surface lies: closest_hit_from for each of them.
-void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                        FirstHits& found) const
+void IntersectorCore::find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                            FirstHits& found) const
 {
-    found.covered_.clear();
-    found.whole_lines_.clear();
+    found.scratch_->covered.clear();
+    found.scratch_->whole_lines.clear();
     for (std::size_t i = 0; i < count; ++i)
         if (neighbours_.may_have_some(from[i]) && is_covered(from[i], rays[i].origin)) {
-            found.covered_.push_back(static_cast<std::uint32_t>(i));
-            found.whole_lines_.push_back(whole_line(rays[i]));
+            found.scratch_->covered.push_back(static_cast<std::uint32_t>(i));
+            found.scratch_->whole_lines.push_back(whole_line(rays[i]));
         }
     // In parts, since each of the lines may meet thousands of surfaces.
     constexpr std::size_t most_hits = 1u << 15;
     std::size_t part = 16;
-    for (std::size_t first = 0; first < found.covered_.size();) {
-        const std::size_t end = std::min(first + part, found.covered_.size());
-        all_hits(found.whole_lines_.data() + first, end - first, found.along_);
-        part = std::clamp<std::size_t>(most_hits * (end - first) / (found.along_.hit_count() + 1), 1, LineBatch::most);
+    for (std::size_t first = 0; first < found.scratch_->covered.size();) {
+        const std::size_t end = std::min(first + part, found.scratch_->covered.size());
+        all_hits(found.scratch_->whole_lines.data() + first, end - first, found.scratch_->along);
+        part = std::clamp<std::size_t>(most_hits * (end - first) / (found.scratch_->along.hit_count() + 1), 1,
+                                       LineBatch::most);
         for (const std::size_t of_part = first; first < end; ++first) {
-            const std::uint32_t i = found.covered_[first];
-            found.put(i, next_along(found.along_[first - of_part], from[i], rays[i]));
+            const std::uint32_t i = found.scratch_->covered[first];
+            found.put(i, next_along(found.scratch_->along[first - of_part], from[i], rays[i]));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include "geometry/form_factor/exchange_area.h"
 #include "geometry/intersector/intersector.h"
+#include "geometry/intersector/shared_planes.h"
 #include "geometry/polygon.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"

@@ -1,6 +1,7 @@
 // Every kernel, one line at a time and in blocks, against deciding all surfaces in double precision: the same hits to
 // the last bit, without tolerance.
 
+#include "geometry/intersector/kernel.h"
 #include "geometry/surface_pieces.h"
 #include "kernel_trials.h"
 #include "scene/obj/obj_reader.h"

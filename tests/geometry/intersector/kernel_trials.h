@@ -2,6 +2,7 @@
 
 #include "brute_force.h"
 #include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/kernel.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "geometry/random_surfaces.h"
 #include "sampling/sequence.h"

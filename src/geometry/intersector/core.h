@@ -1,0 +1,129 @@
+#pragma once
+
+#include "geometry/intersector/block_filling.h"
+#include "geometry/intersector/filter_line.h"
+#include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/kernel.h"
+#include "geometry/intersector/plane_neighbours.h"
+#include "geometry/intersector/surface_block.h"
+#include "geometry/intersector/surface_table.h"
+#include "geometry/intersector/tree.h"
+#include "geometry/line.h"
+#include "geometry/surface.h"
+#include "parallel/memory.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace multipath {
+
+/// Work space of Intersector::all_hits, for a part of the lines: what passes from one phase to the next.
+struct HitLists::Scratch
+{
+    void reserve_candidates(std::size_t count)
+    {
+        if (candidates.size() < count)
+            candidates.resize(2 * count);
+    }
+
+    LineBatch batch{};
+    bool all_whole = true;              ///< see FilterLine
+    std::vector<std::uint32_t> passing; ///< numbers in the batch
+    FlatMarks marks{};
+    std::vector<LineCandidate> candidates; ///< may hold more than candidate_count
+    std::size_t candidate_count = 0;
+};
+
+/// Work space of Intersector::closest_hits_from.
+struct FirstHits::Scratch
+{
+    LineBatch batch{};
+    std::vector<std::uint32_t> covered; ///< rays that start below another surface
+    std::vector<Line> whole_lines;      ///< along these
+    HitLists along;
+};
+
+/// The tables of an Intersector and the search in them. The public functions are those of Intersector.
+class IntersectorCore
+{
+public:
+    IntersectorCore(const SurfaceList& surfaces, const FilterKernel& kernel, int threads);
+
+    void all_hits(const Line& line, std::vector<Hit>& hits) const;
+    void all_hits(const Line* lines, std::size_t count, HitLists& lists) const;
+    std::optional<Hit> closest_hit(const Line& line) const;
+    std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
+    void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
+    std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
+    std::size_t surfaces_around(std::uint32_t of, Vec3 point) const;
+    std::optional<std::vector<std::uint32_t>> surfaces_near(const Bounds& box) const;
+    bool meets(const Line& line, std::uint32_t surface) const
+    {
+        Hit hit;
+        return table_.decide(line, surface, hit);
+    }
+    bool is_over(std::uint32_t a, std::uint32_t b) const { return size_rank_[a] < size_rank_[b]; }
+
+private:
+    struct Nearest;
+    struct Groundwork;
+
+    IntersectorCore(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
+    std::vector<std::uint32_t> sort_out_unfiltered(const SurfaceList& surfaces, int threads);
+    void fill_blocks(int threads);
+
+    template <class Visit>
+    void for_each_candidate(const Line& line, const Visit& visit) const;
+    std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
+    std::optional<Hit> nearest_in_tree(const Line& line, const FilterLine& placed, std::uint32_t excluded_plane) const;
+    double reach_of(const Line& ray) const;
+    Line whole_line(const Line& ray) const; ///< the ray and what lies behind its start
+    std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;
+    template <class Visit>
+    void for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const;
+    template <class Visit>
+    void for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const;
+
+    FlatSurfaces flat_surfaces() const;
+    bool is_covered(std::uint32_t from, Vec3 point) const;
+
+    // The phases of all_hits and closest_hits_from for many lines.
+    bool place_lines(const Line* lines, std::size_t count, HitLists::Scratch& work) const;
+    void find_candidates(HitLists::Scratch& work) const;
+    void find_among_few(HitLists::Scratch& work) const;
+    void find_in_tree(HitLists::Scratch& work) const;
+    void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
+    void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
+    void find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
+                              FirstHits& found) const;
+    void find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
+                            FirstHits& found) const;
+    void find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
+
+    bool comes_before(const Hit& a, const Hit& b) const
+    {
+        return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
+    }
+    void sort_many(Hit* hits, std::size_t count) const;
+    void put_in_order(Hit* hits, std::size_t count) const;
+
+    const FilterKernel* kernel_;
+    SurfaceTable table_;
+    FilterFrame frame_;
+    WideTree tree_;                          ///< empty for few surfaces
+    LargeVector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
+    std::vector<float> flat_number_;         ///< without a tree: lane_number_
+    std::vector<float> flat_plane_;          ///< without a tree: plane numbers of the same
+    unsigned flat_triangles_ = 0;            ///< without a tree: the first lanes
+    FramedRectangles framed_;                ///< without a tree: the last lanes
+    UnsetVector<SurfaceBlock> blocks_;
+    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
+    bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
+    std::vector<std::uint32_t> plane_;      ///< plane number of each surface
+    std::vector<std::uint32_t> size_rank_;  ///< of each surface: 0 for the smallest; what is smaller lies on top
+    PlaneNeighbours neighbours_;
+};
+
+} // namespace multipath
