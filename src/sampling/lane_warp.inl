@@ -1,4 +1,4 @@
-// The maps of warp.cpp and the sine and cosine of trigonometry.h, several points at a time: the same operations in the
+// The maps of warp.cpp and the sine and cosine of warp.h, several points at a time: the same operations in the
 // same order, with choices between results for branches. Included once by the file of each instruction set, after its
 // DoubleLanes. warp.cpp is the version to read first, double_lanes_plain.h tells what the functions of lanes do.
 

@@ -101,7 +101,7 @@ bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const Filter
            displacement(0.0, 1.0) < limit;
 }
 
-// How much slack the tests of RectangleFrame need, in the terms of block_filling.cpp: e = 2^-24, L the length of the
+// How much slack the tests of RectangleFrame need, in the terms of the first note: e = 2^-24, L the length of the
 // direction, everything in the unit sphere. A rectangle is taken into a frame when its normal and its edges differ from
 // the axes by no more than the tolerance T = 1e-5.
 //

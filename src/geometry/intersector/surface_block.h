@@ -24,7 +24,7 @@ struct FrameRectangle
     float centre_u, centre_v;
     float half_u, half_v; ///< half lengths of the edges
 
-    // What the tests need so that nothing is lost: derived in framed_rectangles.cpp. The reciprocal 1 / |a| may be
+    // What the tests need so that nothing is lost: derived in block_filling.cpp. The reciprocal 1 / |a| may be
     // wrong by the share `error`, at most 2^-11.
     static constexpr float least_approach = 1e-6f; ///< stands for a smaller |a|, per unit of FilterLine::scale
     /// Of |u| and |v|, per unit of FilterLine::scale / |a|.

@@ -1,5 +1,7 @@
 #include "geometry/intersector/intersector.h"
 
+#include "geometry/intersector/shared_planes.h"
+#include "geometry/intersector/surface_block.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "geometry/random_surfaces.h"
 
