@@ -80,8 +80,8 @@ int run_selftest(const CommandLine& line)
     const std::vector<KnownScene> known = chosen_scenes(line);
     const std::vector<std::string> paths = line.all("output");
     const bool own_scene = !line.operands().empty();
-    std::vector<PlannedOutput> outputs = open_outputs(
-        paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {".csv"});
+    std::vector<PlannedOutput> outputs =
+        open_outputs(paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {".csv"});
 
     std::optional<Scene> scene;
     std::vector<std::string> comments = provenance(selftest_table(), line);

@@ -6,18 +6,22 @@
 #include "scene/text/text_format.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace multipath {
 
 namespace {
 
-constexpr std::array<const char*, 3> outcome_words = {"passed", "WRONG", "INCONCLUSIVE"};
-
-const char* outcome_word(CheckOutcome outcome)
+std::string outcome_word(CheckOutcome outcome)
 {
-    return outcome_words[static_cast<std::size_t>(outcome)];
+    switch (outcome) {
+    case CheckOutcome::passed:
+        return "passed";
+    case CheckOutcome::wrong:
+        return "WRONG";
+    default:
+        return "INCONCLUSIVE";
+    }
 }
 
 /// Two decimals, or an exponent for numbers of four digits and more.
@@ -114,7 +118,7 @@ std::string checks_csv(const std::vector<Check>& checks, const std::vector<std::
         csv += format("%.17g,%.17g,", check.expected, check.measured) +
                (random ? format("%.17g", check.standard_error) : "") + "," +
                (random && std::isfinite(off) ? format("%.4g", off) : "") +
-               format(",%.4g,%s\n", test.limit(check), outcome_word(test.outcome(check)));
+               format(",%.4g,%s\n", test.limit(check), outcome_word(test.outcome(check)).c_str());
     }
     return csv;
 }

@@ -148,10 +148,11 @@ std::vector<std::vector<Rgb>> reflected_powers(const Scene& scene, const std::ve
 {
     std::vector<std::vector<Rgb>> powers;
     for (const Solution& run : runs) {
-        std::vector<Rgb>& power = powers.emplace_back(scene.materials().size());
+        std::vector<Rgb> power(scene.materials().size());
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             power[scene.file().material[scene.surface_of(i)]] +=
                 scene.area(i) * (run.radiosity[i] - scene.emittance(i));
+        powers.push_back(std::move(power));
     }
     return powers;
 }

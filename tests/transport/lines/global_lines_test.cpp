@@ -212,7 +212,7 @@ TEST_CASE("in a flat scene every line of the box crosses the plane once")
         const Vec3 v = axes[k + 1];
         const Vec3 corner = {0.5, -1.0, 3.0};
         const SurfaceList surfaces = {{Shape::parallelogram, corner, 0.25 * u, v},
-                                               {Shape::parallelogram, corner + 0.25 * u, 0.75 * u, v}};
+                                      {Shape::parallelogram, corner + 0.25 * u, 0.75 * u, v}};
         const GlobalLines lines(bounds_of(surfaces), Chords::box);
         constexpr std::uint64_t count = 100000;
         CHECK(lines.expected_crossings(2.0, count) == doctest::Approx(count));
