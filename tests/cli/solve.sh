@@ -87,7 +87,7 @@ inside_out() {
         ends 0 check outward.obj --lines 5000 --flip && says out "nothing suspicious" &&
         ends 0 study outward.obj --flip --methods extended --sequences random --from 1000 --to 2000 -o s.csv --quiet &&
         ends 0 explain outward.obj --flip -o e.svg &&
-        ends 0 selftest outward.obj --flip --case surfaces --quiet
+        ends 0 selftest outward.obj --flip --patch-size 1 --quiet
 }
 check "--flip lights a room that was modelled inside out, and is named where it helps" inside_out
 
