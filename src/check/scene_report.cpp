@@ -71,9 +71,9 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
     const GlobalLines global_lines(scene.bounds());
     const std::uint64_t per_test = lines_per_hull_test(hull);
     const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
-    std::vector<LineSurvey> slots(static_cast<std::size_t>(slot_count(threads)), empty_survey(scene));
+    BlockBuffers<LineSurvey> slots(threads, empty_survey(scene));
     const auto cast_block = [&](std::uint64_t block, int slot) {
-        LineSurvey& survey = slots[static_cast<std::size_t>(slot)];
+        LineSurvey& survey = slots[slot];
         const std::uint64_t first = block * surveyed_per_block;
         std::vector<Item> items(static_cast<std::size_t>(std::min(surveyed_per_block, lines - first)));
         sequence->generate(first, items);

@@ -79,16 +79,15 @@ std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, c
     constexpr std::uint64_t patches_at_a_time = 4096;
     std::string table = comment_lines(comments);
     table += std::string(header) + (standard_error.empty() ? "\n" : ",error_r,error_g,error_b\n");
-    std::vector<std::string> parts(static_cast<std::size_t>(slot_count(threads)));
+    BlockBuffers<std::string> parts(threads);
     const std::uint64_t count = scene.patch_count();
     ordered_blocks((count + patches_at_a_time - 1) / patches_at_a_time, threads,
                    [&](std::uint64_t block, int slot) {
                        const std::uint64_t first = block * patches_at_a_time;
-                       parts[static_cast<std::size_t>(slot)] =
-                           rows(scene, radiosity, standard_error, static_cast<std::uint32_t>(first),
-                                static_cast<std::uint32_t>(std::min(count, first + patches_at_a_time)));
+                       parts[slot] = rows(scene, radiosity, standard_error, static_cast<std::uint32_t>(first),
+                                          static_cast<std::uint32_t>(std::min(count, first + patches_at_a_time)));
                    },
-                   [&](std::uint64_t, int slot) { table += parts[static_cast<std::size_t>(slot)]; });
+                   [&](std::uint64_t, int slot) { table += parts[slot]; });
     return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include "parallel/run_control.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -62,5 +63,24 @@ SharedRange united(std::vector<SharedRange> ranges);
 void shared_blocks(SharedRange& range, const RunControl& run,
                    const std::function<void(std::uint64_t block, int slot)>& produce,
                    const std::function<void(std::uint64_t block, int slot)>& consume);
+
+/// A buffer for each slot of the three functions above.
+template <class Buffer>
+class BlockBuffers
+{
+public:
+    /// Copies of `empty`.
+    explicit BlockBuffers(int threads, const Buffer& empty = Buffer())
+        : buffers_(static_cast<std::size_t>(slot_count(threads)), empty)
+    {
+    }
+
+    Buffer& operator[](int slot) { return buffers_[static_cast<std::size_t>(slot)]; }
+    auto begin() const { return buffers_.begin(); }
+    auto end() const { return buffers_.end(); }
+
+private:
+    std::vector<Buffer> buffers_;
+};
 
 } // namespace multipath

@@ -133,10 +133,10 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
     const std::vector<std::uint64_t> before = rays_before(shots);
     const std::uint64_t ray_count = before.back();
     const std::uint64_t block_count = (ray_count + rays_per_block - 1) / rays_per_block;
-    std::vector<RayBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+    BlockBuffers<RayBlock> blocks(run.threads);
 
     const auto trace = [&](std::uint64_t number, int slot) {
-        RayBlock& block = blocks[static_cast<std::size_t>(slot)];
+        RayBlock& block = blocks[slot];
         const std::uint64_t first = number * rays_per_block;
         block.items.resize(static_cast<std::size_t>(std::min(rays_per_block, ray_count - first)));
         sequence.generate(first_item + first, block.items);
@@ -158,7 +158,7 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
             throw ArchiveError("the state is damaged: no such rays");
     });
     const auto count_receivers = [&](std::uint64_t number, int slot) {
-        const RayBlock& block = blocks[static_cast<std::size_t>(slot)];
+        const RayBlock& block = blocks[slot];
         std::uint64_t ray = number * rays_per_block;
         const std::size_t count = block.receivers.size();
         for (std::size_t k = 0; k < count; ++k) {

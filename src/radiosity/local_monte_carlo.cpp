@@ -230,16 +230,16 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         std::vector<Item> items;
         ParticlePaths paths;
     };
-    std::vector<Block> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+    BlockBuffers<Block> blocks(run.threads);
     const auto trace = [&](std::uint64_t number, int slot) {
-        Block& block = blocks[static_cast<std::size_t>(slot)];
+        Block& block = blocks[slot];
         const std::uint64_t first = number * particles_per_block;
         block.items.resize(static_cast<std::size_t>(std::min(particles_per_block, particles.count() - first)));
         sequence.generate(options.first_item + first, block.items);
         particles.follow(first, block.items, block.paths);
     };
     const auto deposit_all = [&](std::uint64_t, int slot) {
-        const Block& block = blocks[static_cast<std::size_t>(slot)];
+        const Block& block = blocks[slot];
         sums.deposit_all(scene, block.paths.steps, options.estimator, state);
         segments += block.paths.steps.size();
         run.count_lines(block.paths.steps.size());

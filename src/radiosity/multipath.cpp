@@ -75,12 +75,10 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
     });
     const LineBlocks plan{scene,           lines,           sequence,
                           pass.first_item, pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))};
-    std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
-    const auto trace = [&](std::uint64_t number, int slot) {
-        blocks[static_cast<std::size_t>(slot)].trace(plan, number);
-    };
+    BlockBuffers<SegmentBlock> blocks(run.threads);
+    const auto trace = [&](std::uint64_t number, int slot) { blocks[slot].trace(plan, number); };
     const auto exchange_in_order = [&](std::uint64_t, int slot) {
-        const SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
+        const SegmentBlock& block = blocks[slot];
         WalkTally tally; // sums of one block stay small, which keeps the rounding errors of the balance small
         const std::size_t count = block.segments.size();
         for (std::size_t k = 0; k < count; ++k) {

@@ -250,15 +250,14 @@ std::vector<Check> known_scene_checks(const std::vector<KnownScene>& scenes, con
     of_run.threads = 1;
     const std::vector<Method> methods = all_methods();
     const std::uint64_t pieces = scenes.size() * methods.size();
-    std::vector<std::vector<Check>> slots(static_cast<std::size_t>(slot_count(settings.threads)));
+    BlockBuffers<std::vector<Check>> slots(settings.threads);
     std::vector<Check> checks;
     const auto solve_piece = [&](std::uint64_t number, int slot) {
         const auto piece = static_cast<std::size_t>(number);
-        slots[static_cast<std::size_t>(slot)] =
-            known_scene_checks_by(scenes[piece / methods.size()], methods[piece % methods.size()], of_run);
+        slots[slot] = known_scene_checks_by(scenes[piece / methods.size()], methods[piece % methods.size()], of_run);
     };
     const auto collect = [&](std::uint64_t number, int slot) {
-        const std::vector<Check>& found = slots[static_cast<std::size_t>(slot)];
+        const std::vector<Check>& found = slots[slot];
         checks.insert(checks.end(), found.begin(), found.end());
         progress(static_cast<double>(number + 1) / static_cast<double>(pieces));
     };

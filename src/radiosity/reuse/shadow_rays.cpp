@@ -84,14 +84,13 @@ GatherPairs find_gather_pairs(const Scene& scene, std::vector<std::uint32_t> lig
     constexpr std::uint32_t patches_per_block = 64;
     const std::uint32_t patches = scene.patch_count();
     GatherPairs result{std::move(lights), {}, {0}, {}};
-    std::vector<BlockOfPairs> blocks(static_cast<std::size_t>(slot_count(threads)));
+    BlockBuffers<BlockOfPairs> blocks(threads);
     const auto find = [&](std::uint64_t number, int slot) {
         const auto first = static_cast<std::uint32_t>(number * patches_per_block);
-        blocks[static_cast<std::size_t>(slot)] =
-            pairs_of(scene, result.lights, first, first + std::min(patches_per_block, patches - first));
+        blocks[slot] = pairs_of(scene, result.lights, first, first + std::min(patches_per_block, patches - first));
     };
     const auto append = [&](std::uint64_t, int slot) {
-        const BlockOfPairs& block = blocks[static_cast<std::size_t>(slot)];
+        const BlockOfPairs& block = blocks[slot];
         result.pairs.insert(result.pairs.end(), block.pairs.begin(), block.pairs.end());
         result.contact.insert(result.contact.end(), block.contact.begin(), block.contact.end());
         for (const std::size_t count : block.count)
@@ -251,12 +250,12 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "shadow rays",
                                 [&](Archive& archive) { archive.value<std::uint64_t>("next block", next_block); });
-    std::vector<std::vector<Item>> items(static_cast<std::size_t>(slot_count(run.threads)));
+    BlockBuffers<std::vector<Item>> items(run.threads);
     resumable_blocks(
         next_block, (patches + patches_per_block - 1) / patches_per_block, run,
         [&](std::uint64_t block, int slot) {
             for (std::uint32_t patch = first_patch(block); patch < first_patch(block + 1); ++patch)
-                look_from(patch, items[static_cast<std::size_t>(slot)]);
+                look_from(patch, items[slot]);
         },
         [&](std::uint64_t block, int) {
             run.count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));

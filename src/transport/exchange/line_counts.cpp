@@ -157,20 +157,18 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
             throw ArchiveError("the state is damaged: no such lines");
     });
     const std::uint64_t block_lines = lines_per_block(crossings_per_line(scene, global_lines));
-    std::vector<SegmentBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+    BlockBuffers<SegmentBlock> blocks(run.threads);
     const auto wants_round = [&] { return range.next < range.end && !counted.counts.full(); };
     while ((round > 0 || wants_round()) && !run.stopped()) {
         if (round == 0)
             round = std::min(range.end - range.next, lines_of_round(counted, block_lines));
         const LineBlocks plan{scene, global_lines, sequence, first_item + range.next, round, block_lines};
         const auto trace_block = [&](std::uint64_t number, int slot) {
-            SegmentBlock& block = blocks[static_cast<std::size_t>(slot)];
+            SegmentBlock& block = blocks[slot];
             block.trace(plan, number);
             counted.counts.add(block.segments);
         };
-        const auto report = [&](std::uint64_t, int slot) {
-            run.count_lines(blocks[static_cast<std::size_t>(slot)].lines.lines());
-        };
+        const auto report = [&](std::uint64_t, int slot) { run.count_lines(blocks[slot].lines.lines()); };
         resumable_blocks(next_block, plan.count(), run, trace_block, report);
         counted.counts.merge(run.threads);
         range.next += plan.lines_in(next_block);

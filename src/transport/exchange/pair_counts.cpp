@@ -128,9 +128,9 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         range.visit(archive);
         counts.visit(archive);
     });
-    std::vector<PairBlock> blocks(static_cast<std::size_t>(slot_count(run.threads)));
+    BlockBuffers<PairBlock> blocks(run.threads);
     const auto trace_block = [&](std::uint64_t number, int slot) {
-        PairBlock& block = blocks[static_cast<std::size_t>(slot)];
+        PairBlock& block = blocks[slot];
         block.pairs.clear();
         block.losses.clear();
         block.long_lines.clear();
@@ -143,7 +143,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         }
     };
     const auto add_block = [&](std::uint64_t, int slot) {
-        const PairBlock& block = blocks[static_cast<std::size_t>(slot)];
+        const PairBlock& block = blocks[slot];
         add(block, counts);
         counts.lines += block.lines.lines();
         run.count_lines(block.lines.lines());

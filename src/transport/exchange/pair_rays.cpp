@@ -181,7 +181,7 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     if (!allotment.any())
         return;
 
-    std::vector<SightBlock> sights(static_cast<std::size_t>(slot_count(run.threads)), SightBlock(scene));
+    BlockBuffers<SightBlock> sights(run.threads, SightBlock(scene));
     const auto cast_row = [&](std::uint32_t i, SightBlock& sight) {
         const RowOfRays row = allotment.row(i);
         std::vector<Item> items(static_cast<std::size_t>(row.end_ray - row.first_ray));
@@ -199,10 +199,7 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     };
     std::vector<std::uint64_t> cast(n);
     shared_blocks(
-        rows, run,
-        [&](std::uint64_t i, int slot) {
-            cast[i] = cast_row(static_cast<std::uint32_t>(i), sights[static_cast<std::size_t>(slot)]);
-        },
+        rows, run, [&](std::uint64_t i, int slot) { cast[i] = cast_row(static_cast<std::uint32_t>(i), sights[slot]); },
         [&](std::uint64_t i, int) { run.count_lines(cast[i]); });
 }
 
