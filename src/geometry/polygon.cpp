@@ -114,8 +114,8 @@ double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
         if (sine > 0.0)
             sum -= std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
     }
-    constexpr double two_pi = 6.28318530717958647692;
-    return std::clamp(sum / two_pi, 0.0, 1.0);
+    constexpr double full_turn = 6.28318530717958647692;
+    return std::clamp(sum / full_turn, 0.0, 1.0);
 }
 
 } // namespace multipath

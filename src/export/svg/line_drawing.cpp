@@ -21,8 +21,8 @@ constexpr double view_size = 440.0; // [px]
 constexpr double page_margin = 30.0;
 constexpr double head_height = 84.0;
 constexpr double foot_height = 66.0;
-constexpr double width = 3.0 * page_margin + 2.0 * view_size;
-constexpr double height = head_height + view_size + foot_height;
+constexpr double drawing_width = 3.0 * page_margin + 2.0 * view_size;
+constexpr double drawing_height = head_height + view_size + foot_height;
 constexpr std::size_t most_numbered_lines = 8;
 constexpr std::size_t most_in_legend = 8;
 
@@ -261,7 +261,7 @@ std::string legend(const std::vector<DrawnLine>& lines, const LineDrawing& drawi
 
 std::string draw_lines(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
 {
-    std::string text = svg_head(width, height, drawing.title, drawing.comments) +
+    std::string text = svg_head(drawing_width, drawing_height, drawing.title, drawing.comments) +
                        svg_text(page_margin, 32.0, drawing.title, SvgAnchor::start, 19.0) +
                        svg_text(page_margin, 52.0, drawing.subtitle, SvgAnchor::start, 12.0);
     for (const View& view : views(scene, lines, drawing))

@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t at_a_time = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
+constexpr std::uint32_t prepared_at_a_time = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
 
 /// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
 /// once for all of its own, of any other surface.
@@ -104,7 +104,7 @@ IntersectorCore::IntersectorCore(const SurfaceList& surfaces, Groundwork groundw
 std::vector<std::uint32_t> IntersectorCore::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
 {
     std::vector<unsigned char> fits(surfaces.size());
-    parallel_ranges(table_.size(), at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+    parallel_ranges(table_.size(), prepared_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t s = first; s < end; ++s)
             fits[s] = can_be_filtered(table_.row(s), surfaces[s], frame_);
     });
@@ -137,7 +137,7 @@ void IntersectorCore::fill_blocks(int threads)
                 fill_lane(blocks_[block], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
     };
     const auto count = static_cast<std::uint32_t>(blocks_.size());
-    parallel_ranges(count, at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+    parallel_ranges(count, prepared_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t block = first; block < end; ++block)
             fill(block);
     });

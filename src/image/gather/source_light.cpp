@@ -189,9 +189,9 @@ SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
 
 Rgb SourceLight::irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const
 {
-    const auto [clear, views] = sight(place, offset);
+    const auto [unobstructed, views] = sight(place, offset);
     if (views.empty())
-        return clear;
+        return unobstructed;
     fan.items.resize(items.count);
     items.sequence.generate(items.first, fan.items);
     Rgb unhidden;
@@ -230,7 +230,7 @@ Rgb SourceLight::irradiance(const Place& place, const Items& items, double offse
         if (hits.is_hit(k) && hits[k].surface == sent[k].source && hits[k].front)
             arrived += sent[k].weight;
     }
-    return clear + unhidden * quotient(arrived, all);
+    return unobstructed + unhidden * quotient(arrived, all);
 }
 
 } // namespace multipath
