@@ -27,20 +27,20 @@ namespace {
 void particles(Run& run)
 {
     const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
-    run.solution.local_lines += cast_particles(run.scene, run.sequence, local, run.control(1, 1), run.state); // (L1)
+    run.solution.local_lines += cast_particles(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (L1)
 }
 
 void shots(Run& run)
 {
     run.add_shots(
-        shoot_first(run.scene, run.sequence, run.first_local_item(), run.options, run.control(1, 1), run.state));
+        shoot_first(run.scene, *run.sequence, run.first_local_item(), run.options, run.control(1, 1), run.state));
 }
 
 void global_pass(Run& run)
 {
     run.plan_global_lines();
     const GlobalPass pass{run.first_global_item(), run.solution.global_lines_cast, run.options.bidirectional};
-    const ShuffledOrder items = walking_order(run.sequence, run.options.line_order, pass.first_item, pass.lines_cast);
+    const ShuffledOrder items = walking_order(*run.sequence, run.options.line_order, pass.first_item, pass.lines_cast);
     run.note_cast(cast_global_lines(run.scene, run.lines, items, pass,
                                     run.control(pass.lines_cast, run.solution.global_lines), run.state)); // (M1) (M2)
 }
@@ -58,7 +58,7 @@ void reuse_pairs(Run& run)
     run.solution.local_lines += rays;
     run.plan_global_lines();
     const ReusedLines plan{run.first_global_item(), run.solution.global_lines_cast, first_ray, rays, run.options.seed};
-    run.note_cast(reuse_lines(run.scene, *run.preparation.unoccluded, run.lines, run.sequence, plan,
+    run.note_cast(reuse_lines(run.scene, *run.preparation.unoccluded, run.lines, *run.sequence, plan,
                               run.control(plan.cast + rays, run.solution.global_lines + rays, run.shard),
                               run.state)); // (R1)
 }
@@ -66,7 +66,7 @@ void reuse_pairs(Run& run)
 void gather(Run& run)
 {
     const GatheredLight light =
-        gather_direct_light(run.scene, run.sequence, run.first_item, run.local_share(0.25), run.control(1, 1));
+        gather_direct_light(run.scene, *run.sequence, run.first_item, run.local_share(0.25), run.control(1, 1));
     receive(light, run.scene, run.state);
     run.solution.local_lines += light.lines;
 }
@@ -80,7 +80,7 @@ void shoot_what_stands_out(Run& run)
     ExtendedShotOptions shot = extended_shot(run.scene, run.options);
     shot.lines = run.lines_to_shoot;
     run.add_shots(
-        shoot_extended(run.scene, run.sequence, run.first_local_item(), shot, run.control(1, 1), run.state)); // (S2)
+        shoot_extended(run.scene, *run.sequence, run.first_local_item(), shot, run.control(1, 1), run.state)); // (S2)
 }
 
 /// [bytes]
@@ -103,7 +103,7 @@ void reuse_counts(Run& run)
         particles(run);
         return;
     }
-    run.note_cast(reuse_counted_lines(run.scene, run.lines, run.sequence, run.first_global_item(),
+    run.note_cast(reuse_counted_lines(run.scene, run.lines, *run.sequence, run.first_global_item(),
                                       solution.global_lines_cast, bytes,
                                       run.control(solution.global_lines_cast, solution.global_lines, run.shard),
                                       run.state)); // (R1)

@@ -64,10 +64,9 @@ Run::Run(const Scene& scene_of_run, const SolveOptions& options_of_run, const Pr
       options(options_of_run),
       preparation(preparation_of_run),
       shard(shard_of_run),
-      owned_sequence_(make_line_sequence(options.sequence, options.seed, options.pairing)),
-      sequence(*owned_sequence_),
+      sequence(make_line_sequence(options.sequence, options.seed, options.pairing)),
       lines(scene.bounds(), chords_of(options)),
-      first_item(checked_first_item(sequence, options, lines)),
+      first_item(checked_first_item(*sequence, options, lines)),
       state(scene),
       progress_(progress),
       checkpoint_(checkpoint)
@@ -116,7 +115,7 @@ void Run::plan_global_lines()
 
 std::uint64_t Run::first_global_item() const
 {
-    return plan_items(sequence, options.skip, solution.local_lines, solution.global_lines_cast).global_pass;
+    return plan_items(*sequence, options.skip, solution.local_lines, solution.global_lines_cast).global_pass;
 }
 
 void Run::add_shots(std::vector<ShotPass> passes)

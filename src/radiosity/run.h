@@ -25,12 +25,7 @@ public:
     const SolveOptions& options;
     const Preparation& preparation;
     const Share shard;
-
-private:
-    std::unique_ptr<Sequence> owned_sequence_;
-
-public:
-    const Sequence& sequence;
+    const std::unique_ptr<const Sequence> sequence;
     const GlobalLines lines;
     const std::uint64_t first_item; ///< of the sequence that is not skipped
 

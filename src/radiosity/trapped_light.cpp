@@ -14,6 +14,7 @@ namespace multipath {
 namespace {
 
 constexpr std::uint64_t key = 0x3f84d5b5b5470917u;
+constexpr std::uint64_t endless_reflections = 1u << 16; ///< after so many without a loss light counts as trapped
 
 /// One bit for each channel of `colour` that is at least `least`.
 unsigned channels_of(Rgb colour, double least)

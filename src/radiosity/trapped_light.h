@@ -7,9 +7,6 @@
 
 namespace multipath {
 
-/// Reflections after which light that met no patch but those of reflectance 1 counts as trapped.
-constexpr std::uint32_t endless_reflections = 1u << 16;
-
 /// A patch, if there is one, from which light goes on for ever: in some channel in which it is reflected it meets only
 /// patches of reflectance 1 in that channel, and the radiosity has no bound. Decided by following up to 4096 particles
 /// from the sources, at least one for each source while there are fewer; a space in which a share of the reflections
