@@ -75,45 +75,46 @@ std::string list(const Values& values, const Format& format)
 
 } // namespace
 
-void JsonObject::add(std::string_view key, const std::string& value)
+JsonObject& JsonObject::add(std::string_view key, const std::string& value)
 {
     members_.push_back(quoted(key) + ": " + value);
+    return *this;
 }
-void JsonObject::text(std::string_view key, std::string_view value)
+JsonObject& JsonObject::text(std::string_view key, std::string_view value)
 {
-    add(key, quoted(value));
+    return add(key, quoted(value));
 }
-void JsonObject::number(std::string_view key, double value)
+JsonObject& JsonObject::number(std::string_view key, double value)
 {
-    add(key, number_text(value));
+    return add(key, number_text(value));
 }
-void JsonObject::count(std::string_view key, std::uint64_t value)
+JsonObject& JsonObject::count(std::string_view key, std::uint64_t value)
 {
-    add(key, std::to_string(value));
+    return add(key, std::to_string(value));
 }
-void JsonObject::boolean(std::string_view key, bool value)
+JsonObject& JsonObject::boolean(std::string_view key, bool value)
 {
-    add(key, value ? "true" : "false");
+    return add(key, value ? "true" : "false");
 }
-void JsonObject::null(std::string_view key)
+JsonObject& JsonObject::null(std::string_view key)
 {
-    add(key, "null");
+    return add(key, "null");
 }
-void JsonObject::numbers(std::string_view key, const std::vector<double>& values)
+JsonObject& JsonObject::numbers(std::string_view key, const std::vector<double>& values)
 {
-    add(key, list(values, number_text));
+    return add(key, list(values, number_text));
 }
-void JsonObject::texts(std::string_view key, const std::vector<std::string>& values)
+JsonObject& JsonObject::texts(std::string_view key, const std::vector<std::string>& values)
 {
-    add(key, list(values, quoted));
+    return add(key, list(values, quoted));
 }
-void JsonObject::object(std::string_view key, const JsonObject& value)
+JsonObject& JsonObject::object(std::string_view key, const JsonObject& value)
 {
-    add(key, value.inline_form());
+    return add(key, value.inline_form());
 }
-void JsonObject::objects(std::string_view key, const std::vector<JsonObject>& values)
+JsonObject& JsonObject::objects(std::string_view key, const std::vector<JsonObject>& values)
 {
-    add(key, list(values, [](const JsonObject& object) { return "\n    " + object.inline_form(); }));
+    return add(key, list(values, [](const JsonObject& object) { return "\n    " + object.inline_form(); }));
 }
 
 std::string JsonObject::inline_form() const

@@ -4,14 +4,319 @@
 #include "viewer/viewer_page.h"
 
 #include "export/html_text.h"
-#include "viewer/room_json.h"
+#include "export/json.h"
+#include "export/mesh/covered_patches.h"
+#include "image/false_colour/colour_map.h"
+#include "image/false_colour/legend.h"
+#include "image/render.h"
+#include "image/shading/smooth_shading.h"
+#include "image/tone_map.h"
+#include "scene/text/text_format.h"
+#include "viewer/packed_values.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 namespace multipath {
 
 namespace {
+
+/// A triangle's rows get shorter.
+std::size_t grid_number(const Tessellation& tessellation, GridPoint point)
+{
+    const std::size_t row = point.j;
+    const std::size_t missing = tessellation.shape == Shape::triangle && row > 0 ? row * (row - 1) / 2 : 0;
+    return row * (tessellation.cells_u + std::size_t{1}) - missing + point.i;
+}
+
+std::size_t grid_size(const Tessellation& tessellation)
+{
+    const std::uint32_t last = tessellation.shape == Shape::triangle ? 0 : tessellation.cells_u;
+    return grid_number(tessellation, {last, tessellation.cells_v}) + 1;
+}
+
+/// Takes the patches of one side of a surface.
+void append_side(const Scene& scene, std::uint32_t surface, bool front, const SmoothShading& shading,
+                 CornerValues& result)
+{
+    const std::uint32_t first_patch = scene.first_patch(surface, front);
+    const Tessellation& tessellation = scene.tessellation(surface);
+    const bool source = scene.surface_material(surface).emittance != Rgb{};
+    const std::size_t first = result.shared.size();
+    result.shared.resize(first + grid_size(tessellation));
+    std::vector<bool> known(grid_size(tessellation), false);
+    for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+        const CellCorners corners = tessellation.corners(cell);
+        const std::array<Rgb, 4> values = shading.at_corners(first_patch + cell);
+        for (std::uint32_t k = 0; k < corners.count; ++k) {
+            const std::size_t number = grid_number(tessellation, corners.points[k]);
+            if (!known[number]) {
+                known[number] = true;
+                result.shared[first + number] = values[k];
+            } else if (!source && result.shared[first + number] != values[k]) {
+                result.places.push_back(4 * (first_patch + cell) + k);
+                result.own.push_back(values[k]);
+            }
+        }
+    }
+}
+
+double six_digits(double value)
+{
+    return std::strtod(format("%.6g", value).c_str(), nullptr);
+}
+
+void append_point(std::vector<double>& numbers, Vec3 point)
+{
+    for (const double x : {point.x, point.y, point.z})
+        numbers.push_back(six_digits(x));
+}
+
+/// One number where the channels agree.
+std::vector<double> power_channels(Rgb power)
+{
+    const Rgb p = {six_digits(power.r), six_digits(power.g), six_digits(power.b)};
+    return p.r == p.g && p.g == p.b ? std::vector<double>{p.r} : std::vector<double>{p.r, p.g, p.b};
+}
+
+JsonObject transfer_json(const ViewerTransfer& transfer)
+{
+    JsonObject json;
+    json.count("stretch", transfer.stretch);
+    json.count("from", transfer.from);
+    if (transfer.to == Scene::no_patch)
+        json.null("to");
+    else
+        json.count("to", transfer.to);
+    json.numbers("forecast", power_channels(transfer.forecast));
+    json.numbers("held", power_channels(transfer.held));
+    json.numbers("counted", power_channels(transfer.counted));
+    return json;
+}
+
+JsonObject line_json(const ViewerLine& line)
+{
+    std::vector<double> points;
+    std::string bold;
+    for (const DrawnStretch& stretch : line.shape.stretches) {
+        if (points.empty())
+            append_point(points, stretch.from);
+        append_point(points, stretch.to);
+        bold += stretch.bold ? '1' : '0';
+    }
+    std::vector<double> meetings;
+    for (const Vec3& meeting : line.shape.meetings)
+        append_point(meetings, meeting);
+    std::vector<JsonObject> transfers;
+    for (const ViewerTransfer& transfer : line.transfers)
+        transfers.push_back(transfer_json(transfer));
+    return JsonObject()
+        .text("label", line.shape.label)
+        .numbers("points", points)
+        .text("bold", bold)
+        .numbers("meetings", meetings)
+        .objects("transfers", transfers);
+}
+
+/// A chapter of the story as the page reads it: every line as a chain of points, with the power that goes along its
+/// stretches. Numbers have six digits: they are looked at, not computed with.
+JsonObject story_json(const ViewerChapter& chapter)
+{
+    std::vector<JsonObject> lines;
+    for (const ViewerLine& line : chapter.lines)
+        lines.push_back(line_json(line));
+    return JsonObject().text("title", chapter.title).text("note", chapter.note).objects("lines", lines);
+}
+
+std::vector<double> coordinates(Vec3 v)
+{
+    return {v.x, v.y, v.z};
+}
+
+std::vector<double> channels(Rgb c)
+{
+    return {c.r, c.g, c.b};
+}
+
+JsonObject surfaces_json(const Scene& scene, int threads)
+{
+    std::vector<std::uint8_t> triangles;
+    std::vector<double> geometry;
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> covered;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
+        const Surface& surface = scene.surfaces()[s];
+        triangles.push_back(surface.shape == Shape::triangle ? 1 : 0);
+        for (const Vec3& v : {surface.origin, surface.edge_u, surface.edge_v})
+            for (const double x : {v.x, v.y, v.z})
+                geometry.push_back(x);
+        cells.push_back(scene.tessellation(s).cells_u);
+        cells.push_back(scene.tessellation(s).cells_v);
+    }
+    const std::vector<bool> is_covered = covered_patches(scene, threads);
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        if (is_covered[patch])
+            covered.push_back(patch);
+    return JsonObject()
+        .text("triangles", packed_bytes(triangles))
+        .text("geometry", packed_numbers(geometry))
+        .text("cells", packed_counts(cells))
+        .text("materials", packed_counts(scene.file().material))
+        .text("groups", packed_counts(scene.file().group))
+        .text("lines", packed_counts(scene.file().line))
+        .text("covered", packed_counts(covered));
+}
+
+std::vector<JsonObject> materials_json(const Scene& scene)
+{
+    std::vector<JsonObject> result;
+    for (const Material& material : scene.materials()) {
+        result.push_back(JsonObject()
+                             .text("name", material.name)
+                             .numbers("reflectance", channels(material.reflectance))
+                             .numbers("emittance", channels(material.emittance)));
+    }
+    return result;
+}
+
+JsonObject camera_json(const Camera& camera)
+{
+    return JsonObject()
+        .numbers("eye", coordinates(camera.eye))
+        .numbers("target", coordinates(camera.target))
+        .numbers("up", coordinates(camera.up))
+        .number("field_of_view", camera.field_of_view);
+}
+
+/// The exposure of the picture of the first view, for every operator.
+JsonObject tone_json(const Scene& scene, const ViewerContent& content)
+{
+    JsonObject scales;
+    JsonObject json;
+    for (const NamedToneOperator& named : tone_operators) {
+        scales.number(named.name, picture_scale(scene, content.quantities.front().values, content.camera,
+                                                content.render, ToneMapOptions{named.tone}));
+        if (named.tone == content.tone.tone)
+            json.text("first", named.name);
+    }
+    json.object("scales", scales);
+    json.number("exposure", content.tone.exposure);
+    return json;
+}
+
+/// The colour map in 256 steps, as a screen shows it.
+std::string packed_colour_map()
+{
+    std::vector<std::uint8_t> bytes;
+    for (int step = 0; step < 256; ++step) {
+        const Rgb colour = map_colour(step / 255.0);
+        for (const double channel : {colour.r, colour.g, colour.b})
+            bytes.push_back(screen_byte(channel));
+    }
+    return packed_bytes(bytes);
+}
+
+/// Reaches to the 99th percentile of the patches, as false-colour pictures do of what they show.
+JsonObject legend_json(const std::vector<double>& values)
+{
+    std::vector<double> sorted;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(sorted), [](double x) { return std::isfinite(x); });
+    std::sort(sorted.begin(), sorted.end());
+    const LegendScale scale = round_scale(sorted.empty() ? 0.0 : sorted[(sorted.size() - 1) * 99 / 100]);
+    std::vector<std::string> numbers;
+    for (int step = 0; step <= scale.steps; ++step)
+        numbers.push_back(scale.number(step));
+    if (!sorted.empty() && sorted.back() > scale.top())
+        numbers.back() += "+";
+    return JsonObject().number("top", scale.top()).texts("numbers", numbers);
+}
+
+/// Coarse light, as good as a screen.
+void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>& values)
+{
+    const PackedLight packed = packed_light(values);
+    json.text(key, packed.words);
+    json.number(key + "_unit", packed.unit);
+}
+
+/// At the corners of the patches; own values stand behind the shared ones, so that they have one unit.
+void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& values, int threads)
+{
+    CornerValues corners = corner_values(scene, values, threads);
+    corners.shared.insert(corners.shared.end(), corners.own.begin(), corners.own.end());
+    add_light(json, "corners", corners.shared);
+    json.text("own_places", packed_counts(corners.places));
+}
+
+/// The values of the first quantity are the result itself, and given in full.
+JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, bool first, int threads)
+{
+    JsonObject json;
+    json.text("key", quantity.key);
+    json.text("title", quantity.title);
+    json.text("unit", quantity.unit);
+    if (quantity.colours == ViewerColours::light) {
+        if (first)
+            json.text("values", packed_colours(quantity.values));
+        else
+            add_light(json, "light", quantity.values);
+        add_corners(json, scene, quantity.values, threads);
+        return json;
+    }
+    std::vector<double> means;
+    for (const Rgb& value : quantity.values)
+        means.push_back(mean(value));
+    json.text("means", packed_numbers(means));
+    json.object("legend", legend_json(means));
+    return json;
+}
+
+std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& content)
+{
+    std::vector<JsonObject> result;
+    for (const ViewerStage& stage : content.stages) {
+        JsonObject json;
+        json.count("lines", stage.lines);
+        add_light(json, "light", stage.radiosity);
+        add_corners(json, scene, stage.radiosity, content.render.threads);
+        result.push_back(json);
+    }
+    return result;
+}
+
+/// Everything that the page shows, as the JSON document that its scripts read (docs/viewer.md). It holds surfaces, not
+/// patches: the page cuts them as Tessellation does.
+std::string room_json(const Scene& scene, const ViewerContent& content)
+{
+    std::vector<JsonObject> quantities;
+    for (const ViewerQuantity& quantity : content.quantities)
+        quantities.push_back(quantity_json(scene, quantity, quantities.empty(), content.render.threads));
+    std::vector<JsonObject> chapters;
+    for (const ViewerChapter& chapter : content.chapters)
+        chapters.push_back(story_json(chapter));
+    return JsonObject()
+        .text("scene", scene.path())
+        .texts("record", content.record)
+        .boolean("two_sided", scene.two_sided())
+        .count("patches", scene.patch_count())
+        .object("surfaces", surfaces_json(scene, content.render.threads))
+        .objects("materials", materials_json(scene))
+        .texts("groups", scene.file().groups)
+        .object("camera", camera_json(content.camera))
+        .object("tone", tone_json(scene, content))
+        .text("shading", content.render.shading == Shading::flat ? "flat" : "smooth")
+        .text("colour_map", packed_colour_map())
+        .objects("quantities", quantities)
+        .count("shown", content.shown)
+        .count("lines", content.lines)
+        .objects("stages", stages_json(scene, content))
+        .objects("story", chapters)
+        .document();
+}
 
 struct PageFile
 {
@@ -57,6 +362,19 @@ std::string room_element(const Scene& scene, const ViewerContent& content)
 }
 
 } // namespace
+
+CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+{
+    const SmoothShading shading(scene, values_per_patch, threads);
+    CornerValues result;
+    const auto surfaces = static_cast<std::uint32_t>(scene.surfaces().size());
+    for (std::uint32_t surface = 0; surface < surfaces; ++surface)
+        append_side(scene, surface, true, shading, result);
+    if (scene.two_sided())
+        for (std::uint32_t surface = 0; surface < surfaces; ++surface)
+            append_side(scene, surface, false, shading, result);
+    return result;
+}
 
 std::string viewer_page(const Scene& scene, const ViewerContent& content)
 {

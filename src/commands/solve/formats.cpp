@@ -1,7 +1,6 @@
 #include "commands/solve/formats.h"
 
 #include "export/mesh/glb.h"
-#include "export/mesh/linear_scale.h"
 #include "export/mesh/obj_colours.h"
 #include "export/mesh/patch_mesh.h"
 #include "export/mesh/ply.h"

@@ -3,7 +3,7 @@
 #include "commands/explain/story_text.h"
 #include "commands/options/picture_options.h"
 #include "radiosity/solve.h"
-#include "viewer/viewer_content.h"
+#include "viewer/viewer_page.h"
 
 #include <cstdint>
 #include <string>

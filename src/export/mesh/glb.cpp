@@ -95,34 +95,31 @@ struct GlbFacts
 
 JsonObject view(std::size_t offset, std::size_t length, std::uint64_t target)
 {
-    JsonObject json;
-    json.count("buffer", 0);
-    json.count("byteOffset", offset);
-    json.count("byteLength", length);
-    json.count("target", target);
-    return json;
+    return JsonObject()
+        .count("buffer", 0)
+        .count("byteOffset", offset)
+        .count("byteLength", length)
+        .count("target", target);
 }
 
 std::vector<JsonObject> views(const GlbBlocks& blocks)
 {
     std::vector<JsonObject> list;
-    for (std::size_t n = 0; n < blocks.attribute_count; ++n) {
-        list.push_back(view(n * blocks.attribute_bytes, blocks.attribute_bytes, array_buffer));
-        list.back().count("byteStride", vector_size);
-    }
+    for (std::size_t n = 0; n < blocks.attribute_count; ++n)
+        list.push_back(
+            view(n * blocks.attribute_bytes, blocks.attribute_bytes, array_buffer).count("byteStride", vector_size));
     list.push_back(view(blocks.attribute_count * blocks.attribute_bytes, blocks.triangle_bytes, element_array_buffer));
     return list;
 }
 
 JsonObject accessor(std::size_t view, std::size_t offset, std::uint64_t component, std::size_t count, const char* type)
 {
-    JsonObject json;
-    json.count("bufferView", view);
-    json.count("byteOffset", offset);
-    json.count("componentType", component);
-    json.count("count", count);
-    json.text("type", type);
-    return json;
+    return JsonObject()
+        .count("bufferView", view)
+        .count("byteOffset", offset)
+        .count("componentType", component)
+        .count("count", count)
+        .text("type", type);
 }
 
 /// The format wants the range of positions, and nothing else's.
@@ -136,8 +133,7 @@ void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part
             high[axis] = std::max<double>(high[axis], mesh.positions[vertex][axis]);
         }
     });
-    json.numbers("min", low);
-    json.numbers("max", high);
+    json.numbers("min", low).numbers("max", high);
 }
 
 /// Part by part: its attributes, then its triangles.
@@ -168,14 +164,10 @@ std::vector<JsonObject> meshes(const Scene& scene, const std::vector<MaterialPar
         JsonObject numbers;
         for (const std::string& attribute : attributes)
             numbers.count(attribute, next_accessor++);
-        JsonObject primitive;
-        primitive.object("attributes", numbers);
-        primitive.count("indices", next_accessor++);
-        primitive.count("material", list.size());
-        JsonObject mesh;
-        mesh.text("name", scene.materials()[part.material].name);
-        mesh.objects("primitives", {primitive});
-        list.push_back(mesh);
+        const JsonObject primitive =
+            JsonObject().object("attributes", numbers).count("indices", next_accessor++).count("material", list.size());
+        list.push_back(
+            JsonObject().text("name", scene.materials()[part.material].name).objects("primitives", {primitive}));
     }
     return list;
 }
@@ -183,33 +175,23 @@ std::vector<JsonObject> meshes(const Scene& scene, const std::vector<MaterialPar
 /// Programs that do not know the extension for unlit materials show a dull surface, not a shiny one.
 JsonObject unlit_material(const Material& material)
 {
-    JsonObject plain;
-    plain.count("metallicFactor", 0);
-    plain.number("roughnessFactor", 1.0);
-    JsonObject unlit;
-    unlit.object("KHR_materials_unlit", {});
-    JsonObject physics;
-    physics.numbers("reflectance", {material.reflectance.r, material.reflectance.g, material.reflectance.b});
-    physics.numbers("emittance", {material.emittance.r, material.emittance.g, material.emittance.b});
-    JsonObject json;
-    json.text("name", material.name);
-    json.object("pbrMetallicRoughness", plain);
-    json.boolean("doubleSided", false);
-    json.object("extensions", unlit);
-    json.object("extras", physics);
-    return json;
+    const auto channels = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
+    return JsonObject()
+        .text("name", material.name)
+        .object("pbrMetallicRoughness", JsonObject().count("metallicFactor", 0).number("roughnessFactor", 1.0))
+        .boolean("doubleSided", false)
+        .object("extensions", JsonObject().object("KHR_materials_unlit", {}))
+        .object("extras", JsonObject()
+                              .numbers("reflectance", channels(material.reflectance))
+                              .numbers("emittance", channels(material.emittance)));
 }
 
 JsonObject asset(const GlbFacts& facts)
 {
-    JsonObject extras;
-    extras.texts("record", facts.comments);
-    extras.number("color_scale", facts.scale);
-    JsonObject json;
-    json.text("version", "2.0");
-    json.text("generator", "multipath");
-    json.object("extras", extras);
-    return json;
+    return JsonObject()
+        .text("version", "2.0")
+        .text("generator", "multipath")
+        .object("extras", JsonObject().texts("record", facts.comments).number("color_scale", facts.scale));
 }
 
 /// 0, 1, ... below count.
@@ -224,12 +206,8 @@ std::vector<double> numbers_below(std::size_t count)
 std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts)
 {
     std::vector<JsonObject> list;
-    for (const MaterialPart& part : parts) {
-        JsonObject json;
-        json.text("name", scene.materials()[part.material].name);
-        json.count("mesh", list.size());
-        list.push_back(json);
-    }
+    for (const MaterialPart& part : parts)
+        list.push_back(JsonObject().text("name", scene.materials()[part.material].name).count("mesh", list.size()));
     return list;
 }
 
@@ -240,23 +218,18 @@ std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std
     std::vector<JsonObject> materials;
     for (const MaterialPart& part : parts)
         materials.push_back(unlit_material(scene.materials()[part.material]));
-    JsonObject all_nodes;
-    all_nodes.numbers("nodes", numbers_below(parts.size()));
-    JsonObject buffer;
-    buffer.count("byteLength", blocks.total());
-
-    JsonObject json;
-    json.object("asset", asset(facts));
-    json.texts("extensionsUsed", {"KHR_materials_unlit"});
-    json.count("scene", 0);
-    json.objects("scenes", {all_nodes});
-    json.objects("nodes", nodes(scene, parts));
-    json.objects("meshes", meshes(scene, parts, facts.attributes));
-    json.objects("materials", materials);
-    json.objects("accessors", accessors(mesh, parts, blocks.attribute_count));
-    json.objects("bufferViews", views(blocks));
-    json.objects("buffers", {buffer});
-    return json.document();
+    return JsonObject()
+        .object("asset", asset(facts))
+        .texts("extensionsUsed", {"KHR_materials_unlit"})
+        .count("scene", 0)
+        .objects("scenes", {JsonObject().numbers("nodes", numbers_below(parts.size()))})
+        .objects("nodes", nodes(scene, parts))
+        .objects("meshes", meshes(scene, parts, facts.attributes))
+        .objects("materials", materials)
+        .objects("accessors", accessors(mesh, parts, blocks.attribute_count))
+        .objects("bufferViews", views(blocks))
+        .objects("buffers", {JsonObject().count("byteLength", blocks.total())})
+        .document();
 }
 
 constexpr std::uint32_t magic = 0x46546c67; // "glTF"
@@ -327,7 +300,52 @@ void append_numbers(std::string& bytes, const PatchMesh& mesh, const std::vector
     }
 }
 
+struct LitArea
+{
+    double brightness = 0.0; ///< [W/m^2] of the brightest channel
+    double area = 0.0;       ///< [m^2]
+};
+
+std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radiosity, bool with_lamps)
+{
+    std::vector<LitArea> areas;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        if (with_lamps || scene.emittance(patch) == Rgb{})
+            areas.push_back(
+                {std::max({radiosity[patch].r, radiosity[patch].g, radiosity[patch].b}), scene.area(patch)});
+    return areas;
+}
+
+/// The brightness that is exceeded on a share of the area. `areas` is sorted, the brightest first.
+double exceeded_on(double share, const std::vector<LitArea>& areas)
+{
+    double total = 0.0;
+    for (const LitArea& lit : areas)
+        total += lit.area;
+    double before = 0.0;
+    for (const LitArea& lit : areas) {
+        before += lit.area;
+        if (before > share * total)
+            return lit.brightness;
+    }
+    return 0.0;
+}
+
 } // namespace
+
+double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
+{
+    std::vector<LitArea> areas = lit_areas(scene, radiosity, false);
+    if (areas.empty())
+        areas = lit_areas(scene, radiosity, true);
+    std::sort(areas.begin(), areas.end(),
+              [](const LitArea& a, const LitArea& b) { return a.brightness > b.brightness; });
+    const double bright = exceeded_on(0.01, areas);
+    const double middle = exceeded_on(0.5, areas);
+    if (!(bright > 0.0))
+        return 1.0;
+    return middle > 0.0 ? std::max(1.0 / bright, 0.18 / middle) : 1.0 / bright;
+}
 
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<std::string>& comments)
 {

@@ -52,13 +52,6 @@ struct MeshSide
     std::size_t face_count = 0;
 };
 
-/// The edge of a face from one of its corners to the next, on the rim of its side.
-struct RimEdge
-{
-    std::uint32_t face = 0;
-    std::uint32_t corner = 0; ///< 0 to 3
-};
-
 /// The patches as vertices and faces, in the form and precision of mesh files. Sides follow each other without a gap.
 struct PatchMesh
 {
@@ -67,10 +60,6 @@ struct PatchMesh
     std::vector<Float3> error;     ///< [W/m^2] per vertex: standard error of the radiosity; empty if unknown
     std::vector<MeshFace> faces;
     std::vector<MeshSide> sides;
-
-    // While sides are not yet joined:
-    std::vector<RimEdge> rims;               ///< in the order of the faces
-    std::vector<std::uint32_t> rim_vertices; ///< in the order of the vertices
 };
 
 /// Values at the corners of a patch, in the order of Scene::corners().

@@ -1,6 +1,22 @@
 'use strict';
 // A pinhole camera that can be carried about. It orbits around its target or turns on the spot; up stays up.
 
+// Turns a about a unit axis, counter-clockwise seen from its tip (Rodrigues).
+function turned(a, axis, angle) {
+  const along = times(dot(axis, a) * (1 - Math.cos(angle)), axis);
+  return plus(plus(times(Math.cos(angle), a), times(Math.sin(angle), cross(axis, a))), along);
+}
+
+// A matrix of 4 x 4 numbers, column by column, times another one.
+function matrix_product(a, b) {
+  const result = new Float32Array(16);
+  for (let column = 0; column < 4; ++column)
+    for (let row = 0; row < 4; ++row)
+      for (let k = 0; k < 4; ++k)
+        result[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+  return result;
+}
+
 const steepest = 0.996; // cosine of the view against up, so that the view never turns over
 
 class Camera {

@@ -98,20 +98,20 @@ class Controls {
   // Keys that stand for a button; false for others.
   shortcut(key) {
     const { viewer, panel, story_panel } = this, { state, quantities } = viewer;
+    const expose = stops => viewer.change({ exposure: clamped(state.exposure + stops, -6, 6) });
+    const told = act => { story_panel.open(true); act(); };
     const shortcuts = {
       v: () => viewer.change({ motion: state.motion === 'orbit' ? 'walk' : 'orbit' }),
       r: () => viewer.go_home(),
       f: () => viewer.change({ shading: state.shading === 'smooth' ? 'flat' : 'smooth' }),
       m: () => viewer.change({ mesh: !state.mesh }),
       t: () => viewer.change({ quantity: (state.quantity + 1) % quantities.list.length }),
-      '+': () => viewer.change({ exposure: clamped(state.exposure + 0.5, -6, 6) }),
-      '=': () => viewer.change({ exposure: clamped(state.exposure + 0.5, -6, 6) }),
-      '-': () => viewer.change({ exposure: clamped(state.exposure - 0.5, -6, 6) }),
+      '+': () => expose(0.5), '=': () => expose(0.5), '-': () => expose(-0.5),
       '[': () => viewer.change({ stage: Math.max(0, state.stage - 1) }),
       ']': () => viewer.change({ stage: Math.min(quantities.last_stage, state.stage + 1) }),
-      p: () => { story_panel.open(true); story_panel.play(story_panel.timer === null); },
-      ',': () => { story_panel.open(true); story_panel.step(-1); },
-      '.': () => { story_panel.open(true); story_panel.step(1); },
+      p: () => told(() => story_panel.play(story_panel.timer === null)),
+      ',': () => told(() => story_panel.step(-1)),
+      '.': () => told(() => story_panel.step(1)),
       h: () => panel.fold(!panel.folded),
       '?': () => panel.help(),
     };

@@ -9,17 +9,13 @@ function shared_exponent_colour(word) {
 
 // Values that a texture can be made of, unpacked when they are first needed.
 class Values {
-  constructor(kind, text, unit) {
+  constructor(kind, unit, unpack) {
     this.kind = kind; // 'colours': three numbers each; 'light': one word each; 'means': one number each
-    this.text = text;
     this.unit = unit;
+    this.unpack = unpack;
   }
 
-  get list() {
-    if (!this.unpacked)
-      this.unpacked = this.kind === 'light' ? counts_of(this.text) : numbers_of(this.text);
-    return this.unpacked;
-  }
+  get list() { return this.unpacked ||= this.unpack(); }
 
   // As a list of one or three numbers.
   at(n) {
@@ -32,31 +28,21 @@ class Values {
 }
 
 // Light at the corners of patches: what they share, and behind it what some have of their own.
-class CornerLight extends Values {
-  constructor(data, room) {
-    super('light', data.corners, data.corners_unit);
-    this.places = data.own_places;
-    this.room = room;
-  }
-
-  get list() {
-    if (!this.unpacked) {
-      const words = counts_of(this.text), places = counts_of(this.places), shared = words.length - places.length;
-      this.unpacked = this.room.patch_corners(words);
-      places.forEach((place, k) => { this.unpacked[place] = words[shared + k]; });
-    }
-    return this.unpacked;
-  }
+function corner_words(data, room) {
+  const words = counts_of(data.corners), places = counts_of(data.own_places), shared = words.length - places.length;
+  const result = room.patch_corners(words);
+  places.forEach((place, k) => { result[place] = words[shared + k]; });
+  return result;
 }
 
 // Light: of patches and, smooth, of their corners.
 const light_of = (data, room) => ({
   light: true,
-  patches: data.values ? new Values('colours', data.values, 1) : new Values('light', data.light, data.light_unit),
-  corners: new CornerLight(data, room),
+  patches: data.values ? new Values('colours', 1, () => numbers_of(data.values))
+                       : new Values('light', data.light_unit, () => counts_of(data.light)),
+  corners: new Values('light', data.corners_unit, () => corner_words(data, room)),
 });
-
-const means_of = data => ({ light: false, patches: new Values('means', data.means, 1) });
+const means_of = data => ({ light: false, patches: new Values('means', 1, () => numbers_of(data.means)) });
 
 class Quantities {
   constructor(data, room) {

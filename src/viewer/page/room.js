@@ -1,4 +1,15 @@
 'use strict';
+// Points and directions: lists of three numbers.
+
+const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const times = (s, a) => [s * a[0], s * a[1], s * a[2]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const length = a => Math.hypot(a[0], a[1], a[2]);
+const normalized = a => times(1 / length(a), a);
+const clamped = (x, low, high) => Math.min(high, Math.max(low, x));
+
 // The room: its surfaces, and how they are cut into patches. The page holds surfaces only; patches are looked up from a
 // place (u, v) on them, with the numbers that the program gives them (src/scene/tessellation.h).
 
@@ -88,26 +99,17 @@ class Room {
     return (front ? 0 : this.cell_count) + this.first_patch[s] + cell;
   }
 
-  // Is the cell of a surface under others of the same plane, so that it is not to be seen?
-  is_hidden(s, cell) {
-    const patch = this.first_patch[s] + cell;
-    return this.covered.has(patch) && (!this.two_sided || this.covered.has(patch + this.cell_count));
-  }
-
-  // What of a surface is to be drawn, as lists of corners (u, v): all of it, or its cells one by one, if others lie over
-  // some of them.
+  // What of a surface is to be drawn, as lists of corners (u, v): all of it; or cells one by one, without those that
+  // lie under others of the same plane.
   pieces(s) {
-    const [n, m] = this.cells_of(s), pieces = [];
-    let hidden = 0;
+    const [n, m] = this.cells_of(s), seen = [];
+    const covered = patch => this.covered.has(patch) && (!this.two_sided || this.covered.has(patch + this.cell_count));
     for (let cell = 0; this.covered.size && cell < n * m; ++cell)
-      if (this.is_hidden(s, cell))
-        ++hidden;
-    if (!hidden)
+      if (!covered(this.first_patch[s] + cell))
+        seen.push(cell);
+    if (!this.covered.size || seen.length === n * m)
       return [this.corners(s)];
-    for (let cell = 0; cell < n * m; ++cell)
-      if (!this.is_hidden(s, cell))
-        pieces.push(this.cell_corners(s, cell).map(([i, j]) => [i / n, j / m]));
-    return pieces;
+    return seen.map(cell => this.cell_corners(s, cell).map(([i, j]) => [i / n, j / m]));
   }
 
   is_back(patch) { return patch >= this.cell_count; }
@@ -194,5 +196,33 @@ class Room {
   // "table_top (line 12)", as the program names surfaces.
   surface_name(s) {
     return `${this.groups[this.group[s]] || this.materials[this.material[s]].name} (line ${this.line[s]})`;
+  }
+
+  // What a ray meets first. Backs of one-sided surfaces are looked through, as in the program's pictures.
+  nearest_hit(origin, direction) {
+    const g = this.geometry;
+    let nearest = null;
+    for (let s = 0, k = 0; s < this.surface_count; ++s, k += 9) {
+      const a = [g[k + 3], g[k + 4], g[k + 5]], b = [g[k + 6], g[k + 7], g[k + 8]];
+      const across = cross(direction, b);
+      const determinant = dot(a, across); // = -direction . (a x b): above zero where the ray meets the front
+      if (determinant === 0 || (determinant < 0 && !this.two_sided))
+        continue;
+      const from = [origin[0] - g[k], origin[1] - g[k + 1], origin[2] - g[k + 2]];
+      const u = dot(from, across) / determinant;
+      if (!(u >= 0 && u <= 1))
+        continue;
+      const upright = cross(from, a);
+      const v = dot(direction, upright) / determinant;
+      if (!(v >= 0 && (this.triangles[s] ? u + v : v) <= 1))
+        continue;
+      const t = dot(b, upright) / determinant;
+      if (!(t > 0 && (nearest === null || t < nearest.t)))
+        continue;
+      const patch = this.patch_at(s, u, v, determinant > 0);
+      if (!this.covered.has(patch))
+        nearest = { t, surface: s, u, v, front: determinant > 0, patch };
+    }
+    return nearest;
   }
 }

@@ -86,7 +86,7 @@ class Viewer {
   hit_at(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const direction = this.camera.ray(x - box.left, y - box.top, box.width, box.height);
-    return nearest_hit(this.room, this.camera.eye, direction);
+    return this.room.nearest_hit(this.camera.eye, direction);
   }
   patch_at(x, y) {
     const hit = this.hit_at(x, y);
