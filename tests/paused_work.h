@@ -1,6 +1,6 @@
 #pragma once
 
-#include "export/state/state_file.h"
+#include "export/state_file.h"
 #include "parallel/checkpoint.h"
 
 #include <memory>

@@ -4,7 +4,7 @@
 #include "commands/commands.h"
 #include "commands/options/solve_table.h"
 #include "commands/solve/saved_run.h"
-#include "export/comments.h"
+#include "export/csv_text.h"
 #include "export/json.h"
 #include "export/patch_table.h"
 #include "radiosity/error_measure.h"

@@ -4,13 +4,15 @@
 #include "cli/options/usage_error.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
-#include "export/comments.h"
-#include "export/discrepancy_table.h"
+#include "export/csv_text.h"
 #include "export/svg/point_plots.h"
+#include "sampling/discrepancy.h"
+#include "sampling/sequence.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cinttypes>
+#include <optional>
 #include <stdexcept>
 
 namespace multipath {
@@ -117,7 +119,7 @@ void write_points(OutputFile& file, const PointRange& range, const std::vector<s
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
         text += std::to_string(n);
         for (int d = 0; d < range.sequence->dimensions(); ++d)
-            text += format(",%.17g", range.sequence->coordinate(n, d));
+            append_number(text += ",", range.sequence->coordinate(n, d));
         text += "\n";
         if (text.size() > 65536) {
             file.write(text);
@@ -125,6 +127,57 @@ void write_points(OutputFile& file, const PointRange& range, const std::vector<s
         }
     }
     file.write(text);
+}
+
+/// Discrepancy of the first `count` points.
+struct DiscrepancyRow
+{
+    std::uint64_t count;
+    double l2_star;
+    double random_l2_star;      ///< of independent random points, root mean square
+    std::optional<double> star; ///< in one and two dimensions
+};
+
+/// For 1, 2, 4, ... points of the range, and for all of them; time of order count^2.
+std::vector<DiscrepancyRow> measure_discrepancy(const PointRange& range)
+{
+    std::vector<std::uint64_t> counts;
+    for (std::uint64_t n = 1; n < range.count; n *= 2)
+        counts.push_back(n);
+    counts.push_back(range.count);
+
+    std::vector<DiscrepancyRow> rows;
+    for (const std::uint64_t n : counts) {
+        const PointSet points = points_of(*range.sequence, range.first, n);
+        rows.push_back({n, l2_star_discrepancy(points), random_l2_star_discrepancy(points.size(), points.dimensions),
+                        star_discrepancy(points)});
+    }
+    return rows;
+}
+
+/// For readers: aligned columns below a line of headings.
+std::string discrepancy_text(const std::vector<DiscrepancyRow>& rows)
+{
+    std::string text = format("%9s%13s%13s%13s\n", "points", "L2 star", "if random", "star");
+    for (const DiscrepancyRow& row : rows)
+        text += format("%9" PRIu64 "%13.4e%13.4e", row.count, row.l2_star, row.random_l2_star) +
+                (row.star ? format("%13.4e\n", *row.star) : format("%13s\n", "-"));
+    return text;
+}
+
+/// As CSV; `star` is empty where it is absent.
+std::string discrepancy_table(const std::vector<DiscrepancyRow>& rows, const std::vector<std::string>& comments)
+{
+    std::string table = comment_lines(comments) + "count,l2_star,random_l2_star,star\n";
+    for (const DiscrepancyRow& row : rows) {
+        append_number(table += std::to_string(row.count) + ",", row.l2_star);
+        append_number(table += ",", row.random_l2_star);
+        table += ",";
+        if (row.star)
+            append_number(table, *row.star);
+        table += "\n";
+    }
+    return table;
 }
 
 DimensionPair read_pair(const std::string& text, int dimensions)
@@ -223,7 +276,7 @@ int run_discrepancy(const CommandLine& line)
     const std::vector<std::string> paths = line.all("output");
     std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {".csv"});
 
-    const std::vector<DiscrepancyRow> rows = measure_discrepancy(*range.sequence, range.first, range.count);
+    const std::vector<DiscrepancyRow> rows = measure_discrepancy(range);
     const std::vector<std::string> comments = provenance(points_table(), line);
     for (PlannedOutput& output : outputs)
         output.file.write(discrepancy_table(rows, comments));

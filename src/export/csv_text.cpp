@@ -3,6 +3,8 @@
 #include "scene/text/text_words.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <utility>
 
 namespace multipath {
@@ -160,6 +162,30 @@ bool CsvParser::take_line_end()
 }
 
 } // namespace
+
+std::string comment_lines(const std::vector<std::string>& comments)
+{
+    std::string lines;
+    for (const std::string& comment : comments)
+        lines += "# " + comment + "\n";
+    return lines;
+}
+
+std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name)
+{
+    const std::string start = std::string(name) + ": ";
+    for (const std::string& comment : comments)
+        if (comment.compare(0, start.size(), start) == 0)
+            return comment.substr(start.size());
+    return std::nullopt;
+}
+
+void append_number(std::string& row, double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.17g", value == 0.0 ? 0.0 : value);
+    row += text.data();
+}
 
 std::string csv_field(const std::string& text)
 {

@@ -11,6 +11,16 @@
 
 namespace multipath {
 
+/// Comments, such as "command: multipath solve room.obj", which record a file's provenance, as its first lines: a `# `
+/// line for each.
+std::string comment_lines(const std::vector<std::string>& comments);
+
+/// Value of the comment "name: value"; the first one if there are several.
+std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name);
+
+/// Appends a number with 17 significant digits, which read back as the same double; never "-0".
+void append_number(std::string& row, double value);
+
 /// The text as a field of a row: quoted where it holds commas, quotes or line ends.
 std::string csv_field(const std::string& text);
 

@@ -3,79 +3,61 @@
 #include "scene/input_error.h"
 
 #include <cerrno>
-#include <fcntl.h>
+#include <cstdio>
 #include <stdexcept>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace multipath {
 
 namespace {
 
-/// An open file, to be closed.
-class Descriptor
+[[noreturn]] void fail()
 {
-public:
-    explicit Descriptor(const std::string& path) : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
-    {
-        if (number_ < 0)
-            fail();
-    }
-    ~Descriptor() { close(number_); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return number_; }
-    [[noreturn]] static void fail() { throw std::runtime_error(std::generic_category().message(errno)); }
-
-private:
-    int number_;
-};
+    throw std::runtime_error(std::generic_category().message(errno));
+}
 
 /// All bytes of a file that cannot be mapped, such as a pipe, up to a limit.
-std::vector<char> read_all(const Descriptor& file)
+std::vector<char> read_all(std::FILE* file)
 {
     constexpr std::size_t most = std::size_t{1} << 30;
+    constexpr std::size_t more = std::size_t{1} << 20;
     std::vector<char> bytes;
-    for (;;) {
-        constexpr std::size_t more = 1u << 20;
+    while (bytes.size() <= most) {
         const std::size_t length = bytes.size();
         bytes.resize(length + more);
-        const ssize_t got = read(file.number(), bytes.data() + length, more);
-        if (got < 0)
-            Descriptor::fail();
-        bytes.resize(length + static_cast<std::size_t>(got));
-        if (got == 0)
+        const std::size_t got = std::fread(bytes.data() + length, 1, more, file);
+        if (std::ferror(file) != 0)
+            fail();
+        bytes.resize(length + got);
+        if (got < more)
             return bytes;
-        if (bytes.size() > most)
-            throw std::runtime_error("more than 1 GiB from a pipe; expected a file");
     }
+    throw std::runtime_error("more than 1 GiB from a pipe; expected a file");
 }
 
 } // namespace
 
 FileBytes::FileBytes(const std::string& path)
 {
-    const Descriptor file(path);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     struct stat status = {};
-    if (fstat(file.number(), &status) != 0)
-        Descriptor::fail();
+    if (!file || fstat(fileno(file.get()), &status) != 0)
+        fail();
     if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode))
         throw std::runtime_error("a device; expected a file or a pipe");
     if (!S_ISREG(status.st_mode) || status.st_size == 0) {
-        *this = FileBytes(read_all(file));
+        *this = FileBytes(read_all(file.get()));
         return;
     }
     size_ = static_cast<std::size_t>(status.st_size);
-    void* const mapped = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number(), 0);
+    void* const mapped = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, fileno(file.get()), 0);
     if (mapped == MAP_FAILED)
-        Descriptor::fail();
-    const std::size_t size = size_;
-    owner_ =
-        std::shared_ptr<const void>(mapped, [size](const void* memory) { munmap(const_cast<void*>(memory), size); });
+        fail();
+    owner_ = std::shared_ptr<const void>(
+        mapped, [size = size_](const void* memory) { munmap(const_cast<void*>(memory), size); });
     data_ = static_cast<const char*>(mapped);
 }
 

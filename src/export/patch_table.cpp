@@ -1,13 +1,11 @@
 #include "export/patch_table.h"
 
-#include "export/comments.h"
 #include "export/csv_text.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <optional>
 #include <system_error>
 
@@ -20,23 +18,19 @@ constexpr const char* header = "patch,surface,material,x,y,z,nx,ny,nz,area,refle
 
 void append(std::string& row, double value)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), ",%.17g", value == 0.0 ? 0.0 : value); // never "-0"
-    row += text.data();
+    row += ',';
+    append_number(row, value);
 }
 
 void append(std::string& row, Vec3 v)
 {
-    append(row, v.x);
-    append(row, v.y);
-    append(row, v.z);
+    for (const double x : {v.x, v.y, v.z})
+        append(row, x);
 }
 
 void append(std::string& row, Rgb c)
 {
-    append(row, c.r);
-    append(row, c.g);
-    append(row, c.b);
+    append(row, Vec3{c.r, c.g, c.b});
 }
 
 /// The rows of the patches first ... end - 1.
@@ -95,36 +89,18 @@ namespace {
 
 using ThreeColumns = std::array<std::size_t, 3>;
 
-struct Columns
-{
-    explicit Columns(const CsvTable& table);
-
-    std::size_t patch;
-    std::size_t surface;
-    std::size_t material;
-    ThreeColumns centre;
-    std::size_t area;
-    ThreeColumns radiosity;
-    std::optional<ThreeColumns> error;
-};
-
 ThreeColumns columns_named(const CsvTable& table, const std::array<const char*, 3>& names)
 {
     return {table.column(names[0]), table.column(names[1]), table.column(names[2])};
 }
 
-Columns::Columns(const CsvTable& table)
-    : patch(table.column("patch")),
-      surface(table.column("surface")),
-      material(table.column("material")),
-      centre(columns_named(table, {"x", "y", "z"})),
-      area(table.column("area")),
-      radiosity(columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"}))
+/// The columns of the standard error; if there is one of them, all must be there.
+std::optional<ThreeColumns> error_columns(const CsvTable& table)
 {
     const std::array<const char*, 3> names = {"error_r", "error_g", "error_b"};
-    for (const char* name : names)
-        if (table.find_column(name))
-            error = columns_named(table, names);
+    const bool any =
+        std::any_of(names.begin(), names.end(), [&](const char* name) { return table.find_column(name).has_value(); });
+    return any ? std::optional(columns_named(table, names)) : std::nullopt;
 }
 
 [[noreturn]] void refuse_field(const CsvTable& table, const CsvRow& row, std::size_t column,
@@ -159,12 +135,9 @@ double read_area(const CsvTable& table, const CsvRow& row, std::size_t column)
     return area;
 }
 
-Vec3 read_point(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
-{
-    return {table.number(row, columns[0]), table.number(row, columns[1]), table.number(row, columns[2])};
-}
-
-Rgb read_rgb(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
+/// A Vec3 or an Rgb.
+template <class Three>
+Three read_three(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
 {
     return {table.number(row, columns[0]), table.number(row, columns[1]), table.number(row, columns[2])};
 }
@@ -174,7 +147,7 @@ Rgb read_error(const CsvTable& table, const CsvRow& row, const ThreeColumns& col
     for (const std::size_t column : columns)
         if (table.number(row, column) < 0.0)
             refuse_field(table, row, column, "0 or more");
-    return read_rgb(table, row, columns);
+    return read_three<Rgb>(table, row, columns);
 }
 
 } // namespace
@@ -182,21 +155,27 @@ Rgb read_error(const CsvTable& table, const CsvRow& row, const ThreeColumns& col
 PatchTable read_patch_table(const std::string& path)
 {
     const CsvTable table = read_csv(path);
-    const Columns columns(table);
+    const std::size_t patch = table.column("patch");
+    const std::size_t surface = table.column("surface");
+    const std::size_t material = table.column("material");
+    const ThreeColumns centre = columns_named(table, {"x", "y", "z"});
+    const std::size_t area = table.column("area");
+    const ThreeColumns radiosity = columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
+    const std::optional<ThreeColumns> error = error_columns(table);
     if (table.rows.empty())
         refuse(table.place(table.header), "no row behind the header, expected one per patch");
     PatchTable patches;
     patches.path = path;
     patches.comments = table.comments;
     for (const CsvRow& row : table.rows) {
-        require_patch(table, row, columns.patch, patches.areas.size());
-        patches.surfaces.push_back(read_surface(table, row, columns.surface));
-        patches.materials.push_back(row.fields[columns.material]);
-        patches.centres.push_back(read_point(table, row, columns.centre));
-        patches.areas.push_back(read_area(table, row, columns.area));
-        patches.radiosity.push_back(read_rgb(table, row, columns.radiosity));
-        if (columns.error)
-            patches.standard_error.push_back(read_error(table, row, *columns.error));
+        require_patch(table, row, patch, patches.areas.size());
+        patches.surfaces.push_back(read_surface(table, row, surface));
+        patches.materials.push_back(row.fields[material]);
+        patches.centres.push_back(read_three<Vec3>(table, row, centre));
+        patches.areas.push_back(read_area(table, row, area));
+        patches.radiosity.push_back(read_three<Rgb>(table, row, radiosity));
+        if (error)
+            patches.standard_error.push_back(read_error(table, row, *error));
     }
     return patches;
 }

@@ -1,6 +1,5 @@
 #include "selftest/check.h"
 
-#include "export/comments.h"
 #include "export/csv_text.h"
 #include "radiosity/statistics.h"
 #include "scene/text/text_format.h"

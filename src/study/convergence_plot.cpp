@@ -1,6 +1,5 @@
 #include "study/convergence_plot.h"
 
-#include "export/svg/svg_elements.h"
 #include "export/svg/svg_plot.h"
 #include "scene/text/text_format.h"
 #include "study/number_words.h"

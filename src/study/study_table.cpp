@@ -1,6 +1,5 @@
 #include "study/study_table.h"
 
-#include "export/comments.h"
 #include "export/csv_text.h"
 #include "scene/text/text_format.h"
 

@@ -1,6 +1,6 @@
 #include "export/patch_table.h"
 
-#include "export/comments.h"
+#include "export/csv_text.h"
 #include "scene/input_problem.h"
 #include "scene/scratch_folder.h"
 #include "test_scenes.h"

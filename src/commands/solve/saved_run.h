@@ -1,8 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "export/state/scene_archive.h"
-#include "export/state/state_file.h"
+#include "export/state_file.h"
 #include "parallel/checkpoint.h"
 #include "parallel/run_control.h"
 #include "radiosity/solution.h"

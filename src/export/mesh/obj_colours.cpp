@@ -1,6 +1,6 @@
 #include "export/mesh/obj_colours.h"
 
-#include "export/comments.h"
+#include "export/csv_text.h"
 
 #include <array>
 #include <cstdio>

@@ -40,20 +40,15 @@ std::string place(char command, SvgPoint p)
     return command + decimal(p.x) + " " + decimal(p.y);
 }
 
-std::string path(const std::string& shape, const std::string& style)
-{
-    return shape.empty() ? "" : "<path d=\"" + shape + "\" " + style + "/>\n";
-}
-
 std::string circle(SvgPoint p, double radius, const std::string& style)
 {
-    return "<circle cx=\"" + decimal(p.x) + "\" cy=\"" + decimal(p.y) + "\" r=\"" + decimal(radius) + "\" " + style +
+    return "<circle cx=\"" + decimal(p.x) + "\" cy=\"" + decimal(p.y) + "\" r=\"" + decimal(radius) + "\"" + style +
            "/>\n";
 }
 
 std::string stroke(const std::string& colour, const char* rest)
 {
-    return "fill=\"none\" stroke=\"" + colour + "\" " + rest;
+    return " fill=\"none\" stroke=\"" + colour + "\" " + rest;
 }
 
 /// A projection along one direction of the scene into a square of the page.
@@ -143,7 +138,7 @@ std::string box_shape(const Bounds& box, const View& view)
     std::string shape;
     for (const Surface& side : sides(box))
         shape += closed_path(side, view);
-    return path(shape, "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+    return svg_path(shape, " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
 }
 
 /// The edges of all surfaces. Many fall on one place of the page; that is drawn once.
@@ -165,7 +160,7 @@ std::string scene_outlines(const Scene& scene, const View& view)
     std::string shape;
     for (const std::string& edge : edges)
         shape += edge;
-    return path(shape, stroke("#777777", "stroke-width=\"0.9\""));
+    return svg_path(shape, stroke("#777777", "stroke-width=\"0.9\""));
 }
 
 std::string sources(const Scene& scene, const View& view)
@@ -174,9 +169,9 @@ std::string sources(const Scene& scene, const View& view)
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
         if (mean(scene.surface_material(s).emittance) > 0.0)
             shape += closed_path(scene.surfaces()[s], view);
-    return path(
+    return svg_path(
         shape,
-        "fill=\"#ffdf70\" fill-opacity=\"0.7\" stroke=\"#e3a700\" stroke-width=\"2.5\" stroke-linejoin=\"round\"");
+        " fill=\"#ffdf70\" fill-opacity=\"0.7\" stroke=\"#e3a700\" stroke-width=\"2.5\" stroke-linejoin=\"round\"");
 }
 
 /// A head at the end of the stretch, also where the stretch is short.
@@ -188,7 +183,7 @@ std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
     const SvgPoint back = {-9.0 * (to.x - from.x) / length, -9.0 * (to.y - from.y) / length};
     const SvgPoint one = {to.x + back.x - 0.4 * back.y, to.y + back.y + 0.4 * back.x};
     const SvgPoint other = {to.x + back.x + 0.4 * back.y, to.y + back.y - 0.4 * back.x};
-    return path(place('M', one) + place('L', to) + place('L', other) + "Z", "fill=\"" + colour + "\"");
+    return svg_path(place('M', one) + place('L', to) + place('L', other) + "Z", " fill=\"" + colour + "\"");
 }
 
 std::string stretches(const DrawnLine& line, const View& view, const std::string& colour)
@@ -197,12 +192,12 @@ std::string stretches(const DrawnLine& line, const View& view, const std::string
     std::string thin;
     for (const DrawnStretch& stretch : line.stretches)
         (stretch.bold ? bold : thin) += place('M', view.at(stretch.from)) + place('L', view.at(stretch.to));
-    std::string text = path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
-                       path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
+    std::string text = svg_path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
+                       svg_path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
     if (!line.stretches.empty()) {
         const DrawnStretch& last = line.stretches.back();
         text += circle(view.at(line.stretches.front().from), 4.0,
-                       "fill=\"#ffffff\" stroke=\"" + colour + "\" stroke-width=\"2\"");
+                       " fill=\"#ffffff\" stroke=\"" + colour + "\" stroke-width=\"2\"");
         text += arrow_head(view.at(last.from), view.at(last.to), colour);
     }
     return text;
@@ -214,7 +209,7 @@ std::string meetings(const DrawnLine& line, const View& view, const std::string&
     for (std::size_t k = 0; k < line.meetings.size(); ++k) {
         const SvgPoint p = view.at(line.meetings[k]);
         text += circle(p, numbered ? 7.5 : 2.5,
-                       "fill=\"" + std::string(numbered ? "#ffffff" : colour) + "\" stroke=\"" + colour +
+                       " fill=\"" + std::string(numbered ? "#ffffff" : colour) + "\" stroke=\"" + colour +
                            "\" stroke-width=\"1.4\"");
         if (numbered)
             text += svg_text(p.x, p.y + 3.4, std::to_string(k + 1), SvgAnchor::middle, k < 9 ? 10.0 : 8.5);
@@ -228,7 +223,7 @@ std::string picture(const Scene& scene, const std::vector<DrawnLine>& lines, con
     std::string text = svg_text(view.middle.x, head_height - 8.0, view.name, SvgAnchor::middle, 13.0);
     if (drawing.sphere)
         text += circle(view.at(drawing.sphere->centre), view.scale * drawing.sphere->radius,
-                       "fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+                       " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
     if (drawing.box)
         text += box_shape(*drawing.box, view);
     text += scene_outlines(scene, view) + sources(scene, view);

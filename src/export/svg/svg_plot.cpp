@@ -9,7 +9,73 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<const char*, 4> series_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7"};
+constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                "#222222", "#e69f00", "#56b4e9"};
+
+/// Shapes of marks: paths from the mark's place on.
+constexpr std::array<const char*, 12> outlines = {
+    "m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z",
+    "m-3.6 -3.6h7.2v7.2h-7.2z",
+    "m0 -5l4.6 8h-9.2z",
+    "m0 -5l5 5-5 5-5-5z",
+    "m0 5l4.6-8h-9.2z",
+    "m0 -1.9l2.4-2.4 1.9 1.9-2.4 2.4 2.4 2.4-1.9 1.9-2.4-2.4-2.4 2.4-1.9-1.9 2.4-2.4-2.4-2.4 1.9-1.9z",
+    "m-1.4 -4.7h2.8v3.3h3.3v2.8h-3.3v3.3h-2.8v-3.3h-3.3v-2.8h3.3z",
+    "m0 -5.4l1.4 3.5 3.7 .2-2.9 2.4 1 3.7-3.2-2.1-3.2 2.1 1-3.7-2.9-2.4 3.7-.2z",
+    "m-5 0l8-4.6v9.2z",
+    "m-4.4 -4.6h8.8l-3.1 4.6 3.1 4.6h-8.8l3.1-4.6z",
+    "m5 0l-8-4.6v9.2z",
+    "m-4.6 -4.4l4.6 3.1 4.6-3.1v8.8l-4.6-3.1-4.6 3.1z"};
+
+/// [px] with one decimal, without a trailing ".0": a drawing of thousands of points is mostly such numbers.
+std::string svg_number(double value)
+{
+    const double tenths = std::round(10.0 * value);
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), std::fmod(tenths, 10.0) == 0.0 ? "%.0f" : "%.1f", tenths / 10.0 + 0.0);
+    return text.data();
+}
+
+/// "12.5 7"
+std::string svg_place(SvgPoint place)
+{
+    return svg_number(place.x) + " " + svg_number(place.y);
+}
+
+/// Text as XML holds it. Control characters, which XML forbids, become '?'.
+std::string svg_escaped(const std::string& text)
+{
+    std::string result;
+    for (const char c : text)
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else
+            result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    return result;
+}
+
+/// ` name="value"`, the value as it is.
+std::string svg_attribute(const char* name, const std::string& value)
+{
+    return " " + std::string(name) + "=\"" + value + "\"";
+}
+
+/// The attributes of a line that is not filled.
+std::string svg_stroke(const std::string& colour, const std::string& width)
+{
+    return svg_attribute("fill", "none") + svg_attribute("stroke", colour) + svg_attribute("stroke-width", width);
+}
+
+std::string line_attributes(const LineStyle& style)
+{
+    return svg_stroke(style.colour, svg_number(style.width)) +
+           (style.dashes.empty() ? "" : svg_attribute("stroke-dasharray", style.dashes));
+}
+
 constexpr const char* text_colour = "#222222";
 
 /// `content` is XML.
@@ -54,6 +120,45 @@ std::string label_of(int times, int exponent)
 
 } // namespace
 
+std::string svg_path(const std::string& shape, const std::string& attributes)
+{
+    return shape.empty() ? "" : "<path" + svg_attribute("d", shape) + attributes + "/>\n";
+}
+
+MarkStyle svg_series_mark(std::size_t series)
+{
+    return {colours[series % colours.size()], series % outlines.size()};
+}
+
+std::string svg_marks(const std::vector<SvgPoint>& places, const MarkStyle& style, bool hollow)
+{
+    std::string shapes;
+    for (const SvgPoint place : places)
+        shapes += "M" + svg_place(place) + outlines[style.shape];
+    return svg_path(shapes, svg_attribute("fill", hollow ? "#ffffff" : style.colour) +
+                                svg_attribute("stroke", hollow ? style.colour : "#ffffff") +
+                                svg_attribute("stroke-width", hollow ? "1.3" : "0.7") +
+                                svg_attribute("stroke-linejoin", "round"));
+}
+
+std::string svg_polyline(const std::vector<SvgPoint>& places, const LineStyle& style)
+{
+    if (places.size() < 2)
+        return "";
+    std::string shape;
+    for (const SvgPoint place : places)
+        shape += (shape.empty() ? "M" : "L") + svg_place(place);
+    return svg_path(shape, line_attributes(style));
+}
+
+std::string svg_bars(const std::vector<VerticalBar>& bars, const LineStyle& style)
+{
+    std::string shape;
+    for (const VerticalBar& bar : bars)
+        shape += "M" + svg_place({bar.x, bar.top}) + "V" + svg_number(bar.bottom);
+    return svg_path(shape, line_attributes(style));
+}
+
 PlotAxis log_axis(const std::string& title, double low, double high)
 {
     if (low > high)
@@ -80,7 +185,7 @@ PlotAxis log_axis(const std::string& title, double low, double high)
 
 std::string svg_series_colour(std::size_t series)
 {
-    return series_colours[series % series_colours.size()];
+    return colours[series % 4];
 }
 
 std::string svg_ramp_colour(double share)
@@ -136,7 +241,7 @@ std::string svg_grid(const Plot& plot)
         lines += "M" + svg_place({plot.at({tick.value, 0.0}).x, plot.top}) + "v" + svg_number(plot.height);
     for (const PlotTick& tick : plot.up.ticks)
         lines += "M" + svg_place({plot.left, plot.at({0.0, tick.value}).y}) + "h" + svg_number(plot.width);
-    return "<path" + svg_attribute("d", lines) + svg_stroke("#e4e4e4", "1") + "/>\n";
+    return svg_path(lines, svg_stroke("#e4e4e4", "1"));
 }
 
 std::string svg_axes(const Plot& plot)
@@ -160,7 +265,7 @@ std::string svg_axes(const Plot& plot)
         lines += across_tick(value) + "v2";
     for (const double value : plot.up.minor_ticks)
         lines += up_tick(value) + "h-2";
-    return "<path" + svg_attribute("d", lines) + svg_stroke("#555555", "1") + "/>\n" + labels + plot_titles(plot);
+    return svg_path(lines, svg_stroke("#555555", "1")) + labels + plot_titles(plot);
 }
 
 std::string svg_dots(const Plot& plot, const std::vector<PlotPoint>& points, const std::string& colour, double diameter)
@@ -168,8 +273,7 @@ std::string svg_dots(const Plot& plot, const std::vector<PlotPoint>& points, con
     std::string dots;
     for (const PlotPoint& p : points)
         dots += "M" + svg_place(plot.at(p)) + "h0"; // a line of length 0 with round ends
-    return "<path" + svg_attribute("d", dots) + svg_attribute("stroke-linecap", "round") +
-           svg_stroke(colour, svg_number(diameter)) + "/>\n";
+    return svg_path(dots, svg_attribute("stroke-linecap", "round") + svg_stroke(colour, svg_number(diameter)));
 }
 
 std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std::string& colour)
@@ -186,7 +290,7 @@ std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std:
                 svg_place({x - back * run - aside * rise, y - back * rise + aside * run}) + "L" + svg_place({x, y}) +
                 "L" + svg_place({x - back * run + aside * rise, y - back * rise - aside * run});
     }
-    return "<path" + svg_attribute("d", shape) + svg_stroke(colour, "0.9") + "/>\n";
+    return svg_path(shape, svg_stroke(colour, "0.9"));
 }
 
 std::string svg_legend(double x, double y, const std::vector<std::string>& labels)

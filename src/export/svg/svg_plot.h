@@ -1,7 +1,6 @@
 #pragma once
 
-#include "export/svg/svg_elements.h"
-
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,53 @@
 // dark page. Colour-blind readers can tell the colours apart (Okabe and Ito).
 
 namespace multipath {
+
+/// A place in the drawing [px], y down.
+struct SvgPoint
+{
+    double x;
+    double y;
+};
+
+/// A path with these attributes, each ` name="value"`. Empty for an empty shape.
+std::string svg_path(const std::string& shape, const std::string& attributes);
+
+struct MarkStyle
+{
+    std::string colour;
+    std::size_t shape; ///< one of twelve, all of about the same area, some 9 px across
+};
+
+/// [px] how far a mark reaches from its place, about.
+constexpr double mark_radius = 4.5;
+
+/// Twelve shapes and seven colours in turn, Okabe and Ito's without yellow, so that 84 series differ.
+MarkStyle svg_series_mark(std::size_t series);
+
+/// One mark per place, all in one path. Filled ones have a white rim, which parts those that overlap; hollow ones are
+/// white inside. Empty if there are none.
+std::string svg_marks(const std::vector<SvgPoint>& places, const MarkStyle& style, bool hollow);
+
+struct LineStyle
+{
+    std::string colour;
+    double width;            ///< [px]
+    std::string dashes = {}; ///< [px] drawn, left out, ... as in stroke-dasharray; empty: solid
+};
+
+/// Straight pieces from place to place. Empty for less than two places.
+std::string svg_polyline(const std::vector<SvgPoint>& places, const LineStyle& style);
+
+/// A vertical bar [px], top <= bottom.
+struct VerticalBar
+{
+    double x;
+    double top;
+    double bottom;
+};
+
+/// Empty if there are none.
+std::string svg_bars(const std::vector<VerticalBar>& bars, const LineStyle& style);
 
 /// Blue, vermilion, green, purple: the colours of a plot's series in order.
 std::string svg_series_colour(std::size_t series);

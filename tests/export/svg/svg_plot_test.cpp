@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace svg_plot_test {
 
@@ -28,6 +29,14 @@ std::vector<std::string> labels(const PlotAxis& axis)
     for (const PlotTick& tick : axis.ticks)
         result.push_back(tick.label);
     return result;
+}
+
+/// The outline of a mark, from its place on.
+std::string outline(std::size_t series)
+{
+    const std::string text = svg_marks({{0, 0}}, svg_series_mark(series), false);
+    const std::size_t begin = text.find("M0 0") + 4;
+    return text.substr(begin, text.find('"', begin) - begin);
 }
 
 } // namespace
@@ -161,6 +170,47 @@ TEST_CASE("an axis without data is one of numbers")
     const PlotAxis axis = log_axis("", INFINITY, -INFINITY);
     CHECK(axis.low == doctest::Approx(-0.13));
     CHECK(axis.high == doctest::Approx(1.13));
+}
+
+TEST_CASE("twelve series differ in shape alone, seven in colour alone, eighty-four in one or the other")
+{
+    std::set<std::string> shapes;
+    std::set<std::string> colours;
+    std::set<std::string> marks;
+    for (std::size_t k = 0; k < 84; ++k) {
+        if (k < 12)
+            shapes.insert(outline(k));
+        if (k < 7)
+            colours.insert(svg_series_mark(k).colour);
+        marks.insert(svg_series_mark(k).colour + outline(k));
+    }
+    CHECK(shapes.size() == 12);
+    CHECK(colours.size() == 7);
+    CHECK(marks.size() == 84);
+}
+
+TEST_CASE("marks stand at their places, filled in their colour or white inside")
+{
+    const MarkStyle style = {"#123456", 1}; // a square
+    const std::string filled = svg_marks({{10, 20}, {30.25, 40}}, style, false);
+    CHECK(contains(filled, "d=\"M10 20m-3.6 -3.6h7.2v7.2h-7.2zM30.3 40m-3.6 -3.6h7.2v7.2h-7.2z\""));
+    CHECK(contains(filled, "fill=\"#123456\" stroke=\"#ffffff\""));
+    CHECK(contains(svg_marks({{10, 20}}, style, true), "fill=\"#ffffff\" stroke=\"#123456\""));
+}
+
+TEST_CASE("a line joins its places with the dashes asked for, a bar its ends")
+{
+    CHECK(svg_polyline({{1, 2}, {3, 4}, {5, 6.5}}, {"#000000", 1.5}) ==
+          "<path d=\"M1 2L3 4L5 6.5\" fill=\"none\" stroke=\"#000000\" stroke-width=\"1.5\"/>\n");
+    CHECK(contains(svg_polyline({{1, 2}, {3, 4}}, {"#000000", 1.0, "6 4"}), "stroke-dasharray=\"6 4\""));
+    CHECK(contains(svg_bars({{1, 2, 3}, {4, 5, 6}}, {"#000000", 1.0}), "d=\"M1 2V3M4 5V6\""));
+}
+
+TEST_CASE("nothing to draw is no element")
+{
+    CHECK(svg_marks({}, svg_series_mark(0), false).empty());
+    CHECK(svg_polyline({{1, 2}}, {"#000000", 1.0}).empty());
+    CHECK(svg_bars({}, {"#000000", 1.0}).empty());
 }
 
 } // namespace svg_plot_test

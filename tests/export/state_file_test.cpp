@@ -1,6 +1,5 @@
 #include "doctest/doctest.h"
-#include "export/state/scene_archive.h"
-#include "export/state/state_file.h"
+#include "export/state_file.h"
 #include "scene/scene_builder.h"
 
 #include <cmath>
