@@ -5,11 +5,10 @@
 #include "cli/version.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
-#include "commands/study/paper_steps.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
-#include "study/report/paper_report.h"
+#include "study/paper_report.h"
 #include "study/study_table.h"
 
 #include <algorithm>
@@ -132,9 +131,9 @@ std::string today()
 
 std::vector<std::string> facts(const CommandLine& line, double seconds, bool resumed)
 {
-    return {"program: " + version(), "processor: {{" + processor_name() + "}}",
-            "threads: {{" + std::to_string(thread_count(line)) + "}}", "date: {{" + today() + "}}",
-            "time: {{" + format("%.0f s", seconds) + (resumed ? ", without the runs kept from before" : "") + "}}"};
+    return {"program: " + version(), "processor: " + processor_name(), "threads: " + std::to_string(thread_count(line)),
+            "date: " + today(),
+            "time: " + format("%.0f s", seconds) + (resumed ? ", without the runs kept from before" : "")};
 }
 
 void write_file(const std::string& path, const std::string& text)
@@ -164,7 +163,7 @@ int run_paper(const CommandLine& line)
     findings.facts = facts(line, elapsed.count(), resumed);
     const Report report = paper_report(findings);
     const std::vector<std::string> comments = provenance(paper_table(), line);
-    write_file(folder + "/results.md", report_markdown(report, "", comments));
+    write_file(folder + "/results.md", report_markdown(report, comments));
     write_file(folder + "/index.html", report_html(report, folder, comments));
     if (!quiet) {
         print(claims_text(paper_claims(findings)));

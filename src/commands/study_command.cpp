@@ -1,4 +1,5 @@
 #include "cli/files/interrupt.h"
+#include "cli/files/output_file.h"
 #include "cli/files/planned_outputs.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/command_line.h"
@@ -7,18 +8,28 @@
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "cli/version.h"
 #include "commands/commands.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
-#include "commands/study/study_cache.h"
+#include "commands/solve/accuracy.h"
+#include "export/patch_table.h"
+#include "image/checksum.h"
+#include "radiosity/error_measure.h"
+#include "scene/input_error.h"
+#include "scene/text/text_format.h"
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
 #include "study/study_table.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace multipath {
@@ -96,17 +107,16 @@ OptionGroup study_curve_options()
 /// without global lines. Throws UsageError for an unknown name, one named twice, and options without effect.
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
-    std::vector<std::string_view> method_names;
-    for (const Method method : all_methods())
-        method_names.push_back(method->name);
-    const std::vector<std::string> methods = read_list(line, "methods", method_names);
+    const CommandTable solves = solve_command().table;
+    const auto choices = [&](std::string_view option) { return find_option(solves, option)->choices; };
+    const std::vector<std::string> methods = read_list(line, "methods", choices("method"));
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);
     const std::vector<std::string> sequences = read_list(line, "sequences", {});
-    const std::vector<std::string> pairings = read_list(line, "pairings", {"4d", "2d"});
-    const std::vector<std::string> orders = read_list(line, "line-orders", {"shuffled", "sequence"});
+    const std::vector<std::string> pairings = read_list(line, "pairings", choices("pairing"));
+    const std::vector<std::string> orders = read_list(line, "line-orders", choices("line-order"));
     const std::vector<std::string> chords =
-        line.has("chords") ? read_list(line, "chords", {sphere_chords, box_chords}) : std::vector<std::string>{""};
+        line.has("chords") ? read_list(line, "chords", choices("chords")) : std::vector<std::string>{""};
 
     std::vector<CurvePlan> curves;
     for (const std::string& method : methods)
@@ -183,6 +193,152 @@ StudyPlan read_plan(const CommandLine& line)
     return plan;
 }
 
+constexpr std::uint64_t lines_beyond = 16; ///< lines of the reference for each of the longest run
+
+std::string beside(const std::string& output)
+{
+    const std::size_t slash = output.rfind('/');
+    const std::size_t dot = output.rfind('.');
+    const bool extension = dot != std::string::npos && (slash == std::string::npos || dot > slash);
+    return (extension ? output.substr(0, dot) : output) + ".cache";
+}
+
+/// The folder in which a study keeps what it has finished, the reference as a table of patches and the runs: the one
+/// that --cache names, or one beside the first output that is a file; made if need be. Empty: nothing is kept. Throws
+/// OutputError for one that cannot be made.
+std::string cache_folder(const CommandLine& line, const std::vector<std::string>& outputs)
+{
+    const auto file = std::find_if(outputs.begin(), outputs.end(), [](const std::string& path) { return path != "-"; });
+    const std::string folder = line.has("cache")       ? line.text("cache")
+                               : file != outputs.end() ? beside(*file)
+                                                       : std::string();
+    if (!folder.empty())
+        make_folder(folder);
+    return folder;
+}
+
+std::string checksum_of(const std::string& bytes)
+{
+    return format("%08x", crc32(bytes));
+}
+
+std::string bytes_of(const std::vector<Rgb>& values)
+{
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Rgb)};
+}
+
+/// The `solve` whose result is the reference: as a user would type it, so that its table tells how to make it again.
+CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
+{
+    std::vector<std::string> words = {
+        line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(lines_beyond * longest),
+        "--sequence",       "sobol-owen", "--replicates", "4"};
+    for (const char* name : {"patch-size", "patches", "emission-from", "memory", "threads", "seed"})
+        if (line.has(name))
+            words.insert(words.end(), {"--" + std::string(name), line.text(name)});
+    for (const char* name : {"two-sided", "flip"})
+        if (line.has(name))
+            words.push_back("--" + std::string(name));
+    return {solve_command().table, words};
+}
+
+void require_same_scene(const PatchTable& table, const Scene& scene)
+{
+    const auto refuse = [&](const std::string& difference) {
+        throw InputError(table.path + ": " + difference + "; expected a table of the same scene and patch size");
+    };
+    if (table.areas.size() != scene.patch_count())
+        refuse(std::to_string(table.areas.size()) + " patches, but the scene has " +
+               std::to_string(scene.patch_count()));
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (!(std::abs(table.areas[i] - scene.area(i)) <= 1e-9 * scene.area(i)))
+            refuse("patch " + std::to_string(i) + " has another area than in the scene");
+}
+
+/// The last of the facts that kept results have in common.
+std::string program_fact()
+{
+    return "sources: " + sources_checksum();
+}
+
+std::string joined(const std::vector<std::string>& facts)
+{
+    std::string text;
+    for (const std::string& fact : facts)
+        text += fact + "; ";
+    return text;
+}
+
+Reference reference_of(const PatchTable& table, const Scene& scene)
+{
+    require_same_scene(table, scene);
+    Reference reference{table.radiosity, {}};
+    if (!table.standard_error.empty())
+        reference.relative_square = expected_relative_square(table.areas, table.radiosity, table.standard_error);
+    return reference;
+}
+
+/// The reference that the cache holds in the file, if it is what the facts say.
+std::optional<Reference> kept_reference(const std::string& path, const std::vector<std::string>& facts,
+                                        const Scene& scene)
+{
+    if (access(path.c_str(), R_OK) != 0)
+        return std::nullopt;
+    const PatchTable table = read_patch_table(path);
+    if (table.comments != facts)
+        return std::nullopt;
+    return reference_of(table, scene);
+}
+
+Solution solve_as_typed(const CommandLine& command, const Scene& scene, const CommandLine& line)
+{
+    const SolveOptions options = read_solve_options(command, "lines");
+    Progress progress("reference", progress_style(line));
+    return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
+}
+
+/// The table that --reference names, else the one kept by a program from the same sources, else a solution with 16
+/// times the lines of the plan's last point, which is then kept. Throws InputError for a table of another scene.
+Reference study_reference(const CommandLine& line, const Scene& scene, const StudyPlan& plan, const std::string& cache)
+{
+    if (line.has("reference"))
+        return reference_of(read_patch_table(line.text("reference")), scene);
+    const CommandLine command = reference_command(line, plan.line_counts.back());
+    std::vector<std::string> facts = provenance(solve_command().table, command, scene);
+    const std::string path = cache + "/reference-" + checksum_of(joined(facts)) + ".csv";
+    facts.push_back(program_fact());
+    std::optional<OutputFile> file;
+    if (!cache.empty()) {
+        if (const auto kept = kept_reference(path, facts, scene))
+            return *kept;
+        file.emplace(path);
+    }
+    const Solution solution = solve_as_typed(command, scene, line);
+    if (file) {
+        file->write(patch_table(scene, solution.radiosity, solution.standard_error, facts));
+        file->commit();
+    }
+    return {solution.radiosity, expected_relative_square(scene.areas(), solution.radiosity, solution.standard_error)};
+}
+
+/// Of the runs of this study; without a file if there is no folder. Runs with other settings, another scene or
+/// reference are kept apart; those of a program from other sources are forgotten. Throws OutputError.
+Journal open_journal(const CommandLine& line, const Scene& scene, const Reference& reference, const std::string& cache)
+{
+    if (cache.empty())
+        return Journal();
+    // Facts that all runs of this study share; the curves and the numbers of lines are each run's own.
+    const std::vector<std::string> not_shared = {"methods", "sequences", "pairings",   "line-orders", "chords",
+                                                 "from",    "to",        "replicates", "reference",   "against"};
+    const std::string shared = joined(provenance(without_options(study_table(), not_shared), line, scene)) +
+                               "reference " + checksum_of(bytes_of(reference.radiosity));
+    try {
+        return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; " + program_fact());
+    } catch (const std::runtime_error& error) {
+        throw OutputError(error.what());
+    }
+}
+
 std::string plot_title(const Scene& scene)
 {
     return scene.path() + ", " + std::to_string(scene.patch_count()) + " patches";
@@ -201,17 +357,18 @@ int run_study_command(const CommandLine& line)
     const Scene scene = read_scene(line, threads);
     require_no_input(outputs, scene.file().material_files);
     const std::vector<std::string> comments = provenance(study_table(), line, scene);
-    const StudyCache cache(line, paths);
-    always_end_at_interrupts(cache.path("") ? "the same command goes on from the runs that were finished" : "");
+    const std::string cache = cache_folder(line, paths);
+    always_end_at_interrupts(cache.empty() ? "" : "the same command goes on from the runs that were finished");
     const Reference reference = study_reference(line, scene, plan, cache);
     Study study;
     {
-        const std::unique_ptr<Journal> journal = cache.journal(study_table(), line, scene, reference);
+        Journal journal = open_journal(line, scene, reference, cache);
         Progress progress("study", progress_style(line));
-        const bool reuses = std::any_of(plan.curves.begin(), plan.curves.end(),
-                                        [](const CurvePlan& c) { return c.options.method == Method::reuse; });
-        const int at_a_time = reuses ? reuse_runs_at_a_time(line, scene, threads) : threads;
-        study = run_study(scene, reference, plan, *journal, at_a_time, [&](double done) { progress.show(done); });
+        const bool counts = std::any_of(plan.curves.begin(), plan.curves.end(), [](const CurvePlan& c) {
+            return c.options.method->shards == Shards::added; // which take memory for pairs of patches
+        });
+        const int at_a_time = counts ? reuse_runs_at_a_time(line, scene, threads) : threads;
+        study = run_study(scene, reference, plan, journal, at_a_time, [&](double done) { progress.show(done); });
     }
     const Abscissa against = line.text("against") == "seconds" ? Abscissa::seconds : Abscissa::lines;
     for (PlannedOutput& output : outputs)

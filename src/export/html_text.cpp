@@ -19,22 +19,6 @@ std::string html_record_line(const std::string& fact)
     return "<meta name=\"multipath\" content=\"" + html_escaped(fact) + "\">\n";
 }
 
-std::string replaced_between(const std::string& text, std::string_view open, std::string_view close,
-                             const std::function<std::string(const std::string& between)>& new_text)
-{
-    std::string result;
-    std::size_t from = 0;
-    for (;;) {
-        const std::size_t begin = text.find(open, from);
-        const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
-        if (end == std::string::npos)
-            return result + text.substr(from);
-        const std::size_t inside = begin + open.size();
-        result += text.substr(from, begin - from) + new_text(text.substr(inside, end - inside));
-        from = end + close.size();
-    }
-}
-
 std::string base64(const std::string& bytes)
 {
     constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

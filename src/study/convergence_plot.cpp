@@ -2,7 +2,6 @@
 
 #include "export/svg/svg_plot.h"
 #include "scene/text/text_format.h"
-#include "study/number_words.h"
 #include "study/study_table.h"
 
 #include <algorithm>

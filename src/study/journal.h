@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -38,21 +39,17 @@ public:
     /// common; a file of another identity is begun anew. Throws std::runtime_error with the reason when the file cannot
     /// be written.
     Journal(const std::string& path, const std::string& identity);
-    ~Journal();
-    Journal(const Journal&) = delete;
-    Journal& operator=(const Journal&) = delete;
 
     std::optional<Execution> find(const ExecutionKey& key) const;
     void add(const ExecutionKey& key, const Execution& execution);
 
 private:
-    void read(const std::string& text, const std::string& identity);
     void append(const std::string& line);
 
     mutable std::mutex mutex_;
     std::map<std::string, Execution> executions_;
-    std::string path_;
-    int descriptor_ = -1; ///< -1: none
+    std::string path_; ///< empty: none
+    std::ofstream file_;
 };
 
 } // namespace multipath

@@ -4,7 +4,9 @@
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cinttypes>
+#include <cmath>
 #include <cstdlib>
 
 namespace multipath {
@@ -47,43 +49,33 @@ std::string law_text(const Curve& curve)
                   curve.law->exponent + exponent_interval(*curve.law));
 }
 
-/// The table of a study as study_csv() writes it.
-class StudyTable
-{
-public:
-    explicit StudyTable(const std::string& path) : table_(read_csv(path)) {}
-
-    const CsvTable& table() const { return table_; }
-    const std::string& text(const CsvRow& row, const char* column) const { return row.fields[table_.column(column)]; }
-    double number(const CsvRow& row, const char* column) const { return table_.number(row, table_.column(column)); }
-    double number_or_zero(const CsvRow& row, const char* column) const
-    {
-        return text(row, column).empty() ? 0.0 : number(row, column);
-    }
-    CurveKind kind(const CsvRow& row) const
-    {
-        return {text(row, "method"), text(row, "sequence"), text(row, "pairing"), text(row, "chords"),
-                text(row, "line_order")};
-    }
-    CurvePoint point(const CsvRow& row) const
-    {
-        CurvePoint point;
-        point.lines = static_cast<std::uint64_t>(number(row, "lines"));
-        point.local_lines = number(row, "local_lines");
-        point.global_lines = number(row, "global_lines");
-        point.mean_square = number(row, "mse");
-        point.relative = number(row, "relative_mse");
-        point.relative_error = number_or_zero(row, "standard_error");
-        point.seconds = number(row, "seconds");
-        point.above_reference = number(row, "in_fit") > 0.0;
-        return point;
-    }
-
-private:
-    CsvTable table_;
-};
-
 } // namespace
+
+std::string fixed(double value, int decimals)
+{
+    const std::string digits = format("%.*f", decimals, std::abs(value));
+    const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+    return (value < 0.0 && !zero ? "−" : "") + digits;
+}
+
+std::string scientific(double value)
+{
+    const std::string text = format("%.1e", value);
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos)
+        return text; // not a number
+    std::string power;
+    for (const char c : std::to_string(std::stoi(text.substr(e + 1))))
+        power += c == '-'
+                     ? "⁻"
+                     : std::array{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"}[static_cast<std::size_t>(c - '0')];
+    return text.substr(0, e) + "·10" + power;
+}
+
+std::string slope_words(const std::optional<PowerLaw>& law)
+{
+    return law ? fixed(law->exponent, 3) + " ± " + fixed(exponent_interval(*law), 3) : "none";
+}
 
 std::string curve_label(const Study& study, const Curve& curve)
 {
@@ -136,16 +128,27 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
 
 Study read_study(const std::string& path)
 {
-    const StudyTable rows(path);
+    const CsvTable table = read_csv(path);
     Study study;
-    if (const auto square = comment_value(rows.table().comments, "reference_relative_mse"))
+    if (const auto square = comment_value(table.comments, "reference_relative_mse"))
         study.reference_relative_square = std::strtod(square->c_str(), nullptr);
-    for (const CsvRow& row : rows.table().rows) {
-        const CurveKind kind = rows.kind(row);
+    for (const CsvRow& row : table.rows) {
+        const auto text = [&](const char* column) -> const std::string& { return row.fields[table.column(column)]; };
+        const auto number = [&](const char* column) { return table.number(row, table.column(column)); };
+        const CurveKind kind = {text("method"), text("sequence"), text("pairing"), text("chords"), text("line_order")};
         if (study.curves.empty() || !(study.curves.back().kind == kind))
             study.curves.push_back({kind, {}, {}});
-        study.curves.back().points.push_back(rows.point(row));
-        study.executions = static_cast<int>(rows.number(row, "replicates"));
+        CurvePoint point;
+        point.lines = static_cast<std::uint64_t>(number("lines"));
+        point.local_lines = number("local_lines");
+        point.global_lines = number("global_lines");
+        point.mean_square = number("mse");
+        point.relative = number("relative_mse");
+        point.relative_error = text("standard_error").empty() ? 0.0 : number("standard_error");
+        point.seconds = number("seconds");
+        point.above_reference = number("in_fit") > 0.0;
+        study.curves.back().points.push_back(point);
+        study.executions = static_cast<int>(number("replicates"));
     }
     for (Curve& curve : study.curves)
         curve.law = fit(curve.points);

@@ -19,14 +19,6 @@ TEST_CASE("a part of a page's record is one line, whose attribute the text canno
           "<meta name=\"multipath\" content=\"command: multipath solve '&quot;&gt;.obj'\">\n");
 }
 
-TEST_CASE("what is between two marks is replaced with them, as often as both are there")
-{
-    const auto bold = [](const std::string& between) { return "<" + between + ">"; };
-    CHECK(replaced_between("a *b* c **d*", "*", "*", bold) == "a <b> c <>d*");
-    CHECK(replaced_between("{{a}} }}{{b", "{{", "}}", bold) == "<a> }}{{b");
-    CHECK(replaced_between("", "*", "*", bold).empty());
-}
-
 // The test vectors of RFC 4648, section 10.
 TEST_CASE("base64 is that of RFC 4648")
 {

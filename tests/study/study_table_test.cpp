@@ -88,4 +88,14 @@ TEST_CASE("the report marks the points left out of the fit and tells every slope
     CHECK(marks == 2); // the last point of each curve
 }
 
+TEST_CASE("numbers in a report are short and have real signs")
+{
+    CHECK(fixed(-1.0964, 3) == "−1.096");
+    CHECK(fixed(-0.0001, 2) == "0.00");
+    CHECK(scientific(1.234e-7) == "1.2·10⁻⁷");
+    CHECK(scientific(5e12) == "5.0·10¹²");
+    CHECK(slope_words({}) == "none");
+    CHECK(slope_words(PowerLaw{1.0, -1.0, 0.01, 7}) == "−1.000 ± 0.026"); // Student's t for 5 degrees: 2.571
+}
+
 } // namespace study_table_test

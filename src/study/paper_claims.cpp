@@ -1,7 +1,7 @@
-#include "study/report/paper_claims.h"
+#include "study/paper_report.h"
 
 #include "radiosity/statistics.h"
-#include "study/number_words.h"
+#include "study/study_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "check/scene_report.h"
 #include "study/curve.h"
+#include "study/report.h"
 
 #include <array>
 #include <cstdint>
@@ -9,7 +10,24 @@
 #include <string>
 #include <vector>
 
+// The paper's reproduction: the commands that compute its tables and figures, what they find, and the report of it.
+
 namespace multipath {
+
+/// One command of the paper's reproduction.
+struct PaperStep
+{
+    std::vector<std::string> words;   ///< of the command, without outputs and what does not change the result
+    std::vector<std::string> outputs; ///< names of the files that it makes
+};
+
+/// The words as a user would type them, outputs included.
+std::string typed(const PaperStep& step);
+
+/// All tables and figures of the paper and what goes beyond it, in the order in which they are made: a later step may
+/// read what an earlier one has written into `folder`. `scenes` is the folder of the bundled scenes. The quick set
+/// differs in the numbers of lines and executions alone.
+std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder);
 
 // Numbers printed in the paper (Castro, Martinez, Sbert 1998), to be set beside those that the program finds.
 
@@ -84,5 +102,9 @@ std::vector<Claim> paper_claims(const PaperFindings& findings);
 
 /// The same as lines for a terminal.
 std::string claims_text(const std::vector<Claim>& claims);
+
+/// The report of the paper's reproduction: its statements beside what was found, then every table and figure, each with
+/// how to read it.
+Report paper_report(const PaperFindings& findings);
 
 } // namespace multipath

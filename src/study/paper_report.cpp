@@ -1,8 +1,7 @@
-#include "study/report/paper_report.h"
+#include "study/paper_report.h"
 
 #include "scene/text/text_format.h"
-#include "study/number_words.h"
-#include "study/report/paper_claims.h"
+#include "study/study_table.h"
 
 #include <cmath>
 
@@ -21,8 +20,7 @@ public:
         heading(1, "Quasi-Monte Carlo lines and the extended first shot, computed again");
         text("Every table and figure of F. Castro, R. Martínez, M. Sbert: *Quasi Monte-Carlo and extended first shot "
              "improvements to the multi-path method for radiosity* (1998), and what `multipath` adds to them. Each "
-             "figure names the command that makes it; `multipath reproduce FILE` runs the command in a file's header "
-             "again and compares.");
+             "figure names the command that makes it.");
         text("The paper's scenes were never published. The bundled ones match what it states of them: the number and "
              "kind of things in the room, and the figures that formula (3) takes. So orderings, slopes and ratios can "
              "be compared; errors as such cannot.");
@@ -157,7 +155,7 @@ public:
              "where "
              "not only the visibility of each pair but also what is known of its neighbours improves with the lines.");
         text(
-            "{{Times}} are processor time of one thread, what a run computes before its first line included: for line "
+            "Times are processor time of one thread, what a run computes before its first line included: for line "
             "reuse the form factors without obstacles, a fixed amount. Against time the curves of line reuse therefore "
             "begin late and fall at once.");
     }

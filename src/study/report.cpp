@@ -1,4 +1,4 @@
-#include "study/report/report.h"
+#include "study/report.h"
 
 #include "export/file_bytes.h"
 #include "export/html_text.h"
@@ -29,17 +29,25 @@ details { margin-top: .2rem; font-size: .85rem; } summary { cursor: pointer; }
 @media print { details { display: none; } body { max-width: none; } }
 )";
 
-/// Replaces pairs of a mark, or of an opening and a closing one, by tags.
-std::string tagged(const std::string& text, const std::string& open, const std::string& close, const std::string& tag,
-                   const std::string& end_tag)
+/// Pairs of a mark become the tags of an element.
+std::string tagged(const std::string& text, char mark, const std::string& element)
 {
-    return replaced_between(text, open, close, [&](const std::string& marked) { return tag + marked + end_tag; });
+    std::string result;
+    std::size_t from = 0;
+    for (;;) {
+        const std::size_t open = text.find(mark, from);
+        const std::size_t close = open == std::string::npos ? open : text.find(mark, open + 1);
+        if (close == std::string::npos)
+            return result + text.substr(from);
+        result += text.substr(from, open - from) + "<" + element + ">" + text.substr(open + 1, close - open - 1) +
+                  "</" + element + ">";
+        from = close + 1;
+    }
 }
 
 std::string marked_up(const std::string& text)
 {
-    const std::string code = tagged(html_escaped(text), "`", "`", "<code>", "</code>");
-    return tagged(tagged(code, "*", "*", "<em>", "</em>"), "{{", "}}", "<span class=\"run\">", "</span>");
+    return tagged(tagged(html_escaped(text), '`', "code"), '*', "em");
 }
 
 bool ends_with(const std::string& text, const std::string& end)
@@ -107,30 +115,23 @@ std::string record(const std::vector<std::string>& comments)
     return text;
 }
 
-/// Without the marks of what changes from run to run; in a cell, a bar would end it.
-std::string plain(const std::string& text, bool cell = false)
+/// Text of a cell, which a bar would end.
+std::string cell_text(const std::string& text)
 {
     std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if (text.compare(i, 2, "{{") == 0 || text.compare(i, 2, "}}") == 0)
-            ++i;
-        else if (cell && text[i] == '|')
-            result += "\\|";
-        else
-            result += text[i];
+    for (const char c : text)
+        result += c == '|' ? "\\|" : std::string(1, c);
     return result;
 }
 
 class MarkdownWriter
 {
 public:
-    explicit MarkdownWriter(const std::string& figures) : figures_(figures) {}
-
     std::string operator()(const ReportHeading& heading) const
     {
-        return std::string(static_cast<std::size_t>(heading.level), '#') + " " + plain(heading.text) + "\n\n";
+        return std::string(static_cast<std::size_t>(heading.level), '#') + " " + heading.text + "\n\n";
     }
-    std::string operator()(const ReportParagraph& paragraph) const { return plain(paragraph.text) + "\n\n"; }
+    std::string operator()(const ReportParagraph& paragraph) const { return paragraph.text + "\n\n"; }
     std::string operator()(const ReportTable& table) const
     {
         std::string text = row(table.header);
@@ -145,8 +146,8 @@ public:
     {
         std::string text;
         for (const ReportFigure& figure : figures.figures)
-            text += "![" + figure.file + "](" + figures_ + figure.file + ")\n\n" + plain(figure.caption) +
-                    "\n\n```console\n" + figure.command + "\n```\n\n";
+            text += "![" + figure.file + "](" + figure.file + ")\n\n" + figure.caption + "\n\n```console\n" +
+                    figure.command + "\n```\n\n";
         return text;
     }
 
@@ -155,11 +156,9 @@ private:
     {
         std::string text;
         for (const std::string& cell : cells)
-            text += "| " + plain(cell, true) + " ";
+            text += "| " + cell_text(cell) + " ";
         return text + "|\n";
     }
-
-    std::string figures_;
 };
 
 } // namespace
@@ -179,11 +178,11 @@ std::string report_html(const Report& report, const std::string& folder, const s
     return html + "</body>\n</html>\n";
 }
 
-std::string report_markdown(const Report& report, const std::string& figures, const std::vector<std::string>& comments)
+std::string report_markdown(const Report& report, const std::vector<std::string>& comments)
 {
     std::string text;
     for (const ReportBlock& block : report)
-        text += std::visit(MarkdownWriter(figures), block);
+        text += std::visit(MarkdownWriter(), block);
     text += "---\n\n";
     for (const std::string& comment : comments)
         text += "    " + comment + "\n"; // as code: nothing in it is Markdown

@@ -5,8 +5,7 @@
 #include <vector>
 
 // A report of text, tables and figures, and its two forms: one HTML file that holds everything, and Markdown beside the
-// figures' files. In all texts `...` is code, *...* is emphasis, and {{...}} is what changes from run to run with the
-// same result, such as times.
+// figures' files. In all texts `...` is code and *...* is emphasis.
 
 namespace multipath {
 
@@ -48,7 +47,6 @@ using Report = std::vector<ReportBlock>;
 /// Throws InputError for a figure that cannot be read.
 std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments);
 
-/// `figures` goes before the names of the figures' files, such as "results/".
-std::string report_markdown(const Report& report, const std::string& figures, const std::vector<std::string>& comments);
+std::string report_markdown(const Report& report, const std::vector<std::string>& comments);
 
 } // namespace multipath

@@ -1,0 +1,295 @@
+// Statements of the paper are judged by made-up findings. What the report shows is what the commands before it have
+// made, and its tables say what was found.
+
+#include "study/paper_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <doctest/doctest.h>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace paper_report_test {
+
+using namespace multipath;
+
+namespace {
+
+/// relative MSE = level * (lines / 2^15)^slope, with a little scatter, so that intervals are not of width 0.
+Curve law_curve(const CurveKind& kind, double level, double slope)
+{
+    Curve curve{kind, {}, {}};
+    for (int k = 0; k < 7; ++k) {
+        CurvePoint point;
+        point.lines = std::uint64_t{1} << (15 + k);
+        point.relative = level * std::exp2(slope * k) * (k % 2 == 0 ? 1.01 : 0.99);
+        point.relative_error = 0.01 * point.relative;
+        curve.points.push_back(point);
+    }
+    curve.law = fit(curve.points);
+    return curve;
+}
+
+CurveKind kind(const char* method, const char* sequence, const char* order = "sequence", const char* pairing = "4d")
+{
+    return {method, sequence, pairing, "sphere", order};
+}
+
+Study sequences_study(double sobol)
+{
+    Study study;
+    study.executions = 6;
+    study.curves = {law_curve(kind("first-shot", "random"), 0.03, -1.0),
+                    law_curve(kind("first-shot", "halton:2,7,3,5"), 0.03, -1.1),
+                    law_curve(kind("first-shot", "halton:11,13,17,19"), 0.03, -1.1),
+                    law_curve(kind("first-shot", "sobol"), 0.03, sobol)};
+    return study;
+}
+
+Study shots_study(double first_shot, double extended, double local)
+{
+    Study study;
+    study.executions = 6;
+    study.curves = {law_curve(kind("first-shot", "random"), first_shot, -1.0),
+                    law_curve(kind("extended", "random"), extended, -1.0),
+                    law_curve(kind("local", "random"), local, -1.0)};
+    return study;
+}
+
+/// All that the report of the paper takes, with numbers like the paper's.
+PaperFindings agreeing_findings()
+{
+    PaperFindings f;
+    f.studies["figure3"] = sequences_study(-1.10);
+    f.studies["figure4"] = sequences_study(-1.12);
+    for (const char* order : {"sequence", "shuffled"})
+        for (const char* name : {"halton:2,7,3,5", "halton:11,13,17,19", "sobol"}) {
+            const bool flat = std::string(order) == "sequence" && std::string(name) == "halton:11,13,17,19";
+            f.studies["order"].curves.push_back(law_curve(kind("first-shot", name, order), 0.01, flat ? -0.85 : -1.1));
+        }
+    f.studies["pairs"].executions = 6;
+    for (const char* pairing : {"4d", "2d"})
+        f.studies["pairs"].curves.push_back(law_curve(kind("first-shot", "sobol", "shuffled", pairing), 0.1,
+                                                      pairing == std::string("4d") ? -1.1 : 0.0));
+    f.studies["figure7"] = f.studies["figure8"] = shots_study(0.5, 0.06, 0.05);
+    f.studies["figure9"] = shots_study(0.046, 0.042, 0.05);
+    f.studies["figure9-coarse"] = f.studies["figure9-fine"] = f.studies["figure9"];
+    f.studies["figure7-local"] = f.studies["figure7"];
+    f.studies["figure9-local"] = f.studies["figure9"];
+    for (const char* scene : {"reuse-5cubes", "reuse-4chairs", "reuse-4chairs-up"})
+        f.studies[scene].curves = {law_curve(kind("extended", "sobol-owen"), 0.01, -1.1),
+                                   law_curve(kind("reuse", "sobol-owen"), 0.0001, -1.5)};
+    f.four_chairs_up.report.ratio_first_shot = 0.409;
+    f.four_chairs.report.ratio_first_shot = 0.853;
+    f.four_chairs.report.ratio_extended = 1.066;
+    return f;
+}
+
+int claims_that_hold(const PaperFindings& findings)
+{
+    int count = 0;
+    for (const Claim& claim : paper_claims(findings))
+        count += claim.verdict == Verdict::holds ? 1 : 0;
+    return count;
+}
+
+/// Of the statement with these words.
+Verdict verdict_on(const PaperFindings& findings, const std::string& words)
+{
+    for (const Claim& claim : paper_claims(findings))
+        if (claim.statement.find(words) != std::string::npos)
+            return claim.verdict;
+    throw std::out_of_range(words);
+}
+
+/// With the command of every file that the steps make.
+PaperFindings findings_of_steps()
+{
+    PaperFindings findings = agreeing_findings();
+    for (const PaperStep& step : paper_steps(true, "scenes", "paper"))
+        for (const std::string& output : step.outputs)
+            findings.commands[output] = typed(step);
+    return findings;
+}
+
+template <class Block>
+std::vector<Block> blocks(const Report& report)
+{
+    std::vector<Block> found;
+    for (const ReportBlock& block : report)
+        if (const Block* const one = std::get_if<Block>(&block))
+            found.push_back(*one);
+    return found;
+}
+
+/// The row of the table with this header that begins with this cell, without it.
+std::vector<std::string> row(const Report& report, const std::string& first_header, const std::string& first_cell)
+{
+    for (const ReportTable& table : blocks<ReportTable>(report))
+        for (const std::vector<std::string>& cells : table.rows)
+            if (table.header[0] == first_header && cells[0] == first_cell)
+                return {cells.begin() + 1, cells.end()};
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("findings like the paper's make every statement hold, each finding against it overturns one")
+{
+    const PaperFindings findings = agreeing_findings();
+    const int all = claims_that_hold(findings);
+    CHECK(all == static_cast<int>(paper_claims(findings).size()));
+
+    const std::vector<std::function<void(PaperFindings&)>> changes = {
+        [](PaperFindings& f) { f.studies["figure4"].curves[0] = law_curve(kind("first-shot", "random"), 0.03, -1.08); },
+        [](PaperFindings& f) { f.studies["order"].curves[1].law = f.studies["order"].curves[0].law; },
+        [](PaperFindings& f) {
+            f.studies["pairs"].curves[1] = law_curve(kind("first-shot", "sobol", "shuffled", "2d"), 0.1, -1.0);
+        },
+        [](PaperFindings& f) { f.four_chairs_up.report.ratio_first_shot = 0.43; },
+        [](PaperFindings& f) { f.four_chairs.report.ratio_first_shot = 0.83; },
+        [](PaperFindings& f) { f.four_chairs.report.ratio_extended = 1.08; },
+        [](PaperFindings& f) { f.studies["figure7"] = shots_study(0.1, 0.06, 0.05); },
+        [](PaperFindings& f) { f.studies["figure8"] = shots_study(0.5, 0.11, 0.05); },
+        [](PaperFindings& f) { f.studies["figure9"] = shots_study(0.0535, 0.046, 0.05); },
+        [](PaperFindings& f) { f.studies["figure9"] = shots_study(0.046, 0.03, 0.05); }};
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+        CAPTURE(k);
+        PaperFindings changed = findings;
+        changes[k](changed);
+        CHECK(claims_that_hold(changed) == all - 1);
+    }
+}
+
+// Both errors are known to 1 % from 6 executions, so their ratio to 1.4 %, and t of 10 degrees of freedom is 2.23: 0.99
+// is within the interval of 1, 0.95 is not. With 2 executions t is 4.30, which makes room for 0.95 too.
+TEST_CASE("a ratio whose interval reaches over its limit decides nothing")
+{
+    PaperFindings findings = agreeing_findings();
+    for (const auto& [first_shot, verdict] :
+         {std::pair{0.0475, Verdict::holds}, {0.0495, Verdict::undecided}, {0.0530, Verdict::differs}}) {
+        findings.studies["figure9"] = shots_study(first_shot, 0.045, 0.05);
+        for (const Claim& claim : paper_claims(findings))
+            if (claim.statement.find("beat local") != std::string::npos)
+                CHECK(claim.verdict == verdict);
+    }
+    findings.studies["figure9"] = shots_study(0.0475, 0.045, 0.05);
+    findings.studies["figure9"].executions = 2;
+    CHECK(verdict_on(findings, "beat local") == Verdict::undecided);
+}
+
+// Slopes of three executions with few lines: what the quick set finds.
+TEST_CASE("a slope differs only if its interval excludes what is expected")
+{
+    const auto with_sobol = [](double slope, double interval) {
+        PaperFindings findings = agreeing_findings();
+        for (const char* figure : {"figure3", "figure4"}) {
+            PowerLaw& law = *findings.studies[figure].curves[3].law;
+            law.exponent_error *= interval / exponent_interval(law);
+            law.exponent = slope;
+        }
+        return findings;
+    };
+    CHECK(verdict_on(with_sobol(-1.11, 0.05), "do better") == Verdict::holds);
+    CHECK(verdict_on(with_sobol(-0.991, 0.052), "do better") == Verdict::undecided);
+    CHECK(verdict_on(with_sobol(-0.93, 0.052), "do better") == Verdict::differs);
+    CHECK(verdict_on(with_sobol(-1.11, 0.05), "Table 1") == Verdict::holds);
+    CHECK(verdict_on(with_sobol(-0.991, 0.052), "Table 1") == Verdict::undecided);
+    CHECK(verdict_on(with_sobol(-0.93, 0.052), "Table 1") == Verdict::differs);
+    CHECK(verdict_on(with_sobol(-1.11, 0.2), "Table 1") == Verdict::undecided); // agrees, but says little
+
+    PaperFindings findings = agreeing_findings();
+    PowerLaw& large_bases = *findings.studies["order"].curves[1].law;
+    large_bases.exponent = -1.05; // -1.1 with smaller patches
+    CHECK(verdict_on(findings, "Halton") == Verdict::holds);
+    large_bases.exponent_error *= 0.08 / exponent_interval(large_bases);
+    CHECK(verdict_on(findings, "Halton") == Verdict::undecided);
+    large_bases.exponent = -1.3;
+    CHECK(verdict_on(findings, "Halton") == Verdict::differs);
+}
+
+TEST_CASE("for a terminal every statement has its verdict, what was found and what the paper says")
+{
+    const std::vector<Claim> claims = {{"Lines cross", "often", "always", Verdict::undecided, "a remark"},
+                                       {"Points fill", "evenly", "so", Verdict::holds, ""}};
+    CHECK(claims_text(claims) == "undecided  Lines cross\n"
+                                 "           always (paper: often)\n"
+                                 "holds      Points fill\n"
+                                 "           so (paper: evenly)\n");
+}
+
+TEST_CASE("Sobol's slopes are judged against -1 and against the printed ones")
+{
+    PaperFindings findings = agreeing_findings();
+    const int all = claims_that_hold(findings);
+    findings.studies["figure3"] = sequences_study(-1.21); // below -1, but 0.11 off
+    CHECK(claims_that_hold(findings) == all - 1);
+    findings.studies["figure3"] = sequences_study(-1.004); // neither below -1 nor within 0.1 for sure
+    CHECK(claims_that_hold(findings) == all - 2);
+}
+
+TEST_CASE("the report of the paper shows every figure that its commands draw once, beside the command")
+{
+    const PaperFindings findings = findings_of_steps();
+    std::vector<std::string> drawn;
+    for (const auto& [file, command] : findings.commands)
+        if (file.substr(file.size() - 4) != ".csv")
+            drawn.push_back(file);
+    std::vector<std::string> shown;
+    for (const ReportFigures& figures : blocks<ReportFigures>(paper_report(findings)))
+        for (const ReportFigure& figure : figures.figures) {
+            shown.push_back(figure.file);
+            CHECK(figure.command == findings.commands.at(figure.file));
+            CHECK(figure.command.find(" -o " + figure.file) != std::string::npos);
+        }
+    std::sort(shown.begin(), shown.end());
+    CHECK(shown == drawn); // the map's order is that of the names
+}
+
+TEST_CASE("the report's first table has each statement with its verdict")
+{
+    PaperFindings findings = findings_of_steps();
+    findings.four_chairs_up.report.ratio_first_shot = 0.43;         // the paper: 0.41
+    findings.studies["figure9"] = shots_study(0.0495, 0.045, 0.05); // a ratio of 0.99 ± 0.014
+    const std::vector<Claim> claims = paper_claims(findings);
+    const Report report = paper_report(findings);
+    int each[3] = {0, 0, 0};
+    for (const Claim& claim : claims) {
+        const std::vector<std::string> cells = row(report, "statement", claim.statement);
+        REQUIRE(cells.size() == 3);
+        CHECK(cells[0] == claim.expected);
+        CHECK(cells[1].substr(0, claim.found.size()) == claim.found);
+        CHECK(cells[2] == (claim.verdict == Verdict::holds       ? "holds"
+                           : claim.verdict == Verdict::undecided ? "undecided"
+                                                                 : "*differs*"));
+        ++each[static_cast<int>(claim.verdict)];
+    }
+    CHECK(each[static_cast<int>(Verdict::undecided)] > 0);
+    CHECK(each[static_cast<int>(Verdict::differs)] > 0);
+}
+
+TEST_CASE("the report's tables hold what was found, every row as many cells as its header")
+{
+    PaperFindings findings = findings_of_steps();
+    findings.facts = {"program: multipath 1"};
+    findings.five_cubes = {"5CUBES", 1234, {}};
+    findings.five_cubes.report.figures = {2.1, 0.577, 0.65, 0.67};
+    findings.five_cubes.report.ratio_first_shot = 0.85;
+    findings.five_cubes.report.ratio_extended = 1.06;
+    const Report report = paper_report(findings);
+    for (const ReportTable& table : blocks<ReportTable>(report))
+        for (const std::vector<std::string>& cells : table.rows)
+            CHECK(cells.size() == table.header.size());
+    using Cells = std::vector<std::string>;
+    CHECK(row(report, "this run", "program") == Cells{"multipath 1"});
+    CHECK(row(report, "", "5CUBES") == Cells{"1,234", "0.577", "2.10", "0.670", "0.650", "0.850", "1.060"});
+    // With slopes of -1.5 and -1.1 the hundredfold of 2^15 lines has become a hundred times 2^(0.4 * 6).
+    const Cells reuse = row(report, "at the most lines", "5CUBES, 2,097,152");
+    REQUIRE(reuse.size() == 4);
+    CHECK(reuse[2] == "528");
+    CHECK(reuse[3].find("−1.500 ± ") == 0);
+}
+
+} // namespace paper_report_test
