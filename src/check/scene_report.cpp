@@ -140,7 +140,7 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
     trial.threads = threads;
     report.trapped = patch_of_trapped_light(scene);
     if (!report.trapped)
-        report.balance = solve(scene, trial, [](double) {}).balance;
+        report.balance = solve(scene, Preparation(), trial, [](double) {}).balance;
     return report;
 }
 
