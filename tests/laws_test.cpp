@@ -17,11 +17,11 @@ using namespace multipath;
 namespace {
 
 /// Those whose power moves along lines; the others solve equations.
-std::vector<Method> methods_of_paper()
+std::vector<Method> methods_of_walks()
 {
     std::vector<Method> methods;
     for (const Method method : all_methods())
-        if (method->in_paper)
+        if (!method->told.empty())
             methods.push_back(method);
     return methods;
 }
@@ -108,7 +108,7 @@ TEST_CASE("the unit cube with uneven walls solves its 6 x 6 system" * doctest::t
     for (std::size_t i = 0; i < 6; ++i)
         CHECK(estimate(moved_samples[i]).agrees_with(exact[i]));
 
-    for (const Method method : methods_of_paper())
+    for (const Method method : methods_of_walks())
         for (const bool bidirectional : {true, false}) {
             SolveOptions options = random_lines(method, 1u << 14, 0);
             options.bidirectional = bidirectional;
@@ -134,7 +134,7 @@ TEST_CASE("between two facing squares the share F arrives and the rest escapes" 
     const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
     const double b_2 = 0.7 * f * b_1;
     const double escaped = (1.0 - f) * (b_1 + b_2);
-    for (const Method method : methods_of_paper()) {
+    for (const Method method : methods_of_walks()) {
         const SolveOptions options = random_lines(method, 1u << 14, 0);
         CHECK(over_seeds(scene, options, 32, [](const Solution& s) { return s.radiosity[0].r; }).agrees_with(b_1));
         CHECK(over_seeds(scene, options, 32, [](const Solution& s) { return s.radiosity[1].r; }).agrees_with(b_2));

@@ -11,6 +11,7 @@
 #include "transport/lines/global_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace multipath {
@@ -48,6 +49,18 @@ CommandTable explain_table()
 
 enum class StageKind { shot, global, local };
 
+struct NamedStage
+{
+    std::string_view name; ///< see MethodInfo::told
+    StageKind kind;
+};
+
+constexpr std::string_view later_pass = "extended:PASS";
+constexpr std::array<NamedStage, 4> stages = {{{"first-shot", StageKind::shot},
+                                               {later_pass, StageKind::shot},
+                                               {"global", StageKind::global},
+                                               {"local", StageKind::local}}};
+
 /// Which stage of the run is told.
 struct Stage
 {
@@ -55,32 +68,45 @@ struct Stage
     std::size_t pass = 0; ///< of a shot, from 0
 };
 
-[[noreturn]] void refuse_stage(const std::string& stage, const std::string& method, const char* expected)
+bool has_stage(Method method, std::string_view name)
 {
-    throw UsageError("--stage: --method " + method + " has no stage " + stage + "; expected " + expected);
+    const std::vector<std::string_view> told = told_stages(method);
+    return std::find(told.begin(), told.end(), name) != told.end();
+}
+
+/// "first-shot or global, or --method extended": the stages of the method, and the methods with the stage.
+std::string expected_stages(Method method, std::string_view name)
+{
+    const std::vector<std::string_view> told = told_stages(method);
+    std::string text;
+    for (std::size_t k = 0; k < told.size(); ++k)
+        text += (k == 0 ? "" : k + 1 < told.size() ? ", " : " or ") + std::string(told[k]);
+    const char* before = ", or --method ";
+    for (const Method other : all_methods())
+        if (has_stage(other, name)) {
+            text += before + std::string(other->name);
+            before = " or ";
+        }
+    return text;
 }
 
 Stage read_stage(const CommandLine& line)
 {
-    const std::string method = line.text("method");
-    const bool local = method == "local";
-    const bool shoots = !local && method != "global";
-    const std::string text = line.has("stage") ? line.text("stage") : local ? "local" : "global";
-    const std::string extended = "extended:";
-    const bool pass_named = text.compare(0, extended.size(), extended) == 0;
-    if (text != "local" && text != "global" && text != "first-shot" && !pass_named)
+    const Method method = method_named(line.text("method"));
+    const std::string text = line.has("stage") ? line.text("stage") : std::string(told_stages(method).back());
+    const std::string_view before_pass = later_pass.substr(0, later_pass.find(':') + 1);
+    const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
+    const std::string_view name = pass_named ? later_pass : std::string_view(text);
+    const auto* const stage =
+        std::find_if(stages.begin(), stages.end(), [&](const NamedStage& s) { return s.name == name; });
+    if (stage == stages.end())
         throw UsageError("--stage: expected first-shot, extended:PASS, global or local, got " + quoted_argument(text));
-    if (local != (text == "local"))
-        refuse_stage(text, method, local ? "local" : shoots ? "first-shot or global" : "global");
-    if (local || text == "global")
-        return {local ? StageKind::local : StageKind::global};
-    if (!shoots)
-        refuse_stage(text, method, "global, or --method first-shot or extended");
+    if (!has_stage(method, name))
+        throw UsageError("--stage: --method " + line.text("method") + " has no stage " + text + "; expected " +
+                         expected_stages(method, name));
     if (!pass_named)
-        return {StageKind::shot};
-    if (method != "extended")
-        refuse_stage(text, method, "first-shot, or --method extended");
-    return {StageKind::shot, static_cast<std::size_t>(read_count("--stage", text.substr(extended.size()), 1)) - 1};
+        return {stage->kind};
+    return {stage->kind, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
 ToldRange read_told_range(const CommandLine& line)

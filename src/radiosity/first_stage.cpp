@@ -12,10 +12,9 @@ namespace {
 
 constexpr std::uint64_t pilot_rays = 1u << 13; // for the figures of (3); 2 % in the ratio are not noticed in the error
 
-bool shoots_first(const SolveOptions& options)
+FirstShot first_shot_of(const SolveOptions& options)
 {
-    return options.method == Method::first_shot || options.method == Method::extended ||
-           (options.method == Method::reuse && options.direct == Direct::shoot);
+    return options.method->first_shot ? options.method->first_shot(options) : FirstShot::none;
 }
 
 } // namespace
@@ -27,7 +26,7 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     BudgetFigures figures;
     figures.intersections = intersections_of_hull_line(scene);
     figures.average_reflectance = mean(scene.average_reflectance());
-    if (options.method == Method::first_shot) {
+    if (first_shot_of(options) == FirstShot::plain) {
         const DirectLight direct = measure_direct_light(scene, pilot_rays, options.threads);
         figures.secondary_reflectance = direct.secondary_reflectance;
         figures.lit_fraction = direct.lit_fraction;
@@ -59,10 +58,11 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
                                   const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe)
 {
-    if (!shoots_first(options))
+    const FirstShot kind = first_shot_of(options);
+    if (kind == FirstShot::none)
         return {};
     ExtendedShotOptions shot = extended_shot(scene, options);
-    if (options.method == Method::first_shot)
+    if (kind == FirstShot::plain)
         shot.most_steps = 1; // the first pass is the first shot
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&

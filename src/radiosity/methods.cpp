@@ -164,27 +164,54 @@ void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation&
 
 constexpr std::uint64_t any_lines = ~std::uint64_t{0};
 
+FirstShot plain_shot(const SolveOptions&)
+{
+    return FirstShot::plain;
+}
+
+FirstShot extended_shots(const SolveOptions&)
+{
+    return FirstShot::extended;
+}
+
+FirstShot shots_of_reuse(const SolveOptions& options)
+{
+    return options.direct == Direct::shoot ? FirstShot::extended : FirstShot::none;
+}
+
 constexpr std::array<MethodInfo, 5> table = {
     {{"local",
-      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.", true,
-      "estimator", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_local, nullptr},
+      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
+      "estimator", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_local, nullptr, nullptr, "local"},
      {"global",
       "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
       "each other along a line exchanges power.",
-      true, "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, 0,
-      stages_of_walk, nullptr},
-     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.", true,
+      "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_walk,
+      nullptr, nullptr, "global"},
+     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",
       "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio},
+      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, plain_shot, "first-shot global"},
      {"extended",
       "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
       "lines. For lamps that light little of the room directly.",
-      true, "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio},
+      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
+      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, extended_shots, "first-shot extended:PASS global"},
      {"reuse",
       "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
       "Goes beyond the paper; the most accurate, and what solve does by default.",
-      false, "ratio chords direct", Chords::box, Shards::added, 0xffffffffu, 64, stages_of_reuse, prepare_pairs}}};
+      "ratio chords direct power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
+      Shards::added, 0xffffffffu, 64, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}}};
+
+std::vector<std::string_view> words_of(std::string_view text)
+{
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        words.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return words;
+}
 
 } // namespace
 
@@ -211,21 +238,26 @@ Method method_named(std::string_view name)
     return Method(found);
 }
 
-std::vector<std::string_view> options_of(Method method)
+std::vector<MethodOption> options_of(Method method)
 {
-    std::vector<std::string_view> names;
-    for (std::string_view rest = method->options; !rest.empty();) {
-        const std::size_t end = std::min(rest.find(' '), rest.size());
-        names.push_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+    std::vector<MethodOption> options;
+    for (const std::string_view word : words_of(method->options)) {
+        const std::size_t end = std::min(word.find(':'), word.size());
+        options.push_back({word.substr(0, end), word.substr(std::min(end + 1, word.size()))});
     }
-    return names;
+    return options;
 }
 
-bool has_option(Method method, std::string_view option)
+bool has_option(Method method, std::string_view name)
 {
-    const std::vector<std::string_view> names = options_of(method);
-    return std::find(names.begin(), names.end(), option) != names.end();
+    const std::vector<MethodOption> options = options_of(method);
+    return std::any_of(options.begin(), options.end(),
+                       [&](const MethodOption& option) { return option.name == name && option.with.empty(); });
+}
+
+std::vector<std::string_view> told_stages(Method method)
+{
+    return words_of(method->told);
 }
 
 } // namespace multipath

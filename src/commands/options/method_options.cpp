@@ -6,7 +6,6 @@
 #include "sampling/sequence.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -21,7 +20,7 @@ Option method_option(bool with_reuse)
     Option option = {"method", 'm', "NAME", with_reuse ? "reuse" : "first-shot",
                      "How the light is found; 'multipath help methods' describes them."};
     for (const Method method : all_methods())
-        if (method->in_paper || with_reuse)
+        if (with_reuse || !method->told.empty())
             option.choices.push_back(method->name);
     return option;
 }
@@ -184,17 +183,19 @@ void require_options_with_effect(const CommandLine& line)
 void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
                                  const std::string& given)
 {
-    const bool shoots = line.knows("direct") && line.text("direct") == "shoot";
-    const auto has_effect = [&](const std::string& method, std::string_view option) {
-        constexpr std::array<std::string_view, 3> of_shots = {"power-per-line", "threshold", "steps"};
-        return has_option(method_named(method), option) ||
-               (shoots && has_option(method_named(method), "direct") &&
-                std::find(of_shots.begin(), of_shots.end(), option) != of_shots.end());
+    const auto is_met = [&](std::string_view condition) { // "direct=shoot"
+        const std::string name(condition.substr(0, condition.find('=')));
+        return name.empty() || (line.knows(name) && line.text(name) == condition.substr(name.size() + 1));
+    };
+    const auto has_effect = [&](const std::string& method, std::string_view name) {
+        const std::vector<MethodOption> options = options_of(method_named(method));
+        return std::any_of(options.begin(), options.end(),
+                           [&](const MethodOption& option) { return option.name == name && is_met(option.with); });
     };
     std::set<std::string> special;
     for (const Method method : all_methods())
-        for (const std::string_view option : options_of(method))
-            special.emplace(option);
+        for (const MethodOption& option : options_of(method))
+            special.emplace(option.name);
     for (const std::string& name : special)
         if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name) &&
             std::none_of(methods.begin(), methods.end(),

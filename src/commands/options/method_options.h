@@ -12,7 +12,7 @@ namespace multipath {
 
 /// The options that decide what a run does, of every command that solves or follows one. `line_count` is the command's
 /// own option for the number of all lines of the run; `reuse` is among the methods, and the default, of those commands
-/// that can do it.
+/// that can do it; the others take the methods whose lines can be told.
 OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 
 /// `line_count`: the name of that option. Throws UsageError.

@@ -8,18 +8,16 @@
 #include "viewer/viewer_page.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numeric>
+#include <string_view>
 
 namespace multipath {
 
 namespace {
 
 constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 16; ///< to reach the global lines within a second
-constexpr const char* of_reuse =
-    " The method reuse only counts such lines and solves for the light afterwards: these are the lines of --method "
-    "extended.";
-
 std::uint32_t receiver(std::uint32_t where)
 {
     return Segment::is_patch(where) ? where : Scene::no_patch;
@@ -102,6 +100,15 @@ ViewerChapter particles(const ToldRun& run, const ToldRange& range)
             told(run.scene, story)};
 }
 
+struct ChapterKind
+{
+    std::string_view stage; ///< see MethodInfo::told; later passes are not told
+    ViewerChapter (*tell)(const ToldRun&, const ToldRange&);
+};
+
+constexpr std::array<ChapterKind, 3> chapter_kinds = {
+    {{"first-shot", shots}, {"global", global_lines}, {"local", particles}}};
+
 /// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
 void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const ToldRange&)>& tell)
 {
@@ -169,24 +176,25 @@ std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, Shown sho
 std::vector<ViewerChapter> viewer_story(const ToldRun& run)
 {
     const Method method = run.options.method;
+    const bool only_counts = !method->told_as.empty();
     SolveOptions options = run.options;
     options.lines = std::min(options.lines, most_lines_of_run);
-    if (method == Method::reuse) {
-        options.method = Method::extended;
+    if (only_counts) {
+        options.method = method_named(method->told_as);
         options.ratio.reset(); // it means something else there
     }
     const ToldRun walk{run.scene, options, run.method, run.sequence};
     std::vector<ViewerChapter> chapters;
-    if (method == Method::local) {
-        append(chapters, [&](const ToldRange& range) { return particles(walk, range); });
-        return chapters;
-    }
-    if (method != Method::global)
-        append(chapters, [&](const ToldRange& range) { return shots(walk, range); });
-    append(chapters, [&](const ToldRange& range) { return global_lines(walk, range); });
-    if (method == Method::reuse)
+    for (const std::string_view stage : told_stages(options.method))
+        for (const ChapterKind& kind : chapter_kinds)
+            if (kind.stage == stage)
+                append(chapters, [&](const ToldRange& range) { return kind.tell(walk, range); });
+    if (only_counts)
         for (ViewerChapter& chapter : chapters)
-            chapter.note += of_reuse;
+            chapter.note += " The method " + std::string(method->name) +
+                            " only counts such lines and solves for the light afterwards: these are the lines of "
+                            "--method " +
+                            std::string(method->told_as) + ".";
     return chapters;
 }
 
