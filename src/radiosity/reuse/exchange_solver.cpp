@@ -7,6 +7,8 @@
 
 #include "radiosity/reuse/exchange_solver.h"
 
+#include "transport/exchange/conjugate_gradients.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,38 +25,12 @@ Rgb root(Rgb a)
     return {std::sqrt(a.r), std::sqrt(a.g), std::sqrt(a.b)};
 }
 
-Rgb quotient(Rgb a, Rgb b)
-{
-    const auto divide = [](double x, double y) { return y != 0.0 ? x / y : 0.0; };
-    return {divide(a.r, b.r), divide(a.g, b.g), divide(a.b, b.b)};
-}
-
-/// One dot product for each channel.
-Rgb dot(const Field& a, const Field& b)
-{
-    Rgb sum;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 Field scaled(const Field& factor, const Field& x)
 {
     Field y(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
         y[i] = factor[i] * x[i];
     return y;
-}
-
-void add_scaled(Field& x, Rgb factor, const Field& y)
-{
-    for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] += factor * y[i];
-}
-
-bool all_below(Rgb a, Rgb b)
-{
-    return a.r <= b.r && a.g <= b.g && a.b <= b.b;
 }
 
 } // namespace
@@ -71,44 +47,30 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
         rho_root[i] = root(reflectance[i]);
         const double area = exchange.row_area(i);
         const Rgb diagonal = Rgb{area, area, area} - exchange.self_exchange(i) * reflectance[i];
-        positive = positive && all_below({}, diagonal);
+        positive = positive && at_most({}, diagonal);
         inverse_diagonal[i] = quotient({1.0, 1.0, 1.0}, diagonal);
     }
     const auto bounce = [&](const Field& radiosity) { return scaled(rho_root, exchange.apply(radiosity, threads)); };
-    const auto residual_for = [&](const Field& y, const Field& right) {
-        Field residual = right;
-        const Field reflected = bounce(scaled(rho_root, y));
+    const auto matrix = [&](const Field& y) {
+        Field image = bounce(scaled(rho_root, y));
         for (std::uint32_t i = 0; i < n; ++i)
-            residual[i] = right[i] - exchange.row_area(i) * y[i] + reflected[i];
-        return residual;
+            image[i] = exchange.row_area(i) * y[i] - image[i];
+        return image;
     };
+    const auto precondition = [&](const Field& residual) { return scaled(inverse_diagonal, residual); };
 
     const Field right = bounce(source);
-    const Rgb wanted = tolerance * tolerance * dot(right, scaled(inverse_diagonal, right));
+    const Rgb wanted = tolerance * tolerance * dot(right, precondition(right));
     Field y(n);
     for (std::uint32_t i = 0; i < n; ++i)
         y[i] = quotient(first_guess[i] - source[i], rho_root[i]);
-    Field residual = residual_for(y, right);
-    Field preconditioned = scaled(inverse_diagonal, residual);
-    Field direction = preconditioned;
-    Rgb norm = dot(residual, preconditioned);
-    for (int step = 0; step < most_steps && positive && !all_below(norm, wanted); ++step) {
-        Field image = bounce(scaled(rho_root, direction));
-        for (std::uint32_t i = 0; i < n; ++i)
-            image[i] = exchange.row_area(i) * direction[i] - image[i];
-        const Rgb curvature = dot(direction, image);
-        positive = all_below({}, curvature);
-        const Rgb length = quotient(norm, curvature);
-        add_scaled(y, length, direction);
-        add_scaled(residual, -1.0 * length, image);
-        preconditioned = scaled(inverse_diagonal, residual);
-        const Rgb next = dot(residual, preconditioned);
-        const Rgb turn = quotient(next, norm);
-        for (std::uint32_t i = 0; i < n; ++i)
-            direction[i] = preconditioned[i] + turn * direction[i];
-        norm = next;
-    }
-    ExchangeSolution solution{source, positive && all_below(norm, wanted)};
+    Field residual = right;
+    const Field reflected = bounce(scaled(rho_root, y));
+    for (std::uint32_t i = 0; i < n; ++i)
+        residual[i] = right[i] - exchange.row_area(i) * y[i] + reflected[i];
+    const auto done = [&](const Field&, Rgb norm) { return at_most(norm, wanted); };
+    ExchangeSolution solution{
+        source, positive && conjugate_gradients(matrix, precondition, std::move(residual), most_steps, done, y)};
     for (std::uint32_t i = 0; i < n; ++i)
         solution.radiosity[i] += rho_root[i] * y[i];
     return solution;

@@ -1,6 +1,7 @@
 #include "transport/exchange/dense_exchange.h"
 
 #include "parallel/blocks.h"
+#include "transport/exchange/conjugate_gradients.h"
 #include "transport/exchange/symmetric_product.h"
 
 #include <utility>
@@ -45,43 +46,26 @@ namespace {
 
 using Vector = std::vector<double>;
 
-double dot(const Vector& a, const Vector& b)
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i] * b[i];
-    return sum;
-}
-
-/// Conjugate gradients for (diagonal + matrix) x = right, preconditioned by the diagonal.
+/// Solution of (diagonal + matrix) x = right.
 Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vector& right, int threads)
 {
     constexpr int most_steps = 40;
     constexpr double tolerance = 1e-4; // of the residual; far finer than what the variances are known to
-    const std::size_t n = right.size();
-    Vector x(n, 0.0);
-    Vector residual = right;
-    Vector scaled(n);
-    for (std::size_t i = 0; i < n; ++i)
-        scaled[i] = residual[i] / diagonal[i];
-    Vector direction = scaled;
-    double norm = dot(residual, scaled);
     const double wanted = tolerance * tolerance * dot(right, right);
-    for (int step = 0; step < most_steps && dot(residual, residual) > wanted; ++step) {
-        Vector image = symmetric_product(matrix, {direction}, threads)[0];
-        for (std::size_t i = 0; i < n; ++i)
-            image[i] += diagonal[i] * direction[i];
-        const double length = norm / dot(direction, image);
-        for (std::size_t i = 0; i < n; ++i) {
-            x[i] += length * direction[i];
-            residual[i] -= length * image[i];
-            scaled[i] = residual[i] / diagonal[i];
-        }
-        const double next = dot(residual, scaled);
-        for (std::size_t i = 0; i < n; ++i)
-            direction[i] = scaled[i] + (next / norm) * direction[i];
-        norm = next;
-    }
+    const auto times = [&](const Vector& x) {
+        Vector image = symmetric_product(matrix, {x}, threads)[0];
+        for (std::size_t i = 0; i < x.size(); ++i)
+            image[i] += diagonal[i] * x[i];
+        return image;
+    };
+    const auto by_diagonal = [&](Vector x) {
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] = x[i] / diagonal[i];
+        return x;
+    };
+    const auto done = [&](const Vector& residual, double) { return dot(residual, residual) <= wanted; };
+    Vector x(right.size(), 0.0);
+    conjugate_gradients(times, by_diagonal, right, most_steps, done, x);
     return x;
 }
 
