@@ -254,25 +254,9 @@ namespace {
 
 void visit_materials(Archive& archive, std::vector<Material>& materials)
 {
-    std::vector<std::string> names;
-    std::vector<std::string> sources;
-    std::vector<Rgb> reflectances;
-    std::vector<Rgb> emittances;
-    for (const Material& material : materials) {
-        names.push_back(material.name);
-        sources.push_back(material.source);
-        reflectances.push_back(material.reflectance);
-        emittances.push_back(material.emittance);
-    }
-    archive.texts("material names", names);
-    archive.texts("material sources", sources);
-    archive.growing_list<double>("reflectances", reflectances);
-    archive.growing_list<double>("emittances", emittances);
-    if (names.size() != sources.size() || names.size() != reflectances.size() || names.size() != emittances.size())
-        throw ArchiveError("the state is damaged: no such materials");
-    materials.clear();
-    for (std::size_t m = 0; m < names.size(); ++m)
-        materials.push_back({names[m], reflectances[m], emittances[m], sources[m]});
+    archive.records(
+        materials, field<char>("material names", &Material::name), field<char>("material sources", &Material::source),
+        field<double>("reflectances", &Material::reflectance), field<double>("emittances", &Material::emittance));
 }
 
 void visit_surfaces(Archive& archive, SurfaceList& surfaces)

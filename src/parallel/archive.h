@@ -41,6 +41,20 @@ constexpr Scalar scalar_of()
         return Scalar::bytes;
 }
 
+/// A field of a record, and the name of the list of these fields of many records.
+template <class Number, class Record, class Value>
+struct RecordField
+{
+    std::string_view name;
+    Value Record::*member;
+};
+
+template <class Number, class Record, class Value>
+RecordField<Number, Record, Value> field(std::string_view name, Value Record::*member)
+{
+    return {name, member};
+}
+
 /// Named arrays, to be written or to be read back: the same statements do both, so that they cannot disagree. A value
 /// that consists of several numbers is stored as these.
 class Archive
@@ -92,6 +106,14 @@ public:
         }
     }
 
+    /// Records of any number, as one list for each of the fields; texts for those that are texts.
+    template <class Record, class First, class... Others>
+    void records(std::vector<Record>& records, const First& first, const Others&... others)
+    {
+        visit_field(records, first, true);
+        (visit_field(records, others, false), ...);
+    }
+
     /// As long as one lives, names are those of a part within the present one.
     class Inner
     {
@@ -128,6 +150,26 @@ private:
             read(full_name(name), scalar_of<Number>(), values, numbers);
         else
             write(full_name(name), scalar_of<Number>(), values, numbers);
+    }
+
+    template <class Number, class Record, class Value>
+    void visit_field(std::vector<Record>& records, const RecordField<Number, Record, Value>& field, bool sets_length)
+    {
+        std::vector<Value> values;
+        for (const Record& record : records)
+            values.push_back(record.*field.member);
+        if constexpr (std::is_same_v<Value, std::string>)
+            texts(field.name, values);
+        else if (sets_length)
+            growing_list<Number>(field.name, values);
+        else
+            list<Number>(field.name, values);
+        if (sets_length)
+            records.resize(values.size());
+        if (records.size() != values.size())
+            throw ArchiveError("the state is damaged: no such " + std::string(field.name));
+        for (std::size_t k = 0; k < values.size(); ++k)
+            records[k].*field.member = values[k];
     }
 
     bool reads_;

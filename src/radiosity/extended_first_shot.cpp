@@ -106,22 +106,8 @@ std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, st
 
 void visit(Archive& archive, std::vector<ShotPass>& passes)
 {
-    std::vector<std::uint64_t> lines;
-    std::vector<double> power;
-    std::vector<PowerBalance> balances;
-    for (const ShotPass& pass : passes) {
-        lines.push_back(pass.lines);
-        power.push_back(pass.power);
-        balances.push_back(pass.balance);
-    }
-    archive.growing_list<std::uint64_t>("pass lines", lines);
-    power.resize(lines.size());
-    balances.resize(lines.size());
-    archive.list<double>("pass power", power);
-    archive.list<double>("pass balances", balances);
-    passes.clear();
-    for (std::size_t k = 0; k < lines.size(); ++k)
-        passes.push_back({lines[k], power[k], balances[k]});
+    archive.records(passes, field<std::uint64_t>("pass lines", &ShotPass::lines),
+                    field<double>("pass power", &ShotPass::power), field<double>("pass balances", &ShotPass::balance));
 }
 
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,

@@ -2,6 +2,7 @@
 
 #include "parallel/blocks.h"
 #include "parallel/memory.h"
+#include "sampling/systematic_rounding.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
@@ -106,25 +107,11 @@ void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerS
 
 void visit(Archive& archive, const Scene& scene, std::vector<Shot>& shots)
 {
-    std::vector<std::uint32_t> patches;
-    std::vector<std::uint64_t> rays;
-    std::vector<Rgb> power;
-    for (const Shot& shot : shots) {
-        patches.push_back(shot.patch);
-        rays.push_back(shot.rays);
-        power.push_back(shot.power_per_ray);
-    }
-    archive.growing_list<std::uint32_t>("shooters", patches);
-    rays.resize(patches.size());
-    power.resize(patches.size());
-    archive.list<std::uint64_t>("rays", rays);
-    archive.list<double>("power per ray", power);
-    shots.clear();
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        if (patches[k] >= scene.patch_count())
+    archive.records(shots, field<std::uint32_t>("shooters", &Shot::patch), field<std::uint64_t>("rays", &Shot::rays),
+                    field<double>("power per ray", &Shot::power_per_ray));
+    for (const Shot& shot : shots)
+        if (shot.patch >= scene.patch_count())
             throw ArchiveError("the state is damaged: no such patch");
-        shots.push_back({patches[k], rays[k], power[k]});
-    }
 }
 
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
@@ -228,7 +215,7 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
     std::vector<Shot> shots;
     Rgb excess;                  // [W]
     double wanted = rule.offset; // rays up to and including this patch, before rounding down
-    double given = 0.0;
+    SystematicRounding rounding(rule.offset);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double share = share_above(scene, state, rule.threshold, i);
         if (share == 0.0)
@@ -236,12 +223,11 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
         excess += share * state.unshot[i];
         const double deserved = share * mean(state.unshot[i]) / rule.power_by_line;
         wanted += deserved;
-        const double rays = std::floor(wanted) - given;
-        given += rays;
-        if (rays > 0.0) {
+        const std::uint64_t rays = rounding.up_to(wanted);
+        if (rays > 0) {
             // The only ray that a patch worth 0.3 rays gets three times out of ten carries a whole ray's power.
-            const double sharers = deserved < 1.0 ? deserved : rays;
-            shots.push_back({i, static_cast<std::uint64_t>(rays), (share / sharers) * state.unshot[i]});
+            const double sharers = deserved < 1.0 ? deserved : static_cast<double>(rays);
+            shots.push_back({i, rays, (share / sharers) * state.unshot[i]});
         }
     }
     const Rgb sent = power_of(shots);

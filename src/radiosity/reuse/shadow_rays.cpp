@@ -6,6 +6,7 @@
 #include "geometry/polygon.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
+#include "sampling/systematic_rounding.h"
 #include "transport/exchange/contact.h"
 #include "transport/lines/local_rays.h"
 
@@ -177,12 +178,6 @@ private:
     LightPair pair_;
 };
 
-/// Whole numbers that a running sum has passed are rays.
-std::uint64_t whole(double sum)
-{
-    return static_cast<std::uint64_t>(sum);
-}
-
 /// The sum before each patch; one entry more than patches.
 std::vector<double> deserved_before(const GatherPairs& pairs, const std::vector<double>& deserved, double offset)
 {
@@ -231,13 +226,14 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
     const std::vector<double> before = deserved_before(pairs, rays.deserved, rays.offset);
     const auto look_from = [&](std::uint32_t patch, std::vector<Item>& items) {
         double sum = before[patch];
+        SystematicRounding rounding(sum); // goes on from the patch before
         for (std::size_t k = pairs.first_pair[patch]; k < pairs.first_pair[patch + 1]; ++k) {
-            std::uint64_t ray = whole(sum);
+            std::uint64_t ray = rounding.given();
             sum += rays.deserved[k];
-            if (ray == whole(sum))
+            if (rounding.up_to(sum) == 0)
                 continue;
             const PairSight pair(scene, patch, pairs.lights[pairs.pairs[k].light]);
-            for (const std::uint64_t end = whole(sum); ray < end; ray += items.size()) {
+            for (const std::uint64_t end = rounding.given(); ray < end; ray += items.size()) {
                 items.resize(static_cast<std::size_t>(std::min(most_items, end - ray)));
                 sequence.generate(rays.first_item + ray, items);
                 pair.look(looks[k], items, sights[k]);
@@ -258,9 +254,9 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
                 look_from(patch, items[slot]);
         },
         [&](std::uint64_t block, int) {
-            run.count_lines(whole(before[first_patch(block + 1)]) - whole(before[first_patch(block)]));
+            run.count_lines(SystematicRounding(before[first_patch(block)]).up_to(before[first_patch(block + 1)]));
         });
-    return whole(before[first_patch(next_block)]);
+    return SystematicRounding::whole(before[first_patch(next_block)]);
 }
 
 std::uint64_t bits_from(const Item& item)

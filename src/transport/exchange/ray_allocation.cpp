@@ -2,6 +2,7 @@
 
 #include "parallel/blocks.h"
 #include "sampling/random.h"
+#include "sampling/systematic_rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,20 +154,20 @@ void PairRayAllotment::allot(std::uint64_t rays, std::uint64_t seed, int threads
         before_.push_back(before_.back() + rate_ * sum);
 }
 
-// A running sum over all pairs of what each deserves passes whole numbers: each of them is a ray.
 RowOfRays PairRayAllotment::row(std::uint32_t i) const
 {
     const std::vector<double> deserved = deserved_rays(i);
     RowOfRays row;
-    row.first_ray = row.end_ray = static_cast<std::uint64_t>(std::floor(before_[i]));
+    SystematicRounding rounding(before_[i]); // goes on from the row before
+    row.first_ray = rounding.given();
     double sum = 0.0;
     for (std::uint32_t j = 0; j < deserved.size(); ++j) {
         sum += deserved[j];
-        const auto reached = static_cast<std::uint64_t>(std::floor(before_[i] + rate_ * sum));
-        if (reached > row.end_ray)
-            row.targets.push_back({j, reached - row.end_ray});
-        row.end_ray = reached;
+        const std::uint64_t rays = rounding.up_to(before_[i] + rate_ * sum);
+        if (rays > 0)
+            row.targets.push_back({j, rays});
     }
+    row.end_ray = rounding.given();
     return row;
 }
 
