@@ -239,6 +239,12 @@ std::string randomised_name(const std::string& name)
     return std::string(randomised) + arguments;
 }
 
+bool is_randomised(const std::string& name)
+{
+    const SequenceKind& kind = kind_named(name).kind;
+    return kind.randomised == kind.name;
+}
+
 bool prefers_powers_of_two(const std::string& name)
 {
     return name.compare(0, 5, "sobol") == 0;

@@ -68,6 +68,9 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
 /// Throws std::invalid_argument where there is none.
 std::string randomised_name(const std::string& name);
 
+/// True if the seed chooses among the sequences of this name.
+bool is_randomised(const std::string& name);
+
 /// Is it one of the kinds that fill space best at numbers of points that are a power of two?
 bool prefers_powers_of_two(const std::string& name);
 

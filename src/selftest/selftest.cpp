@@ -1,8 +1,8 @@
 #include "selftest/selftest.h"
 
 #include "parallel/blocks.h"
+#include "radiosity/runs/replicates.h"
 #include "radiosity/statistics.h"
-#include "sampling/random.h"
 #include "sampling/sequence.h"
 
 #include <algorithm>
@@ -26,24 +26,16 @@ constexpr std::array<const char*, 6> checked_sequences = {"random", "sobol",    
                                                           "halton", "halton-permuted", "kronecker"};
 constexpr const char* scene_sequence = "sobol-owen";
 
-bool is_randomised(const std::string& sequence)
-{
-    return randomised_name(sequence) == sequence;
-}
-
-/// Options of the independent run `number`: another randomisation or, of a sequence without one, another stretch. A run
-/// may take 16 times as many items as lines.
 SolveOptions options_of_run(Method method, const std::string& sequence, const SelftestSettings& settings, int number)
 {
-    const auto run = static_cast<std::uint64_t>(number);
+    constexpr std::uint64_t most_items_per_line = 16;
     SolveOptions options;
     options.method = method;
     options.sequence = sequence;
-    options.seed = random_bits(mix_bits(settings.seed), run);
-    options.skip = is_randomised(sequence) ? 0 : 16 * settings.lines * run;
     options.lines = settings.lines;
     options.threads = settings.threads;
-    return options;
+    return independent_run(options, settings.seed, static_cast<std::uint64_t>(number),
+                           most_items_per_line * settings.lines);
 }
 
 Preparation preparation_for(const Scene& scene, Method method)

@@ -2,8 +2,8 @@
 
 #include "parallel/blocks.h"
 #include "radiosity/error_measure.h"
+#include "radiosity/runs/replicates.h"
 #include "radiosity/statistics.h"
-#include "sampling/random.h"
 #include "transport/lines/global_lines.h"
 
 #include <algorithm>
@@ -39,13 +39,6 @@ std::string curve_name(const CurveKind& kind)
     return kind.method + " " + kind.sequence + " " + kind.pairing + " " + kind.chords + " " + kind.line_order;
 }
 
-/// True if the seed randomises the sequence.
-bool is_random(const std::string& sequence, Pairing pairing)
-{
-    const auto first_item = [&](std::uint64_t seed) { return make_line_sequence(sequence, seed, pairing)->item(0); };
-    return first_item(1) != first_item(2);
-}
-
 /// Items between the beginnings of two executions: a power of two, so that stretches of Sobol's sequence begin where
 /// one of its nets does; no run of so many lines takes more.
 std::uint64_t stretch(const Scene& scene, const SolveOptions& options)
@@ -61,8 +54,7 @@ std::uint64_t stretch(const Scene& scene, const SolveOptions& options)
 class CurveRuns
 {
 public:
-    CurveRuns(const Scene& scene, const CurvePlan& plan, std::uint64_t seed)
-        : scene_(scene), plan_(plan), seed_(seed), random_(is_random(plan.options.sequence, plan.options.pairing))
+    CurveRuns(const Scene& scene, const CurvePlan& plan, std::uint64_t seed) : scene_(scene), plan_(plan), seed_(seed)
     {
     }
 
@@ -89,19 +81,14 @@ private:
 
     SolveOptions options_for(std::uint64_t lines, int number) const
     {
-        const auto execution = static_cast<std::uint64_t>(number);
         SolveOptions options = plan_.options;
         options.lines = lines;
-        options.seed = random_bits(mix_bits(seed_ ^ lines), execution);
-        if (!random_)
-            options.skip += execution * stretch(scene_, options);
-        return options;
+        return independent_run(options, seed_ ^ lines, static_cast<std::uint64_t>(number), stretch(scene_, options));
     }
 
     const Scene& scene_;
     const CurvePlan& plan_;
     std::uint64_t seed_;
-    bool random_;
     std::once_flag prepared_;
     Preparation preparation_;
     double preparation_seconds_ = 0.0;

@@ -55,11 +55,6 @@ private:
     std::vector<Rgb> squares_;
 };
 
-std::uint64_t replicate_seed(std::uint64_t seed, std::uint64_t round, int replicate)
-{
-    return random_bits(mix_bits(seed ^ 0x452821e638d01377u), (round << 32) + static_cast<std::uint64_t>(replicate));
-}
-
 /// The replicates of one round, and what those that are finished found.
 class ReplicateRun
 {
@@ -105,8 +100,7 @@ private:
         SolveOptions options = options_;
         options.sequence = randomised_name(options_.sequence);
         options.lines = options_.lines / parts + (replicate < options_.lines % parts ? 1 : 0);
-        options.seed = replicate_seed(options_.seed, round_, static_cast<int>(replicate));
-        return options;
+        return independent_run(options, options_.seed ^ 0x452821e638d01377u, (round_ << 32) + replicate, 0);
     }
 
     void add_one(const Solution& one)
@@ -154,6 +148,14 @@ private:
 };
 
 } // namespace
+
+SolveOptions independent_run(SolveOptions options, std::uint64_t seed, std::uint64_t number, std::uint64_t items)
+{
+    options.seed = random_bits(mix_bits(seed), number);
+    if (!is_randomised(options.sequence))
+        options.skip += number * items;
+    return options;
+}
 
 std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
 {

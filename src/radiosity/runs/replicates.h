@@ -13,6 +13,10 @@ namespace multipath {
 /// and a half times, with 131 a tenth more.
 std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates);
 
+/// The options of one of several independent runs: another randomisation of the sequence or, of one without any,
+/// another stretch. `items`: of the sequence, from the beginning of one run to that of the next.
+SolveOptions independent_run(SolveOptions options, std::uint64_t seed, std::uint64_t number, std::uint64_t items);
+
 /// The mean of `replicates` >= 2 runs with independent randomisations of the sequence (randomised_name), which share
 /// the lines of the options equally, with the standard error of every patch. Throws std::invalid_argument for a
 /// sequence that cannot be randomised, SettingsError for fewer lines than replicates, and what solve throws. If the
