@@ -71,11 +71,12 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
     const GlobalLines global_lines(scene.bounds());
     const std::uint64_t per_test = lines_per_hull_test(hull);
     const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
+    const Blocks blocks = {lines, surveyed_per_block};
     BlockBuffers<LineSurvey> slots(threads, empty_survey(scene));
     const auto cast_block = [&](std::uint64_t block, int slot) {
         LineSurvey& survey = slots[slot];
-        const std::uint64_t first = block * surveyed_per_block;
-        std::vector<Item> items(static_cast<std::size_t>(std::min(surveyed_per_block, lines - first)));
+        const std::uint64_t first = blocks.first(block);
+        std::vector<Item> items(blocks.length(block));
         sequence->generate(first, items);
         std::vector<Hit> hits;
         for (std::size_t k = 0; k < items.size(); ++k) {
@@ -88,8 +89,7 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
             }
         }
     };
-    ordered_blocks((lines + surveyed_per_block - 1) / surveyed_per_block, threads, cast_block,
-                   [](std::uint64_t, int) {});
+    ordered_blocks(blocks.count(), threads, cast_block, [](std::uint64_t, int) {});
 
     LineSurvey total = empty_survey(scene);
     for (const LineSurvey& survey : slots) { // counts: their order does not matter

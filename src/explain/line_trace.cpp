@@ -37,8 +37,7 @@ Stretch follow_told(const Segment& segment, bool bidirectional, PowerWalk& walk)
         sends(segment.from, segment.to);
     if (Segment::is_patch(segment.to) && bidirectional)
         sends(segment.to, segment.from);
-    WalkTally not_told;
-    walk.follow(segment, not_told);
+    walk.follow(segment);
     if (Segment::is_patch(segment.from))
         stretch.from_holds = walk.at(segment.from).held;
     if (Segment::is_patch(segment.to))
@@ -103,7 +102,6 @@ GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, co
     const ItemPlan items = plan_items(*sequence, options.skip, story.local_lines, story.lines_cast);
     const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, story.lines_cast);
     PowerWalk walk(scene, story.crossings_per_area, options.bidirectional, state);
-    WalkTally not_told;
     std::vector<Hit> hits;
     std::vector<Segment> segments;
     for (std::uint64_t n = 0; n < range.first + range.count; ++n) {
@@ -117,7 +115,7 @@ GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, co
             story.lines.push_back(tell(scene, origin, line, hits, segments, options.bidirectional, walk));
         else
             for (const Segment& segment : segments)
-                walk.follow(segment, not_told);
+                walk.follow(segment);
     }
     return story;
 }

@@ -203,10 +203,9 @@ void parallel_blocks(std::uint64_t block_count, int threads, const std::function
 void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
                      const std::function<void(std::uint32_t first, std::uint32_t end)>& work)
 {
-    const std::uint64_t ranges = (std::uint64_t{count} + range_size - 1) / range_size;
-    parallel_blocks(ranges, threads, [&](std::uint64_t number) {
-        const auto first = static_cast<std::uint32_t>(number * range_size);
-        work(first, first + std::min(range_size, count - first));
+    const Blocks ranges = {count, range_size};
+    parallel_blocks(ranges.count(), threads, [&](std::uint64_t range) {
+        work(static_cast<std::uint32_t>(ranges.first(range)), static_cast<std::uint32_t>(ranges.first(range + 1)));
     });
 }
 

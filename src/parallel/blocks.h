@@ -2,12 +2,25 @@
 
 #include "parallel/run_control.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace multipath {
+
+/// Items 0 ... items - 1, cut into blocks.
+struct Blocks
+{
+    std::uint64_t items;
+    std::uint64_t size; ///< of each block but the last
+
+    std::uint64_t count() const { return (items + size - 1) / size; }
+    /// The first item of a block, which is the number of items in the blocks before it.
+    std::uint64_t first(std::uint64_t block) const { return std::min(items, block * size); }
+    std::size_t length(std::uint64_t block) const { return static_cast<std::size_t>(first(block + 1) - first(block)); }
+};
 
 /// Runs work(block) once for each block 0 ... block_count - 1 on up to `threads` threads, in any order.
 /// The first exception that a block throws is thrown here after the other threads have stopped.

@@ -119,13 +119,13 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
 {
     const std::vector<std::uint64_t> before = rays_before(shots);
     const std::uint64_t ray_count = before.back();
-    const std::uint64_t block_count = (ray_count + rays_per_block - 1) / rays_per_block;
+    const Blocks rays = {ray_count, rays_per_block};
     BlockBuffers<RayBlock> blocks(run.threads);
 
     const auto trace = [&](std::uint64_t number, int slot) {
         RayBlock& block = blocks[slot];
-        const std::uint64_t first = number * rays_per_block;
-        block.items.resize(static_cast<std::size_t>(std::min(rays_per_block, ray_count - first)));
+        const std::uint64_t first = rays.first(number);
+        block.items.resize(rays.length(number));
         sequence.generate(first_item + first, block.items);
         block.patches.clear();
         for (std::size_t shot = shot_of_ray(before, first); block.patches.size() < block.items.size(); ++shot) {
@@ -141,12 +141,12 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
         archive.value<std::uint64_t>("next block", next_block);
         archive.value<std::uint64_t>("current shot", current_shot);
         received.visit(archive);
-        if (next_block > block_count || (ray_count > 0 && current_shot >= shots.size()))
+        if (next_block > rays.count() || (ray_count > 0 && current_shot >= shots.size()))
             throw ArchiveError("the state is damaged: no such rays");
     });
     const auto count_receivers = [&](std::uint64_t number, int slot) {
         const RayBlock& block = blocks[slot];
-        std::uint64_t ray = number * rays_per_block;
+        std::uint64_t ray = rays.first(number);
         const std::size_t count = block.receivers.size();
         for (std::size_t k = 0; k < count; ++k) {
             if (ray++ >= before[current_shot + 1]) {
@@ -159,10 +159,10 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
         }
         run.count_lines(block.receivers.size());
     };
-    resumable_blocks(next_block, block_count, run, trace, count_receivers);
+    resumable_blocks(next_block, rays.count(), run, trace, count_receivers);
     if (ray_count > 0)
         received.deposit(shots[current_shot], state);
-    keep_unsent(shots, std::min(ray_count, next_block * rays_per_block), state);
+    keep_unsent(shots, rays.first(next_block), state);
 }
 
 namespace {

@@ -127,15 +127,13 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
     const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 4096);
     const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
     const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
-    const std::uint64_t together = particles_together(scene);
-    const std::uint64_t blocks = (pilot.count() + together - 1) / together;
-    std::vector<double> further_steps(static_cast<std::size_t>(blocks), 0.0);
-    parallel_blocks(blocks, threads, [&](std::uint64_t block) {
-        const std::uint64_t first = block * together;
-        std::vector<Item> items(static_cast<std::size_t>(std::min(together, pilot.count() - first)));
-        random->generate(first, items);
+    const Blocks blocks = {pilot.count(), particles_together(scene)};
+    std::vector<double> further_steps(static_cast<std::size_t>(blocks.count()), 0.0);
+    parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
+        std::vector<Item> items(blocks.length(block));
+        random->generate(blocks.first(block), items);
         ParticlePaths paths;
-        pilot.follow(first, items, paths);
+        pilot.follow(blocks.first(block), items, paths);
         for (const ParticleStep& step : paths.steps) // the chance of a further step is steadier than what was drawn
             further_steps[static_cast<std::size_t>(block)] += survival(scene, step.where);
     });
@@ -223,7 +221,7 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         spend(scene, 0.0, shots, state);
     }
     const Particles particles(scene, shots, options.seed);
-    const std::uint64_t particles_per_block = particles_together(scene);
+    const Blocks all = {particles.count(), particles_together(scene)};
 
     struct Block
     {
@@ -233,10 +231,9 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
     BlockBuffers<Block> blocks(run.threads);
     const auto trace = [&](std::uint64_t number, int slot) {
         Block& block = blocks[slot];
-        const std::uint64_t first = number * particles_per_block;
-        block.items.resize(static_cast<std::size_t>(std::min(particles_per_block, particles.count() - first)));
-        sequence.generate(options.first_item + first, block.items);
-        particles.follow(first, block.items, block.paths);
+        block.items.resize(all.length(number));
+        sequence.generate(options.first_item + all.first(number), block.items);
+        particles.follow(all.first(number), block.items, block.paths);
     };
     const auto deposit_all = [&](std::uint64_t, int slot) {
         const Block& block = blocks[slot];
@@ -244,10 +241,9 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
         segments += block.paths.steps.size();
         run.count_lines(block.paths.steps.size());
     };
-    const std::uint64_t block_count = (particles.count() + particles_per_block - 1) / particles_per_block;
-    resumable_blocks(next_block, block_count, run, trace, deposit_all);
+    resumable_blocks(next_block, all.count(), run, trace, deposit_all);
     sums.flush(state);
-    keep_unsent(shots, std::min(particles.count(), next_block * particles_per_block), state);
+    keep_unsent(shots, all.first(next_block), state);
     return segments;
 }
 

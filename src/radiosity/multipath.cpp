@@ -21,24 +21,35 @@ PowerWalk::PowerWalk(const Scene& scene, double crossings_per_area, bool bidirec
 
 void PowerWalk::visit(Archive& archive)
 {
+    archive.value<double>("tally", total_);
     archive.list<double>("patches", patches_);
 }
 
-void PowerWalk::finish(const WalkTally& total, double scale, PowerState& state) const
+void PowerWalk::follow(const std::vector<Segment>& segments)
+{
+    constexpr std::size_t segments_ahead = 24; // whose patches are fetched, in case they are too many for the cache
+    WalkTally tally; // sums of one block stay small, which keeps the rounding errors of the balance small
+    const std::size_t count = segments.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        fetch(segments[std::min(k + segments_ahead, count - 1)]);
+        follow(segments[k], tally);
+    }
+    total_ += tally;
+}
+
+void PowerWalk::finish(double scale, PowerState& state) const
 {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         state.emitted = state.emitted - state.unshot[i];
         state.incident[i] += scale * patches_[i].incident;
         state.unshot[i] = scale * patches_[i].held;
     }
-    state.emitted += scale * total.forecast_sent;
-    state.escaped += scale * total.escaped;
-    state.behind += scale * total.behind;
+    state.emitted += scale * total_.forecast_sent;
+    state.escaped += scale * total_.escaped;
+    state.behind += scale * total_.behind;
 }
 
 namespace {
-
-constexpr std::size_t segments_ahead = 24; // whose patches are fetched, in case they are too many for the cache
 
 /// [W^2] Of what independent lines send by the forecast (G3), mean of the channels. A patch that holds U and expects n
 /// lines sends U / n by each of them: U^2 / n, were it alone. A line that leaves several such patches sends for them
@@ -57,6 +68,18 @@ double forecast_variance(const Scene& scene, const GlobalLines& lines, const Glo
     return sum * std::max(2.0, crossings_per_line);
 }
 
+/// Traces the lines of a pass on all threads, from `next_block` on, and lets the walk follow them in order.
+void follow_lines(const LineBlocks& plan, std::uint64_t& next_block, const RunControl& run, PowerWalk& walk)
+{
+    BlockBuffers<SegmentBlock> blocks(run.threads);
+    const auto trace = [&](std::uint64_t number, int slot) { blocks[slot].trace(plan, number); };
+    const auto follow = [&](std::uint64_t number, int slot) {
+        walk.follow(blocks[slot].segments);
+        run.count_lines(plan.lines.length(number));
+    };
+    resumable_blocks(next_block, plan.lines.count(), run, trace, follow);
+}
+
 } // namespace
 
 std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
@@ -66,32 +89,18 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
         return 0;
     const double variance = forecast_variance(scene, lines, pass, state);
     PowerWalk walk(scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state); // (G1)
-    WalkTally total;
+    const LineBlocks plan{
+        scene, lines, sequence, pass.first_item, {pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))}};
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "global pass", [&](Archive& archive) {
         archive.value<std::uint64_t>("next block", next_block);
-        archive.value<double>("tally", total);
         walk.visit(archive);
     });
-    const LineBlocks plan{scene,           lines,           sequence,
-                          pass.first_item, pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))};
-    BlockBuffers<SegmentBlock> blocks(run.threads);
-    const auto trace = [&](std::uint64_t number, int slot) { blocks[slot].trace(plan, number); };
-    const auto exchange_in_order = [&](std::uint64_t, int slot) {
-        const SegmentBlock& block = blocks[slot];
-        WalkTally tally; // sums of one block stay small, which keeps the rounding errors of the balance small
-        const std::size_t count = block.segments.size();
-        for (std::size_t k = 0; k < count; ++k) {
-            walk.fetch(block.segments[std::min(k + segments_ahead, count - 1)]);
-            walk.follow(block.segments[k], tally);
-        }
-        total += tally;
-        run.count_lines(block.lines.lines());
-    };
-    resumable_blocks(next_block, plan.count(), run, trace, exchange_in_order);
-    const std::uint64_t cast = plan.lines_in(next_block);
+    follow_lines(plan, next_block, run, walk); // (M1) (M2)
+
+    const std::uint64_t cast = plan.lines.first(next_block);
     const double planned = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
-    walk.finish(total, planned, state);
+    walk.finish(planned, state);
     state.emitted_variance += planned * variance;
     return cast;
 }

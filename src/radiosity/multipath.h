@@ -61,14 +61,8 @@ public:
     /// counted (G1), and distribute what is unshot in `state`. `bidirectional`: power flows both ways along each (M2).
     PowerWalk(const Scene& scene, double crossings_per_area, bool bidirectional, const PowerState& state);
 
-    void follow(const Segment& segment, WalkTally& tally);
-
-    /// Has the memory bring what follow() will need of this segment, while others are followed.
-    void fetch(const Segment& segment) const
-    {
-        fetch(segment.from);
-        fetch(segment.to);
-    }
+    void follow(const std::vector<Segment>& segments);
+    void follow(const Segment& segment) { follow(segment, total_); }
 
     const WalkingPower& at(std::uint32_t patch) const { return patches_[patch]; }
 
@@ -76,9 +70,16 @@ public:
 
     /// Adds what the pass distributed; what the patches hold is what is left unshot. `scale` [1]: how many times more
     /// lines the pass was planned with than were followed.
-    void finish(const WalkTally& total, double scale, PowerState& state) const;
+    void finish(double scale, PowerState& state) const;
 
 private:
+    void follow(const Segment& segment, WalkTally& tally);
+    /// Prefetches what follow() needs of this segment, while others are followed.
+    void fetch(const Segment& segment) const
+    {
+        fetch(segment.from);
+        fetch(segment.to);
+    }
     void fetch(std::uint32_t end) const
     {
         if (!Segment::is_patch(end))
@@ -92,6 +93,7 @@ private:
 
     bool bidirectional_;
     LargeVector<WalkingPower> patches_;
+    WalkTally total_;
 };
 
 // Inline: this is the innermost loop of the program.

@@ -83,12 +83,12 @@ std::optional<std::size_t> GatherPairs::find(std::uint32_t patch, std::uint32_t 
 GatherPairs find_gather_pairs(const Scene& scene, std::vector<std::uint32_t> lights, int threads)
 {
     constexpr std::uint32_t patches_per_block = 64;
-    const std::uint32_t patches = scene.patch_count();
+    const Blocks patches = {scene.patch_count(), patches_per_block};
     GatherPairs result{std::move(lights), {}, {0}, {}};
     BlockBuffers<BlockOfPairs> blocks(threads);
     const auto find = [&](std::uint64_t number, int slot) {
-        const auto first = static_cast<std::uint32_t>(number * patches_per_block);
-        blocks[slot] = pairs_of(scene, result.lights, first, first + std::min(patches_per_block, patches - first));
+        blocks[slot] = pairs_of(scene, result.lights, static_cast<std::uint32_t>(patches.first(number)),
+                                static_cast<std::uint32_t>(patches.first(number + 1)));
     };
     const auto append = [&](std::uint64_t, int slot) {
         const BlockOfPairs& block = blocks[slot];
@@ -97,7 +97,7 @@ GatherPairs find_gather_pairs(const Scene& scene, std::vector<std::uint32_t> lig
         for (const std::size_t count : block.count)
             result.first_pair.push_back(result.first_pair.back() + count);
     };
-    ordered_blocks((patches + patches_per_block - 1) / patches_per_block, threads, find, append);
+    ordered_blocks(patches.count(), threads, find, append);
     return result;
 }
 
@@ -222,7 +222,7 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
                                std::vector<Sight>& sights)
 {
     constexpr std::uint64_t most_items = 4096;
-    const std::uint32_t patches = scene.patch_count();
+    const Blocks patches = {scene.patch_count(), patches_per_block};
     const std::vector<double> before = deserved_before(pairs, rays.deserved, rays.offset);
     const auto look_from = [&](std::uint32_t patch, std::vector<Item>& items) {
         double sum = before[patch];
@@ -240,15 +240,13 @@ std::uint64_t cast_shadow_rays(const Scene& scene, const GatherPairs& pairs, con
             }
         }
     };
-    const auto first_patch = [&](std::uint64_t block) {
-        return static_cast<std::uint32_t>(std::min<std::uint64_t>(block * patches_per_block, patches));
-    };
+    const auto first_patch = [&](std::uint64_t block) { return static_cast<std::uint32_t>(patches.first(block)); };
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "shadow rays",
                                 [&](Archive& archive) { archive.value<std::uint64_t>("next block", next_block); });
     BlockBuffers<std::vector<Item>> items(run.threads);
     resumable_blocks(
-        next_block, (patches + patches_per_block - 1) / patches_per_block, run,
+        next_block, patches.count(), run,
         [&](std::uint64_t block, int slot) {
             for (std::uint32_t patch = first_patch(block); patch < first_patch(block + 1); ++patch)
                 look_from(patch, items[slot]);

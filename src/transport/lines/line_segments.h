@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/intersector/intersector.h"
+#include "parallel/blocks.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 #include "transport/lines/global_lines.h"
@@ -53,11 +54,7 @@ struct LineBlocks
     const GlobalLines& global_lines;
     const Sequence& sequence;
     std::uint64_t first_item; ///< of the sequence, for the first line
-    std::uint64_t lines;
-    std::uint64_t block_lines; ///< in each block but the last
-
-    std::uint64_t count() const { return (lines + block_lines - 1) / block_lines; }
-    std::uint64_t lines_in(std::uint64_t blocks) const { return std::min(lines, blocks * block_lines); } ///< the first
+    Blocks lines;
 };
 
 /// How many lines make one piece of work for a thread: fewer than usual where they meet so many surfaces that a block
@@ -76,10 +73,9 @@ public:
     /// Takes block `number`: what each of its lines meets, in order.
     const HitLists& trace(const LineBlocks& blocks, std::uint64_t number)
     {
-        const std::uint64_t first = number * blocks.block_lines;
-        items_.resize(static_cast<std::size_t>(blocks.lines_in(number + 1) - first));
+        items_.resize(blocks.lines.length(number));
         lines_.resize(items_.size());
-        blocks.sequence.generate(blocks.first_item + first, items_);
+        blocks.sequence.generate(blocks.first_item + blocks.lines.first(number), items_);
         blocks.global_lines.lines(items_.data(), items_.size(), lines_.data());
         blocks.scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
         return hits_;
