@@ -121,9 +121,9 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
 {
     PairCounts counts(scene.patch_count());
     const double crossings = std::min(crossings_per_line(scene, lines), static_cast<double>(many_crossings));
-    const LineBlocks plan{scene,      lines,      sequence,
-                          first_item, lines_cast, lines_per_block(0.5 * crossings * crossings + crossings)};
-    SharedRange range = SharedRange::of(plan.count(), run.share);
+    const LineBlocks plan{
+        scene, lines, sequence, first_item, {lines_cast, lines_per_block(0.5 * crossings * crossings + crossings)}};
+    SharedRange range = SharedRange::of(plan.lines.count(), run.share);
     const Checkpoint::Part part(run.checkpoint, "pair counts", [&](Archive& archive) {
         range.visit(archive);
         counts.visit(archive);
