@@ -12,7 +12,6 @@
 #include "transport/depth_complexity.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -179,28 +178,28 @@ FirstShot shots_of_reuse(const SolveOptions& options)
     return options.direct == Direct::shoot ? FirstShot::extended : FirstShot::none;
 }
 
-constexpr std::array<MethodInfo, 5> table = {
-    {{"local",
-      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
-      "estimator", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_local, nullptr, nullptr, "local"},
-     {"global",
-      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
-      "each other along a line exchanges power.",
-      "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_walk,
-      nullptr, nullptr, "global"},
-     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",
-      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, plain_shot, "first-shot global"},
-     {"extended",
-      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
-      "lines. For lamps that light little of the room directly.",
-      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-      Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, extended_shots, "first-shot extended:PASS global"},
-     {"reuse",
-      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
-      "Goes beyond the paper; the most accurate, and what solve does by default.",
-      "ratio chords direct power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
-      Shards::added, 0xffffffffu, 64, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}}};
+constexpr MethodInfo table[] = {
+    {"local",
+     "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
+     "estimator", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_local, nullptr, nullptr, "local"},
+    {"global",
+     "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
+     "each other along a line exchanges power.",
+     "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_walk,
+     nullptr, nullptr, "global"},
+    {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",
+     "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
+     Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, plain_shot, "first-shot global"},
+    {"extended",
+     "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
+     "lines. For lamps that light little of the room directly.",
+     "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
+     Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, extended_shots, "first-shot extended:PASS global"},
+    {"reuse",
+     "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
+     "Goes beyond the paper; the most accurate, and what solve does by default.",
+     "ratio chords direct power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
+     Shards::added, 0xffffffffu, 64, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {
@@ -231,9 +230,9 @@ std::vector<Method> all_methods()
 
 Method method_named(std::string_view name)
 {
-    const auto* const found =
-        std::find_if(table.begin(), table.end(), [&](const MethodInfo& info) { return info.name == name; });
-    if (found == table.end())
+    const MethodInfo* const found =
+        std::find_if(std::begin(table), std::end(table), [&](const MethodInfo& info) { return info.name == name; });
+    if (found == std::end(table))
         throw std::invalid_argument("no method is called '" + std::string(name) + "'");
     return Method(found);
 }

@@ -84,10 +84,12 @@ TEST_CASE("the seed chooses among the kinds that are called randomised and leave
         };
         if (name.compare(0, 10, "hammersley") == 0) {
             CHECK(!seed_matters(name));
+            CHECK(!is_randomised(name));
             CHECK_THROWS_WITH_AS(randomised_name(name), doctest::Contains("another sequence"), std::invalid_argument);
             continue;
         }
         CHECK(seed_matters(name) == (randomised_name(name) == name));
+        CHECK(seed_matters(name) == is_randomised(name));
         CHECK(seed_matters(randomised_name(name)));
     }
     CHECK(randomised_name("halton:2,3,5,7") == "halton-permuted:2,3,5,7");
