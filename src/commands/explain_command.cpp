@@ -56,10 +56,10 @@ struct NamedStage
 };
 
 constexpr std::string_view later_pass = "extended:PASS";
-constexpr std::array<NamedStage, 4> stages = {{{"first-shot", StageKind::shot},
-                                               {later_pass, StageKind::shot},
-                                               {"global", StageKind::global},
-                                               {"local", StageKind::local}}};
+constexpr std::array<NamedStage, 4> known_stages = {{{"first-shot", StageKind::shot},
+                                                     {later_pass, StageKind::shot},
+                                                     {"global", StageKind::global},
+                                                     {"local", StageKind::local}}};
 
 /// Which stage of the run is told.
 struct Stage
@@ -98,8 +98,8 @@ Stage read_stage(const CommandLine& line)
     const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
     const std::string_view name = pass_named ? later_pass : std::string_view(text);
     const auto* const stage =
-        std::find_if(stages.begin(), stages.end(), [&](const NamedStage& s) { return s.name == name; });
-    if (stage == stages.end())
+        std::find_if(known_stages.begin(), known_stages.end(), [&](const NamedStage& s) { return s.name == name; });
+    if (stage == known_stages.end())
         throw UsageError("--stage: expected first-shot, extended:PASS, global or local, got " + quoted_argument(text));
     if (!has_stage(method, name))
         throw UsageError("--stage: --method " + line.text("method") + " has no stage " + text + "; expected " +
