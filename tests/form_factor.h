@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geometry/pi.h"
+
 #include <cmath>
 
 namespace multipath {
@@ -9,7 +11,6 @@ namespace multipath {
 /// four others get (1 - F) / 4.
 inline double opposite_form_factor()
 {
-    const double pi = 3.14159265358979323846;
     return 2.0 / pi *
            (std::log(2.0 / std::sqrt(3.0)) + 2.0 * std::sqrt(2.0) * std::atan(1.0 / std::sqrt(2.0)) - pi / 2.0);
 }

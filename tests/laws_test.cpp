@@ -3,6 +3,7 @@
 // 16,000 cases, and once in 2,000 where two dozen seeds estimate it.
 
 #include "form_factor.h"
+#include "geometry/pi.h"
 #include "linear_system.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
@@ -38,7 +39,6 @@ TEST_CASE("in a sphere of two unlike halves every patch receives the same" * doc
     SceneBuilder builder;
     const std::uint32_t upper = builder.grey(0.8, 0.0);
     const std::uint32_t lower = builder.grey(0.3, 1.0);
-    const double pi = 3.14159265358979323846;
     const auto point = [&](int ring, int side) {
         const double theta = pi * ring / n;
         const double phi = pi * (side % (2 * n)) / n;

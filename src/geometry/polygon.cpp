@@ -1,5 +1,7 @@
 #include "geometry/polygon.h"
 
+#include "geometry/pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -114,8 +116,7 @@ double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
         if (sine > 0.0)
             sum -= std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
     }
-    constexpr double full_turn = 6.28318530717958647692;
-    return std::clamp(sum / full_turn, 0.0, 1.0);
+    return std::clamp(sum / (2.0 * pi), 0.0, 1.0);
 }
 
 } // namespace multipath

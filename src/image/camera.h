@@ -2,6 +2,7 @@
 
 #include "geometry/intersector/intersector.h"
 #include "geometry/line.h"
+#include "geometry/pi.h"
 #include "geometry/vec3.h"
 #include "scene/scene.h"
 
@@ -10,7 +11,7 @@
 
 namespace multipath {
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+constexpr double radians_per_degree = pi / 180.0;
 
 /// A pinhole camera: what it stands on, what it looks at, and how much it sees.
 struct Camera

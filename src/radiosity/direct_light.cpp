@@ -98,7 +98,7 @@ std::vector<Representative> representatives(const Scene& scene, std::uint32_t mo
             chosen.push_back({i, scene.area(i)});
         return chosen;
     }
-    constexpr std::uint64_t key = 0x6c69676874; // always the same choice
+    constexpr std::uint64_t key = random_key(RandomStream::chosen_patches); // always the same choice
     const double piece = scene.total_area() / most;
     std::uint32_t patch = 0;
     double end = scene.area(patch); // of the patch, in the cumulative area

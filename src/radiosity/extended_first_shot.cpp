@@ -20,7 +20,7 @@ double rounding_offset(std::uint64_t seed, std::size_t pass)
 {
     if (pass == 0)
         return 0.5;
-    return bits_to_unit(random_bits(mix_bits(seed ^ 0x5be0cd19137e2179u), pass));
+    return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
 }
 
 class Passes

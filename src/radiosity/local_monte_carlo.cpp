@@ -16,7 +16,7 @@
 namespace multipath {
 
 Particles::Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t seed)
-    : scene_(scene), shots_(std::move(shots)), key_(mix_bits(seed ^ 0x1f83d9abfb41bd6bu))
+    : scene_(scene), shots_(std::move(shots)), key_(random_key(RandomStream::particles, seed))
 {
     for (const Shot& shot : shots_)
         before_.push_back(before_.back() + shot.rays);

@@ -1,12 +1,13 @@
 #include "radiosity/statistics.h"
 
+#include "geometry/pi.h"
+
 #include <cmath>
 
 namespace multipath {
 
 double student_tail(double t, int degrees)
 {
-    constexpr double pi = 3.14159265358979323846;
     const double angle = std::atan(t / std::sqrt(static_cast<double>(degrees)));
     const double cosine = std::cos(angle);
     const bool odd = degrees % 2 == 1;

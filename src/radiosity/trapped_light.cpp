@@ -13,7 +13,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t key = 0x3f84d5b5b5470917u;
+constexpr std::uint64_t key = random_key(RandomStream::trapped_light);
 constexpr std::uint64_t endless_reflections = 1u << 16; ///< after so many without a loss light counts as trapped
 
 /// One bit for each channel of `colour` that is at least `least`.

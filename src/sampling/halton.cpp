@@ -178,7 +178,7 @@ public:
     PermutedHalton(const std::vector<std::uint64_t>& bases, std::uint64_t seed)
     {
         for (std::size_t d = 0; d < bases.size(); ++d) {
-            inverses_.emplace_back(bases[d], random_bits(mix_bits(seed ^ 0xa54ff53a5f1d36f1u), d));
+            inverses_.emplace_back(bases[d], random_bits(random_key(RandomStream::halton_permutations, seed), d));
             text_ += (d == 0 ? "" : ",") + std::to_string(bases[d]);
         }
     }
@@ -235,7 +235,7 @@ std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vecto
     std::vector<double> shifts(bases.size(), 0.0);
     if (kind == HaltonKind::shift)
         for (std::size_t d = 0; d < shifts.size(); ++d)
-            shifts[d] = bits_to_unit(random_bits(mix_bits(seed ^ 0x510e527fade682d1u), d));
+            shifts[d] = bits_to_unit(random_bits(random_key(RandomStream::halton_shift, seed), d));
     return std::make_unique<HaltonSequence>(kind == HaltonKind::shift ? "halton-shift" : "halton", bases, shifts);
 }
 

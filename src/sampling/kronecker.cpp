@@ -36,7 +36,7 @@ public:
           steps_(steps_by_dimension[static_cast<std::size_t>(dimensions) - 1])
     {
         for (std::size_t d = 0; d < start_.size(); ++d)
-            start_[d] = shifted ? random_bits(mix_bits(seed ^ 0x9b05688c2b3e6c1fu), d) : std::uint64_t{1} << 63;
+            start_[d] = shifted ? random_bits(random_key(RandomStream::kronecker, seed), d) : std::uint64_t{1} << 63;
     }
 
     std::string name() const override { return shifted_ ? "kronecker-shift" : "kronecker"; }

@@ -38,7 +38,7 @@ KERNEL_CODE LaneSinCos sin_cos_of_turns(DoubleLanes turns)
     const DoubleLanes nearest = (above + without_fraction) - without_fraction;
     const DoubleLanes quarter = choose_less(above, nearest, nearest - DoubleLanes::all(1.0), nearest); // rounded down
     const DoubleLanes rest = turns - DoubleLanes::all(0.25) * quarter;
-    const DoubleLanes x = DoubleLanes::all(6.283185307179586476925) * rest;
+    const DoubleLanes x = DoubleLanes::all(2.0 * pi) * rest;
     const DoubleLanes y = x * x;
     const DoubleLanes s = x * polynomial(y, sine_terms, 8);
     const DoubleLanes c = polynomial(y, cosine_terms, 9);

@@ -18,7 +18,7 @@ class RandomSequence final : public Sequence
 {
 public:
     RandomSequence(std::uint64_t seed, int dimensions)
-        : key_(mix_bits(seed ^ 0x6a09e667f3bcc908u)), dimensions_(static_cast<std::uint64_t>(dimensions))
+        : key_(random_key(RandomStream::random_sequence, seed)), dimensions_(static_cast<std::uint64_t>(dimensions))
     {
     }
 

@@ -43,7 +43,7 @@ std::uint64_t ShuffledOrder::size_of(std::uint64_t block) const
 
 std::uint64_t ShuffledOrder::key_of(std::uint64_t block)
 {
-    return mix_bits(block + 0x13198a2e03707344u);
+    return mix_bits(block + random_key(RandomStream::shuffled_blocks));
 }
 
 std::uint64_t ShuffledOrder::item_at(std::uint64_t n) const

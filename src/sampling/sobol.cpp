@@ -144,11 +144,11 @@ private:
     int dimensions_;
 };
 
-std::array<std::uint64_t, sobol::dimensions> random_keys(std::uint64_t seed, std::uint64_t purpose)
+std::array<std::uint64_t, sobol::dimensions> random_keys(RandomStream stream, std::uint64_t seed)
 {
     std::array<std::uint64_t, sobol::dimensions> keys{};
     for (std::uint64_t d = 0; d < keys.size(); ++d)
-        keys[d] = random_bits(mix_bits(seed ^ purpose), d);
+        keys[d] = random_bits(random_key(stream, seed), d);
     return keys;
 }
 
@@ -156,7 +156,7 @@ class ShiftedSobol final : public SobolSequence
 {
 public:
     ShiftedSobol(std::uint64_t seed, int dimensions)
-        : SobolSequence(dimensions), shift_(random_keys(seed, 0xbb67ae8584caa73bu))
+        : SobolSequence(dimensions), shift_(random_keys(RandomStream::sobol_shift, seed))
     {
     }
 
@@ -185,7 +185,7 @@ class OwenSobol final : public SobolSequence
 {
 public:
     OwenSobol(std::uint64_t seed, int dimensions)
-        : SobolSequence(dimensions), keys_(random_keys(seed, 0x3c6ef372fe94f82bu))
+        : SobolSequence(dimensions), keys_(random_keys(RandomStream::sobol_scrambling, seed))
     {
         for (auto& step : steps_) // the scrambling works on reversed bits: walk with them
             for (std::uint64_t& number : step)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/pi.h"
 #include "geometry/vec3.h"
 
 namespace multipath {
@@ -17,7 +18,7 @@ inline SinCos sin_cos_of_turns(double turns)
     // turns = quarter / 4 + rest with |rest| <= 1/8; both steps are exact.
     const int quarter = static_cast<int>(4.0 * turns + 0.5);
     const double rest = turns - 0.25 * quarter;
-    const double x = 6.283185307179586476925 * rest;
+    const double x = 2.0 * pi * rest;
     const double y = x * x;
     // Taylor series on |x| <= pi/4; the first omitted terms are x^17/17! and x^18/18!.
     const double s =

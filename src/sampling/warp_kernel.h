@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/pi.h"
 #include "sampling/sequence.h"
 
 #include <cstddef>

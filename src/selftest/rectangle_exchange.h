@@ -1,12 +1,12 @@
 #pragma once
 
+#include "geometry/pi.h"
+
 #include <cmath>
 
 namespace multipath {
 
 // Closed forms from Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
-
-constexpr double two_pi = 6.283185307179586476925;
 
 struct Interval
 {
@@ -33,7 +33,7 @@ inline double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interva
         const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
         sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y1[j] - y2[l]);
     }
-    return sum / two_pi;
+    return sum / (2.0 * pi);
 }
 
 /// A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15).
@@ -50,7 +50,7 @@ inline double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Int
         const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
         sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y[j] * y[j] + z[l] * z[l]);
     }
-    return sum / two_pi;
+    return sum / (2.0 * pi);
 }
 
 } // namespace multipath

@@ -34,7 +34,7 @@ SolveOptions options_of_run(Method method, const std::string& sequence, const Se
     options.sequence = sequence;
     options.lines = settings.lines;
     options.threads = settings.threads;
-    return independent_run(options, settings.seed, static_cast<std::uint64_t>(number),
+    return independent_run(options, RandomStream::runs, settings.seed, static_cast<std::uint64_t>(number),
                            most_items_per_line * settings.lines);
 }
 

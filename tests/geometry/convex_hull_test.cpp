@@ -1,4 +1,5 @@
 #include "geometry/convex_hull.h"
+#include "geometry/pi.h"
 #include "geometry/random_surfaces.h"
 
 #include <cmath>
@@ -29,7 +30,7 @@ TEST_CASE("the hull of a sphere is nearly the sphere")
         const double r = std::sqrt(1 - z * z);
         points.push_back({100 + r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z});
     }
-    const double sphere = 4 * 3.14159265358979323846;
+    const double sphere = 4 * pi;
     CHECK(ConvexHull(points).area() < sphere);
     CHECK(ConvexHull(points).area() > 0.996 * sphere);
 }
@@ -79,7 +80,6 @@ TEST_CASE("the hull of a set that is all but flat is that of its outline, twice"
 TEST_CASE("the hull of a hundred thousand points of a circle is their polygon")
 {
     constexpr int n = 100000;
-    constexpr double pi = 3.14159265358979323846;
     const Vec3 x = normalized({1, 2, -0.5});
     const Vec3 y = normalized(cross(x, {0.3, -1, 2}));
     const Vec3 z = cross(x, y);

@@ -1,5 +1,7 @@
 #include "geometry/polygon.h"
 
+#include "geometry/pi.h"
+
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -16,7 +18,7 @@ double below_corner(double a, double b, double h)
     const double y = b / h;
     const double root_x = std::sqrt(1.0 + x * x);
     const double root_y = std::sqrt(1.0 + y * y);
-    return (x / root_x * std::atan(y / root_x) + y / root_y * std::atan(x / root_y)) / 6.28318530717958647692;
+    return (x / root_x * std::atan(y / root_x) + y / root_y * std::atan(x / root_y)) / (2.0 * pi);
 }
 
 Surface shining_down(Vec3 corner, double a, double b)

@@ -1,5 +1,6 @@
 #include "image/camera.h"
 
+#include "geometry/pi.h"
 #include "scene/input_error.h"
 #include "test_scenes.h"
 
@@ -13,7 +14,6 @@ using namespace multipath;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double rounding = 1e-14; // a handful of operations on numbers near one
 
 const Camera oblique = {{1.0, 2.0, 3.0}, {4.0, 1.0, -2.0}, {0.0, 1.0, 0.0}, 50.0};

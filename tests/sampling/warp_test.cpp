@@ -1,3 +1,4 @@
+#include "geometry/pi.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 
@@ -59,8 +60,6 @@ TEST_CASE("the maps have the moments of their targets")
 }
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 } // namespace
 

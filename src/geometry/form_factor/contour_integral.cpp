@@ -8,14 +8,14 @@
 
 #include "geometry/form_factor/contour_integral.h"
 
+#include "geometry/pi.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace multipath {
 
 namespace {
-
-constexpr double two_pi = 6.283185307179586476925;
 
 struct Edge
 {
@@ -193,7 +193,7 @@ double contour_integral(const FlatPolygon& a, const FlatPolygon& b)
             sum += cosine * (squared_sine < parallel * parallel ? parallel_edges(e, f, cosine)
                                                                 : skew_edges(e, f, cosine, squared_sine));
         }
-    return sum / two_pi;
+    return sum / (2.0 * pi);
 }
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/form_factor/contour_integral.h"
+#include "geometry/pi.h"
 #include "geometry/polygon.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace multipath {
 
 namespace {
 
-constexpr double inverse_pi = 0.318309886183790671538;
+constexpr double inverse_pi = 1.0 / pi;
 
 /// A F [m^2] of pieces far apart, each wholly in front of the other's plane: the kernel cos cos' / (pi r^2) between the
 /// centres and its curvature. The relative error falls with the fourth power of distance / size; at 18 radii of the

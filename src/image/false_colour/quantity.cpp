@@ -1,5 +1,6 @@
 #include "image/false_colour/quantity.h"
 
+#include "geometry/pi.h"
 #include "image/false_colour/colour_map.h"
 #include "sampling/random.h"
 
@@ -61,11 +62,10 @@ std::vector<Rgb> normal_colours(const Scene& scene)
 std::vector<Rgb> patch_colours(std::size_t patches)
 {
     constexpr double chroma = 0.075; // a screen can show every hue of it at these lightnesses
-    constexpr double full_turn = 6.283185307179586;
     std::vector<Rgb> colours;
     colours.reserve(patches);
     for (std::size_t patch = 0; patch < patches; ++patch) {
-        const double angle = full_turn * bits_to_unit(random_bits(0, 2 * patch));
+        const double angle = 2.0 * pi * bits_to_unit(random_bits(0, 2 * patch));
         const double lightness = 0.45 + 0.39 * bits_to_unit(random_bits(0, 2 * patch + 1));
         colours.push_back(linear_light({lightness, chroma * std::cos(angle), chroma * std::sin(angle)}));
     }

@@ -1,6 +1,7 @@
 #include "radiosity/reuse/light_pair.h"
 
 #include "geometry/form_factor/contour_integral.h"
+#include "geometry/pi.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -161,7 +162,6 @@ std::optional<Vec3> LightPair::target(const Line& ray) const
 
 double LightPair::kernel(const Points& points) const
 {
-    constexpr double pi = 3.14159265358979323846;
     const Vec3 way = points.on_light - points.on_receiver;
     const double square = dot(way, way);
     const double cosines = dot(receiver_normal_, way) * -dot(light_normal_, way); // times r^2

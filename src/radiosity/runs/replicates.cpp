@@ -100,7 +100,7 @@ private:
         SolveOptions options = options_;
         options.sequence = randomised_name(options_.sequence);
         options.lines = options_.lines / parts + (replicate < options_.lines % parts ? 1 : 0);
-        return independent_run(options, options_.seed ^ 0x452821e638d01377u, (round_ << 32) + replicate, 0);
+        return independent_run(options, RandomStream::replicates, options_.seed, (round_ << 32) + replicate, 0);
     }
 
     void add_one(const Solution& one)
@@ -149,9 +149,10 @@ private:
 
 } // namespace
 
-SolveOptions independent_run(SolveOptions options, std::uint64_t seed, std::uint64_t number, std::uint64_t items)
+SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uint64_t seed, std::uint64_t number,
+                             std::uint64_t items)
 {
-    options.seed = random_bits(mix_bits(seed), number);
+    options.seed = random_bits(random_key(stream, seed), number);
     if (!is_randomised(options.sequence))
         options.skip += number * items;
     return options;
@@ -206,7 +207,7 @@ SolveOptions stretch_options(const Scene& scene, const SolveOptions& options, st
     stretch.lines = end - begin;
     stretch.skip += begin == 0 ? 0 : GlobalLines(scene.bounds(), chords_of(options)).lines_to_cast(begin);
     if (number > 0)
-        stretch.seed = random_bits(mix_bits(options.seed ^ 0xbe5466cf34e90c6cu), number);
+        stretch.seed = random_bits(random_key(RandomStream::stretches, options.seed), number);
     return stretch;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "radiosity/solve.h"
+#include "sampling/random.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +16,8 @@ std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
 
 /// The options of one of several independent runs: another randomisation of the sequence or, of one without any,
 /// another stretch. `items`: of the sequence, from the beginning of one run to that of the next.
-SolveOptions independent_run(SolveOptions options, std::uint64_t seed, std::uint64_t number, std::uint64_t items);
+SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uint64_t seed, std::uint64_t number,
+                             std::uint64_t items);
 
 /// The mean of `replicates` >= 2 runs with independent randomisations of the sequence (randomised_name), which share
 /// the lines of the options equally, with the standard error of every patch. Throws std::invalid_argument for a

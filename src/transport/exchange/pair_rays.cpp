@@ -272,7 +272,7 @@ void PairRayAllotment::allot(std::uint64_t rays, std::uint64_t seed, int threads
             row_sums[i] += x;
     });
     rate_ = static_cast<double>(rays) / std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
-    before_ = {bits_to_unit(random_bits(mix_bits(seed ^ 0x243f6a8885a308d3u), 0))};
+    before_ = {bits_to_unit(random_bits(random_key(RandomStream::pair_rays, seed), 0))};
     for (const double sum : row_sums)
         before_.push_back(before_.back() + rate_ * sum);
 }

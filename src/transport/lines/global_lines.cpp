@@ -5,6 +5,7 @@
 
 #include "transport/lines/global_lines.h"
 
+#include "geometry/pi.h"
 #include "sampling/warp.h"
 #include "sampling/warp_kernel.h"
 
@@ -161,7 +162,7 @@ double GlobalLines::area_of_starts() const
 
 double GlobalLines::sphere_area() const
 {
-    return 4.0 * 3.14159265358979323846 * radius_ * radius_;
+    return 4.0 * pi * radius_ * radius_;
 }
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #include "image/gather/source_light.h"
 
 #include "geometry/intersector/intersector.h"
+#include "geometry/pi.h"
 #include "sampling/sequence.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
@@ -17,8 +18,6 @@ namespace source_light_test {
 using namespace multipath;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 const Place origin = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; // of no known patch: every source is asked for by rays
 

@@ -1,5 +1,6 @@
 #include "scene/obj/mesh_pieces.h"
 
+#include "geometry/pi.h"
 #include "scene/input_problem.h"
 
 #include <doctest/doctest.h>
@@ -117,7 +118,6 @@ TEST_CASE("bent quads and polygons that cross themselves make one warning for al
 // Area of the regular polygon of n corners: n/2 sin(2 pi / n).
 TEST_CASE("a convex polygon may have any number of corners, a concave one not so many")
 {
-    const double pi = std::acos(-1.0);
     const int count = 100000;
     LargeVector<Vec3> round, gear;
     for (int i = 0; i < count; ++i) {

@@ -1,5 +1,6 @@
 #include "transport/exchange/pair_counts.h"
 
+#include "geometry/pi.h"
 #include "test_scenes.h"
 #include "transport/lines/line_segments.h"
 
@@ -66,7 +67,6 @@ Scene two_squares(bool facing)
 /// Exchange area of two unit squares that face each other at distance 1 (catalogue of view factors, C-11).
 double facing_squares()
 {
-    const double pi = std::acos(-1.0);
     return (std::log(4.0 / 3.0) + 4.0 * std::sqrt(2.0) * std::atan(1.0 / std::sqrt(2.0)) - pi) / pi;
 }
 

@@ -1,6 +1,7 @@
 #include "transport/exchange/pair_rays.h"
 
 #include "geometry/form_factor/exchange_area.h"
+#include "geometry/pi.h"
 #include "sampling/random.h"
 #include "statistics.h"
 #include "test_scenes.h"
@@ -307,8 +308,6 @@ TEST_CASE("every number of threads refines to the same bits")
 // cos cos' / r^2 over pairs of points, or A_1 / pi times the mean of solid angle times cosine.
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Scene two_patches(const Surface& one, const Surface& other)
 {
