@@ -8,6 +8,7 @@
 
 #include "geometry/form_factor/contour_integral.h"
 
+#include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/pi.h"
 
 #include <algorithm>
@@ -79,18 +80,6 @@ double parallel_edges(const Edge& a, const Edge& b, double cosine)
     return std::copysign(1.0, cosine) * sum;
 }
 
-/// Gauss-Legendre on [-1, 1]: half of the ten symmetric nodes and their weights.
-struct GaussNode
-{
-    double place;
-    double weight;
-};
-constexpr std::array<GaussNode, 5> gauss_10 = {{{0.1488743389816312, 0.2955242247147529},
-                                                {0.4333953941292472, 0.2692667193099963},
-                                                {0.6794095682990244, 0.2190863625159820},
-                                                {0.8650633666889845, 0.1494513491505806},
-                                                {0.9739065285171717, 0.0666713443086881}}};
-
 /// Two lines that are not parallel, with s and t measured from the feet of their common perpendicular.
 struct SkewEdges
 {
@@ -135,7 +124,7 @@ double integral_of_angle(const SkewEdges& e, double begin, double end)
         return integral_of_angle(e, begin, middle) + integral_of_angle(e, middle, end);
     const double half = 0.5 * (end - begin);
     double sum = 0.0;
-    for (const GaussNode& node : gauss_10)
+    for (const GaussNode& node : half_gauss_10)
         sum += node.weight *
                (subtended_angle(e, middle - half * node.place) + subtended_angle(e, middle + half * node.place));
     return half * sum;

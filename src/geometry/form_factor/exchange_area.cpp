@@ -1,6 +1,7 @@
 #include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/form_factor/contour_integral.h"
+#include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/pi.h"
 #include "geometry/polygon.h"
 
@@ -51,24 +52,22 @@ struct RulePoint
     double weight;
 };
 
-/// Gauss-Legendre, two by two points: exact to degree 3 in u and in v.
-constexpr double gauss_2 = 0.2113248654051871; // 1/2 - sqrt(1/12)
-constexpr std::array<RulePoint, 4> coarse_square_rule = {{{gauss_2, gauss_2, 0.25},
-                                                          {gauss_2, 1.0 - gauss_2, 0.25},
-                                                          {1.0 - gauss_2, gauss_2, 0.25},
-                                                          {1.0 - gauss_2, 1.0 - gauss_2, 0.25}}};
+/// The rule in u times the same in v.
+template <std::size_t n>
+constexpr std::array<RulePoint, n * n> square_rule(const GaussRule<n>& rule)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+        sum += rule[i].weight;
+    std::array<RulePoint, n * n> points{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+            points[n * i + j] = {rule[i].place, rule[j].place, rule[i].weight * rule[j].weight / (sum * sum)};
+    return points;
+}
 
-/// Three by three points: exact to degree 5.
-constexpr double gauss_3 = 0.1127016653792583; // 1/2 - sqrt(3/20)
-constexpr std::array<RulePoint, 9> fine_square_rule = {{{gauss_3, gauss_3, 25.0 / 324},
-                                                        {gauss_3, 0.5, 40.0 / 324},
-                                                        {gauss_3, 1.0 - gauss_3, 25.0 / 324},
-                                                        {0.5, gauss_3, 40.0 / 324},
-                                                        {0.5, 0.5, 64.0 / 324},
-                                                        {0.5, 1.0 - gauss_3, 40.0 / 324},
-                                                        {1.0 - gauss_3, gauss_3, 25.0 / 324},
-                                                        {1.0 - gauss_3, 0.5, 40.0 / 324},
-                                                        {1.0 - gauss_3, 1.0 - gauss_3, 25.0 / 324}}};
+constexpr std::array<RulePoint, 4> coarse_square_rule = square_rule(gauss_2); // exact to degree 3 in u and in v
+constexpr std::array<RulePoint, 9> fine_square_rule = square_rule(gauss_3);   // to degree 5
 
 /// Exact to degree 3 on the triangle.
 constexpr std::array<RulePoint, 4> coarse_triangle_rule = {

@@ -4,25 +4,57 @@
 #include "geometry/intersector/core.h"
 
 #include <algorithm>
+#include <array>
 
 namespace multipath {
 
-void IntersectorCore::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
+HitLists::HitLists() : scratch_(std::make_unique<Scratch>()) {}
+
+HitLists::HitLists(const HitLists& other) : hits_(other.hits_), end_(other.end_), scratch_(std::make_unique<Scratch>())
+{
+}
+
+HitLists& HitLists::operator=(const HitLists& other)
+{
+    hits_ = other.hits_;
+    end_ = other.end_;
+    return *this;
+}
+
+HitLists::~HitLists() = default;
+
+FirstHits::FirstHits() : scratch_(std::make_unique<Scratch>()) {}
+
+FirstHits::FirstHits(const FirstHits& other)
+    : hits_(other.hits_), is_hit_(other.is_hit_), scratch_(std::make_unique<Scratch>())
+{
+}
+
+FirstHits& FirstHits::operator=(const FirstHits& other)
+{
+    hits_ = other.hits_;
+    is_hit_ = other.is_hit_;
+    return *this;
+}
+
+FirstHits::~FirstHits() = default;
+
+void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
 {
     lists.end_.clear();
     for (std::size_t first = 0; first < count; first += LineBatch::most) {
         const std::size_t last = std::min(count, first + LineBatch::most);
-        if (!unfiltered_.empty() || !place_lines(lines + first, last - first, *lists.scratch_)) {
+        if (!core_->unfiltered_.empty() || !core_->place_lines(lines + first, last - first, *lists.scratch_)) {
             append_one_by_one(lines, first, last, lists);
             continue;
         }
-        find_candidates(*lists.scratch_);
-        decide_candidates(lines + first, first, last, lists);
+        core_->find_candidates(*lists.scratch_);
+        core_->decide_candidates(lines + first, first, last, lists);
     }
 }
 
 /// False if a line can only be decided in double precision.
-bool IntersectorCore::place_lines(const Line* lines, std::size_t count, HitLists::Scratch& work) const
+bool Intersector::Core::place_lines(const Line* lines, std::size_t count, HitLists::Scratch& work) const
 {
     kernel_->place_lines(frame_, lines, count, work.batch);
     work.passing.resize(count);
@@ -41,7 +73,7 @@ bool IntersectorCore::place_lines(const Line* lines, std::size_t count, HitLists
     return (courses & static_cast<std::uint32_t>(LineCourse::unfit)) == 0;
 }
 
-void IntersectorCore::find_candidates(HitLists::Scratch& work) const
+void Intersector::Core::find_candidates(HitLists::Scratch& work) const
 {
     if (tree_.empty())
         find_among_few(work);
@@ -49,7 +81,7 @@ void IntersectorCore::find_candidates(HitLists::Scratch& work) const
         find_in_tree(work);
 }
 
-void IntersectorCore::find_among_few(HitLists::Scratch& work) const
+void Intersector::Core::find_among_few(HitLists::Scratch& work) const
 {
     const FlatSurfaces surfaces = flat_surfaces();
     const unsigned words = (surfaces.count + 31) / 32;
@@ -65,7 +97,7 @@ void IntersectorCore::find_among_few(HitLists::Scratch& work) const
     work.candidate_count = found;
 }
 
-void IntersectorCore::find_in_tree(HitLists::Scratch& work) const
+void Intersector::Core::find_in_tree(HitLists::Scratch& work) const
 {
     struct Context
     {
@@ -91,7 +123,7 @@ void IntersectorCore::find_in_tree(HitLists::Scratch& work) const
     }
 }
 
-void IntersectorCore::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
+void Intersector::Core::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
 {
     const std::size_t begin = first == 0 ? 0 : lists.end_[first - 1];
     if (lists.hits_.size() < begin + lists.scratch_->candidate_count + 1)
@@ -108,7 +140,7 @@ void IntersectorCore::decide_candidates(const Line* lines, std::size_t first, st
     }
 }
 
-void IntersectorCore::append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
+void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
 {
     std::vector<Hit> hits;
     for (std::size_t i = first; i < last; ++i) {
@@ -118,6 +150,93 @@ void IntersectorCore::append_one_by_one(const Line* lines, std::size_t first, st
             lists.hits_.resize(2 * (begin + hits.size()));
         std::copy(hits.begin(), hits.end(), lists.hits_.begin() + static_cast<std::ptrdiff_t>(begin));
         lists.end_.push_back(begin + hits.size());
+    }
+}
+
+// The first hits of many rays, in phases like all hits of many lines. Of every ray the surface that may come first is
+// decided; it does come first if no other can be met before it. Where that is in doubt, which is rare, and where the
+// start of a ray is covered, more is looked at.
+
+void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                    FirstHits& found) const
+{
+    found.resize(count);
+    for (std::size_t first = 0; first < count; first += LineBatch::most) {
+        const std::size_t together = std::min(count - first, LineBatch::most);
+        core_->kernel_->place_lines(core_->frame_, rays + first, together, found.scratch_->batch);
+        std::uint32_t courses = 0;
+        for (std::size_t i = 0; i < together; ++i)
+            courses |= found.scratch_->batch.course[i];
+        if (!core_->unfiltered_.empty() || (courses & static_cast<std::uint32_t>(LineCourse::unfit)) != 0)
+            for (std::size_t i = first; i < first + together; ++i)
+                found.put(i, core_->nearest(rays[i], core_->plane_[from[i]]));
+        else if (core_->tree_.empty())
+            core_->find_first_among_few(from, rays, first, together, found);
+        else
+            core_->find_first_in_tree(from, rays, first, together, found);
+    }
+    find_first_of_covered(from, rays, count, found);
+}
+
+void Intersector::Core::find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first,
+                                             std::size_t count, FirstHits& found) const
+{
+    alignas(64) std::array<float, LineBatch::most> own_plane{};
+    for (std::size_t i = 0; i < count; ++i)
+        own_plane[i] = static_cast<float>(plane_[from[first + i]]);
+    NearestCandidates candidates;
+    kernel_->nearest_flat(flat_surfaces(), found.scratch_->batch, count, own_plane.data(), candidates);
+    std::array<std::uint32_t, LineBatch::most> surface;
+    for (std::size_t i = 0; i < count; ++i)
+        surface[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(candidates.number[i]));
+    kernel_->decide_nearest(table_, rays + first, surface.data(), count, found.hits_.data() + first,
+                            found.is_hit_.data() + first);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t ray = first + i;
+        const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+        const bool is_hit = every(passes, candidates.first[i] < FlatSurfaces::never, found.is_hit_[ray] != 0);
+        const bool alone = candidates.second[i] == FlatSurfaces::never;
+        const double second = found.scratch_->batch.middle_t[i] + static_cast<double>(candidates.second[i]);
+        found.is_hit_[ray] = is_hit;
+        if (!any(!passes, alone, every(is_hit, found.hits_[ray].t < second)))
+            found.put(ray, nearest(rays[ray], plane_[from[ray]]));
+    }
+}
+
+void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first,
+                                           std::size_t count, FirstHits& found) const
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+        found.put(first + i,
+                  passes ? nearest_in_tree(rays[first + i], found.scratch_->batch.line(i), plane_[from[first + i]])
+                         : std::nullopt);
+    }
+}
+
+/// Overwrites what was found for rays that start where another surface lies: closest_hit_from for each of them.
+void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                        FirstHits& found) const
+{
+    found.scratch_->covered.clear();
+    found.scratch_->whole_lines.clear();
+    for (std::size_t i = 0; i < count; ++i)
+        if (core_->neighbours_.may_have_some(from[i]) && core_->is_covered(from[i], rays[i].origin)) {
+            found.scratch_->covered.push_back(static_cast<std::uint32_t>(i));
+            found.scratch_->whole_lines.push_back(core_->whole_line(rays[i]));
+        }
+    // In parts, since each of the lines may meet thousands of surfaces.
+    constexpr std::size_t most_hits = 1u << 15;
+    std::size_t part = 16;
+    for (std::size_t first = 0; first < found.scratch_->covered.size();) {
+        const std::size_t end = std::min(first + part, found.scratch_->covered.size());
+        all_hits(found.scratch_->whole_lines.data() + first, end - first, found.scratch_->along);
+        part = std::clamp<std::size_t>(most_hits * (end - first) / (found.scratch_->along.hit_count() + 1), 1,
+                                       LineBatch::most);
+        for (const std::size_t of_part = first; first < end; ++first) {
+            const std::uint32_t i = found.scratch_->covered[first];
+            found.put(i, core_->next_along(found.scratch_->along[first - of_part], from[i], rays[i]));
+        }
     }
 }
 

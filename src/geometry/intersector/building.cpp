@@ -28,7 +28,7 @@ bool is_few(const FramedRectangles& framed)
 } // namespace
 
 /// What is made of the surfaces first: planes and the hierarchy take about as long, and go side by side.
-struct IntersectorCore::Groundwork
+struct Intersector::Core::Groundwork
 {
     FilterFrame frame;
     LargeVector<Bounds> boxes;
@@ -68,13 +68,12 @@ private:
     }
 };
 
-IntersectorCore::IntersectorCore(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
-    : IntersectorCore(surfaces, Groundwork::of(surfaces, threads), kernel, threads)
+Intersector::Core::Core(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
+    : Core(surfaces, Groundwork::of(surfaces, threads), kernel, threads)
 {
 }
 
-IntersectorCore::IntersectorCore(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel,
-                                 int threads)
+Intersector::Core::Core(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads)
     : kernel_(&kernel),
       table_(surfaces, groundwork.planes, threads),
       frame_(groundwork.frame),
@@ -101,7 +100,7 @@ IntersectorCore::IntersectorCore(const SurfaceList& surfaces, Groundwork groundw
 }
 
 /// Returns the others.
-std::vector<std::uint32_t> IntersectorCore::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
+std::vector<std::uint32_t> Intersector::Core::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
 {
     std::vector<unsigned char> fits(surfaces.size());
     parallel_ranges(table_.size(), prepared_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
@@ -114,7 +113,7 @@ std::vector<std::uint32_t> IntersectorCore::sort_out_unfiltered(const SurfaceLis
     return filtered;
 }
 
-void IntersectorCore::fill_blocks(int threads)
+void Intersector::Core::fill_blocks(int threads)
 {
     const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
     const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -142,5 +141,19 @@ void IntersectorCore::fill_blocks(int threads)
             fill(block);
     });
 }
+
+Intersector::Intersector(const SurfaceList& surfaces, int threads)
+    : Intersector(surfaces, *available_kernels()[0], threads)
+{
+}
+
+Intersector::Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
+    : core_(std::make_unique<const Core>(surfaces, kernel, threads))
+{
+}
+
+Intersector::~Intersector() = default;
+Intersector::Intersector(Intersector&&) noexcept = default;
+Intersector& Intersector::operator=(Intersector&&) noexcept = default;
 
 } // namespace multipath

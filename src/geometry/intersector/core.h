@@ -3,8 +3,9 @@
 #include "geometry/intersector/block_filling.h"
 #include "geometry/intersector/filter_line.h"
 #include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/intersector.h"
 #include "geometry/intersector/kernel.h"
-#include "geometry/intersector/plane_neighbours.h"
+#include "geometry/intersector/shared_planes.h"
 #include "geometry/intersector/surface_block.h"
 #include "geometry/intersector/surface_table.h"
 #include "geometry/intersector/tree.h"
@@ -45,32 +46,19 @@ struct FirstHits::Scratch
     HitLists along;
 };
 
-/// The tables of an Intersector and the search in them. The public functions are those of Intersector.
-class IntersectorCore
+/// The tables of an Intersector and the steps of the search in them.
+class Intersector::Core
 {
 public:
-    IntersectorCore(const SurfaceList& surfaces, const FilterKernel& kernel, int threads);
-
-    void all_hits(const Line& line, std::vector<Hit>& hits) const;
-    void all_hits(const Line* lines, std::size_t count, HitLists& lists) const;
-    std::optional<Hit> closest_hit(const Line& line) const;
-    std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
-    void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
-    std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
-    std::size_t surfaces_around(std::uint32_t of, Vec3 point) const;
-    std::optional<std::vector<std::uint32_t>> surfaces_near(const Bounds& box) const;
-    bool meets(const Line& line, std::uint32_t surface) const
-    {
-        Hit hit;
-        return table_.decide(line, surface, hit);
-    }
-    bool is_over(std::uint32_t a, std::uint32_t b) const { return size_rank_[a] < size_rank_[b]; }
+    Core(const SurfaceList& surfaces, const FilterKernel& kernel, int threads);
 
 private:
+    friend class Intersector;
+
     struct Nearest;
     struct Groundwork;
 
-    IntersectorCore(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
+    Core(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
     std::vector<std::uint32_t> sort_out_unfiltered(const SurfaceList& surfaces, int threads);
     void fill_blocks(int threads);
 
@@ -95,12 +83,10 @@ private:
     void find_among_few(HitLists::Scratch& work) const;
     void find_in_tree(HitLists::Scratch& work) const;
     void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
-    void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
     void find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
                               FirstHits& found) const;
     void find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
                             FirstHits& found) const;
-    void find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
     bool comes_before(const Hit& a, const Hit& b) const
     {

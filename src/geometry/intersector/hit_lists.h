@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    friend class IntersectorCore;
+    friend class Intersector;
 
     struct Scratch;
 
@@ -67,7 +67,7 @@ public:
     const Hit& operator[](std::size_t ray) const { return hits_[ray]; } ///< of a ray that has one
 
 private:
-    friend class IntersectorCore;
+    friend class Intersector;
 
     struct Scratch;
 

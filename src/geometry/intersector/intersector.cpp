@@ -1,104 +1,285 @@
-#include "geometry/intersector/intersector.h"
+// Lines are filtered in single precision, 16 surfaces at a time, and the few surfaces left are decided in double
+// precision by SurfaceTable, so that the results are those of deciding all surfaces, to the last bit. Few surfaces are
+// all filtered; many are found through a hierarchy, whose leaves are filtered.
 
 #include "geometry/intersector/core.h"
-#include "geometry/intersector/kernel.h"
+
+#include <algorithm>
+#include <array>
 
 namespace multipath {
 
-HitLists::HitLists() : scratch_(std::make_unique<Scratch>()) {}
+namespace {
 
-HitLists::HitLists(const HitLists& other) : hits_(other.hits_), end_(other.end_), scratch_(std::make_unique<Scratch>())
+constexpr std::size_t flat_words = FlatSurfaces::most / 64;
+constexpr std::uint32_t no_plane = 0xffffffffu;
+
+} // namespace
+
+FlatSurfaces Intersector::Core::flat_surfaces() const
 {
+    return {blocks_.data(),
+            flat_plane_.data(),
+            flat_number_.data(),
+            flat_triangles_,
+            static_cast<unsigned>(framed_.others.size()),
+            static_cast<unsigned>(lane_number_.size()),
+            framed_.frames.data(),
+            static_cast<unsigned>(framed_.frames.size()),
+            framed_.rectangles.data()};
 }
 
-HitLists& HitLists::operator=(const HitLists& other)
+/// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.
+template <class Visit>
+void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit) const
 {
-    hits_ = other.hits_;
-    end_ = other.end_;
-    return *this;
+    FilterLine placed;
+    const LineCourse course = frame_.place(line, placed);
+    if (course == LineCourse::unfit) {
+        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
+            visit(surface);
+        return;
+    }
+    for (const std::uint32_t surface : unfiltered_)
+        visit(surface);
+    if (course == LineCourse::misses) // as a third of the chords of the scene's sphere do
+        return;
+    if (!tree_.empty()) {
+        struct Context
+        {
+            const std::uint32_t* number;
+            const Visit& visit;
+        } context{lane_number_.data(), visit};
+        const auto visit_blocks = [](void* pointer, const BlockLanes* found, unsigned count) {
+            const Context& in = *static_cast<const Context*>(pointer);
+            for (unsigned i = 0; i < count; ++i)
+                for (unsigned lanes = found[i].lanes; lanes != 0; lanes &= lanes - 1)
+                    in.visit(
+                        in.number[SurfaceBlock::lanes * found[i].block + static_cast<unsigned>(__builtin_ctz(lanes))]);
+        };
+        kernel_->visit_all(tree_.nodes(), blocks_.data(), placed, visit_blocks, &context);
+        return;
+    }
+    std::array<std::uint64_t, flat_words> masks{};
+    kernel_->filter_line(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), placed, masks.data());
+    for (std::size_t word = 0; word < flat_words; ++word)
+        for (std::uint64_t mask = masks[word]; mask != 0; mask &= mask - 1)
+            visit(lane_number_[64 * word + static_cast<unsigned>(__builtin_ctzll(mask))]);
 }
-
-HitLists::~HitLists() = default;
-
-FirstHits::FirstHits() : scratch_(std::make_unique<Scratch>()) {}
-
-FirstHits::FirstHits(const FirstHits& other)
-    : hits_(other.hits_), is_hit_(other.is_hit_), scratch_(std::make_unique<Scratch>())
-{
-}
-
-FirstHits& FirstHits::operator=(const FirstHits& other)
-{
-    hits_ = other.hits_;
-    is_hit_ = other.is_hit_;
-    return *this;
-}
-
-FirstHits::~FirstHits() = default;
-
-Intersector::Intersector(const SurfaceList& surfaces, int threads)
-    : Intersector(surfaces, *available_kernels()[0], threads)
-{
-}
-
-Intersector::Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
-    : core_(std::make_unique<const IntersectorCore>(surfaces, kernel, threads))
-{
-}
-
-Intersector::~Intersector() = default;
-Intersector::Intersector(Intersector&&) noexcept = default;
-Intersector& Intersector::operator=(Intersector&&) noexcept = default;
 
 void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
 {
-    core_->all_hits(line, hits);
+    hits.clear();
+    core_->for_each_candidate(line, [&](std::uint32_t surface) {
+        Hit hit;
+        if (core_->table_.decide(line, surface, hit))
+            hits.push_back(hit);
+    });
+    core_->put_in_order(hits.data(), hits.size());
 }
 
-void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
+/// As comes_before, with the keys side by side: ranks are far apart in memory.
+void Intersector::Core::sort_many(Hit* hits, std::size_t count) const
 {
-    core_->all_hits(lines, count, lists);
+    struct Key
+    {
+        double t;
+        std::uint32_t rank;
+        std::uint32_t place;
+    };
+    std::vector<Key> keys(count);
+    for (std::size_t i = 0; i < count; ++i)
+        keys[i] = {hits[i].t, size_rank_[hits[i].surface], static_cast<std::uint32_t>(i)};
+    std::sort(keys.begin(), keys.end(),
+              [](const Key& a, const Key& b) { return a.t < b.t || (a.t == b.t && a.rank < b.rank); });
+    const std::vector<Hit> unsorted(hits, hits + count);
+    for (std::size_t i = 0; i < count; ++i)
+        hits[i] = unsorted[keys[i].place];
+}
+
+/// Insertion sort, since most lines meet a handful of surfaces.
+void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
+{
+    constexpr std::size_t handful = 64;
+    if (count > handful) {
+        sort_many(hits, count);
+        order_coincident_hits(hits, count, outside_is_solid_);
+        return;
+    }
+    bool coincide = false;
+    for (std::size_t i = 1; i < count; ++i) {
+        const Hit moving = hits[i];
+        std::size_t place = i;
+        for (; place > 0 && comes_before(moving, hits[place - 1]); --place)
+            hits[place] = hits[place - 1];
+        hits[place] = moving;
+        coincide |= place > 0 && hits[place - 1].t == moving.t;
+        coincide |= place < i && hits[place + 1].t == moving.t;
+    }
+    if (coincide)
+        order_coincident_hits(hits, count, outside_is_solid_);
 }
 
 std::optional<Hit> Intersector::closest_hit(const Line& line) const
 {
-    return core_->closest_hit(line);
+    return core_->nearest(line, no_plane);
 }
 
 std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
 {
-    return core_->closest_hit_from(from, ray);
+    // Where another face lies on the start, the order of coincident faces decides whether the ray meets it.
+    if (!core_->is_covered(from, ray.origin))
+        return core_->nearest(ray, core_->plane_[from]);
+    std::vector<Hit> along;
+    all_hits(core_->whole_line(ray), along);
+    return core_->next_along(along, from, ray);
 }
 
-void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                    FirstHits& found) const
+bool Intersector::Core::is_covered(std::uint32_t from, Vec3 point) const
 {
-    core_->closest_hits_from(from, rays, count, found);
+    bool covered = false;
+    for_each_coincident(from, point, [&](std::uint32_t) { covered = true; });
+    return covered;
 }
 
-std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Vec3 point) const
+/// Keeps the first of the hits it is shown.
+struct Intersector::Core::Nearest
 {
-    return core_->coincident_surfaces(of, point);
+    const Core& all;
+    const Line& line;
+    std::uint32_t excluded_plane;
+    double middle_t = 0.0;
+    float limit = 0.0f;
+    Hit best = {};
+    bool found = false;
+
+    void consider(std::uint32_t surface)
+    {
+        Hit hit;
+        if (all.plane_[surface] == excluded_plane || !all.table_.decide(line, surface, hit))
+            return;
+        const bool on_top = hit.t == best.t && (hit.front != best.front ? hit.front : all.comes_before(hit, best));
+        if (!found || hit.t < best.t || on_top)
+            best = hit;
+        found = true;
+    }
+
+    static float visit_block(void* self, std::uint32_t block, unsigned lanes)
+    {
+        Nearest& nearest = *static_cast<Nearest*>(self);
+        for (; lanes != 0; lanes &= lanes - 1)
+            nearest.consider(
+                nearest.all.lane_number_[SurfaceBlock::lanes * block + static_cast<unsigned>(__builtin_ctz(lanes))]);
+        if (nearest.found)
+            nearest.limit = std::min(nearest.limit, static_cast<float>(nearest.best.t - nearest.middle_t));
+        return nearest.limit;
+    }
+};
+
+std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t excluded_plane) const
+{
+    FilterLine placed;
+    if (!tree_.empty() && unfiltered_.empty() && frame_.place(line, placed) == LineCourse::passes)
+        return nearest_in_tree(line, placed, excluded_plane);
+    Nearest nearest{*this, line, excluded_plane};
+    for_each_candidate(line, [&](std::uint32_t surface) { nearest.consider(surface); });
+    return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
+}
+
+std::optional<Hit> Intersector::Core::nearest_in_tree(const Line& line, const FilterLine& placed,
+                                                      std::uint32_t excluded_plane) const
+{
+    Nearest nearest{*this, line, excluded_plane, placed.middle_t, placed.half_length};
+    kernel_->visit_nearest(tree_.nodes(), blocks_.data(), placed, Nearest::visit_block, &nearest);
+    return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
+}
+
+/// Calls visit(surface) for all that may share the plane of a surface and hold a point of it.
+template <class Visit>
+void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const
+{
+    if (neighbours_.is_listed(of)) {
+        neighbours_.for_each(of, visit);
+        return;
+    }
+    if (tree_.empty())
+        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
+            visit(surface);
+    else
+        for (const std::uint32_t surface : unfiltered_)
+            visit(surface);
+    tree_.for_each_around(frame_.to_frame(point), visit);
+}
+
+/// Calls visit(surface) for what coincident_surfaces lists.
+template <class Visit>
+void Intersector::Core::for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const
+{
+    for_each_around(of, point, [&](std::uint32_t surface) {
+        if (surface != of && plane_[surface] == plane_[of] && table_.holds(point, surface))
+            visit(surface);
+    });
 }
 
 std::size_t Intersector::surfaces_around(std::uint32_t of, Vec3 point) const
 {
-    return core_->surfaces_around(of, point);
+    std::size_t count = 0;
+    core_->for_each_around(of, point, [&](std::uint32_t) { ++count; });
+    return count;
+}
+
+std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Vec3 point) const
+{
+    std::vector<std::uint32_t> found;
+    core_->for_each_coincident(of, point, [&](std::uint32_t surface) { found.push_back(surface); });
+    return found;
 }
 
 std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bounds& box) const
 {
-    return core_->surfaces_near(box);
+    if (core_->tree_.empty())
+        return std::nullopt;
+    constexpr double rounding = 1e-6; // of the frame's coordinates, in single precision
+    const Vec3 margin = {rounding, rounding, rounding};
+    std::vector<std::uint32_t> found = core_->unfiltered_;
+    core_->tree_.for_each_near({core_->frame_.to_frame(box.low) - margin, core_->frame_.to_frame(box.high) + margin},
+                               [&](std::uint32_t surface) { found.push_back(surface); });
+    return found;
+}
+
+double Intersector::Core::reach_of(const Line& ray) const
+{
+    return (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
+}
+
+Line Intersector::Core::whole_line(const Line& ray) const
+{
+    return {ray.at(-reach_of(ray)), ray.direction};
+}
+
+std::optional<Hit> Intersector::Core::next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const
+{
+    const auto own =
+        std::find_if(whole_line.begin(), whole_line.end(), [&](const Hit& hit) { return hit.surface == from; });
+    if (own == whole_line.end()) // rounding put the start beyond the border
+        return nearest(ray, plane_[from]);
+    const auto next = own + 1;
+    if (next == whole_line.end())
+        return std::nullopt;
+    Hit result = *next;
+    result.t = std::max(0.0, result.t - reach_of(ray));
+    return result;
 }
 
 bool Intersector::meets(const Line& line, std::uint32_t surface) const
 {
-    return core_->meets(line, surface);
+    Hit hit;
+    return core_->table_.decide(line, surface, hit);
 }
 
 bool Intersector::is_over(std::uint32_t a, std::uint32_t b) const
 {
-    return core_->is_over(a, b);
+    return core_->size_rank_[a] < core_->size_rank_[b];
 }
 
 } // namespace multipath

@@ -15,7 +15,6 @@
 namespace multipath {
 
 struct FilterKernel;
-class IntersectorCore;
 
 /// Where lines meet surfaces. Knows nothing of light; immutable and safe to share between threads.
 /// Surfaces in one plane are met at exactly the same t, so coincident faces tie and are never lost.
@@ -63,7 +62,12 @@ public:
     std::size_t surfaces_around(std::uint32_t of, Vec3 point) const;
 
 private:
-    std::unique_ptr<const IntersectorCore> core_;
+    class Core;
+
+    void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
+    void find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
+
+    std::unique_ptr<const Core> core_;
 };
 
 } // namespace multipath

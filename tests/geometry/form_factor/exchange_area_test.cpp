@@ -1,5 +1,6 @@
 #include "geometry/form_factor/exchange_area.h"
 
+#include "geometry/pi.h"
 #include "geometry/random_surfaces.h"
 #include "geometry/surface_pieces.h"
 #include "selftest/rectangle_exchange.h"
@@ -16,7 +17,6 @@ using namespace multipath;
 
 namespace {
 
-constexpr double pi = 0.5 * two_pi;
 constexpr double touching = 1e-9;
 
 class SurfaceNumbers : public Numbers
