@@ -41,6 +41,8 @@ struct Sources
     }
 };
 
+/// Folds the square over the long edge of a triangle, unlike square_to_uniform_surface, so that the places of `snapped`
+/// stay a regular grid from border to border.
 Vec3 point_on(const Surface& shape, double a, double b)
 {
     if (shape.shape == Shape::triangle && a + b > 1.0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/pi.h"
+#include "geometry/surface.h"
 #include "geometry/vec3.h"
 
 namespace multipath {
@@ -57,6 +58,28 @@ struct Barycentric
 
 /// Uniform on the triangle u, v >= 0, u + v <= 1, density 2. Continuous, so it keeps well-spread points well spread.
 Barycentric square_to_uniform_triangle(double a, double b);
+
+/// Point of a surface, density 1 / area.
+inline Vec3 square_to_uniform_surface(const Surface& surface, double a, double b)
+{
+    if (surface.shape == Shape::parallelogram)
+        return surface.at(a, b);
+    const Barycentric place = square_to_uniform_triangle(a, b);
+    return surface.at(place.u, place.v);
+}
+
+/// Orthonormal axes at a surface, oblique to its edges (3-4-5 triangle), so that regular numbers do not aim exactly at
+/// the edges of rooms.
+struct ObliqueAxes
+{
+    Vec3 x, y, z;
+
+    /// `normal`: of the surface, on either side.
+    ObliqueAxes(const Surface& surface, Vec3 normal);
+
+    /// A vector of the maps about +z, about the normal.
+    Vec3 turned(Vec3 local) const { return local.x * x + local.y * y + local.z * z; }
+};
 
 /// A triangle on the unit sphere: what a flat triangle hides of the sky at a point.
 class SphericalTriangle

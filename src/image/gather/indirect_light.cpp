@@ -40,15 +40,10 @@ IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, RayFa
         return {place, {}, 0.0};
     fan.items.resize(rays_);
     sequence_->generate(number * rays_, fan.items);
-    // Oblique to the edges, so that regular numbers do not aim exactly at the edges of rooms.
-    const Vec3 along_edge = normalized(scene_.surfaces()[place.surface].edge_u);
-    const Vec3 tangent = 0.6 * along_edge + 0.8 * cross(place.normal, along_edge);
-    const Vec3 bitangent = cross(place.normal, tangent);
+    const ObliqueAxes axes(scene_.surfaces()[place.surface], place.normal);
     fan.rays.clear();
-    for (const Item& item : fan.items) {
-        const Vec3 local = square_to_cosine_hemisphere(item[0], item[1]);
-        fan.rays.push_back({place.point, local.x * tangent + local.y * bitangent + local.z * place.normal});
-    }
+    for (const Item& item : fan.items)
+        fan.rays.push_back({place.point, axes.turned(square_to_cosine_hemisphere(item[0], item[1]))});
     const FirstHits& hits = fan.trace(scene_, place.surface);
     Rgb sum;
     double nearness = 1.0 / scene_.bounds().diagonal();

@@ -25,14 +25,6 @@ namespace multipath {
 
 namespace {
 
-Vec3 point_at(const Surface& shape, double u, double v)
-{
-    if (shape.shape == Shape::parallelogram)
-        return shape.at(u, v);
-    const Barycentric place = square_to_uniform_triangle(u, v);
-    return shape.at(place.u, place.v);
-}
-
 /// No point of the shape is farther from its centre.
 double radius(const Surface& shape)
 {
@@ -56,13 +48,13 @@ RayPair::RayPair(const Scene& scene, std::uint32_t one, std::uint32_t other)
 
 RayPair::Ray RayPair::ray(const Item& item) const
 {
-    const Vec3 start = point_at(from_.shape, item[0], item[1]);
+    const Vec3 start = square_to_uniform_surface(from_.shape, item[0], item[1]);
     return near_ ? into_solid_angle(start, item[2], item[3]) : towards_point(start, item[2], item[3]);
 }
 
 RayPair::Ray RayPair::towards_point(Vec3 start, double u, double v) const
 {
-    const Vec3 d = point_at(to_.shape, u, v) - start;
+    const Vec3 d = square_to_uniform_surface(to_.shape, u, v) - start;
     const double leaving = dot(from_normal_, d);
     const double arriving = -dot(to_normal_, d);
     if (leaving <= 0.0 || arriving <= 0.0)

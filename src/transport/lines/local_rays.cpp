@@ -1,6 +1,5 @@
 #include "transport/lines/local_rays.h"
 
-#include "sampling/warp.h"
 #include "sampling/warp_kernel.h"
 #include "transport/lines/line_segments.h"
 
@@ -9,13 +8,7 @@
 
 namespace multipath {
 
-LocalRays::LocalRays(const Patch& patch) : shape_(patch.shape), normal_(patch.shape.normal())
-{
-    // Oblique to the edges (3-4-5 triangle), so that regular numbers do not aim exactly at the edges of rooms.
-    const Vec3 along_edge = normalized(shape_.edge_u);
-    tangent_ = 0.6 * along_edge + 0.8 * cross(normal_, along_edge);
-    bitangent_ = cross(normal_, tangent_);
-}
+LocalRays::LocalRays(const Patch& patch) : shape_(patch.shape), axes_(patch.shape, patch.shape.normal()) {}
 
 Line LocalRays::line(const Item& item) const
 {
@@ -26,10 +19,7 @@ Line LocalRays::line(const Item& item, Vec3 local) const
 {
     // A ray must not start on the border itself, where rounding could put it outside a closed room.
     const auto inside = [](double x) { return std::clamp(x, 0x1p-30, 1.0 - 0x1p-30); };
-    Barycentric place{inside(item[0]), inside(item[1])};
-    if (shape_.shape == Shape::triangle)
-        place = square_to_uniform_triangle(place.u, place.v);
-    return {shape_.at(place.u, place.v), local.x * tangent_ + local.y * bitangent_ + local.z * normal_};
+    return {square_to_uniform_surface(shape_, inside(item[0]), inside(item[1])), axes_.turned(local)};
 }
 
 Line local_line(const Patch& patch, const Item& item)

@@ -3,6 +3,7 @@
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/line.h"
 #include "sampling/sequence.h"
+#include "sampling/warp.h"
 #include "scene/scene.h"
 
 #include <cstddef>
@@ -25,9 +26,7 @@ public:
 
 private:
     Surface shape_;
-    Vec3 tangent_;
-    Vec3 bitangent_;
-    Vec3 normal_;
+    ObliqueAxes axes_;
 };
 
 /// The same for a single ray.
