@@ -33,7 +33,6 @@ private:
     void set_emittance(std::string_view keyword, std::string_view rest, TextPlace place);
     Rgb colour(std::string_view keyword, std::string_view rest, TextPlace place) const;
     void note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place);
-    void note_ignored(std::string_view keyword, TextPlace place);
     void note_ambient(std::string_view rest);
     MtlMaterial& current_material(std::string_view keyword, TextPlace place);
     const std::string& name_of_current() const;
@@ -44,8 +43,7 @@ private:
     MaterialLibrary& library_;
     TextLines lines_;
     std::optional<std::uint32_t> current_;
-    std::vector<std::string> ignored_;
-    std::uint32_t first_ignored_line_ = 0;
+    IgnoredKeywords ignored_{16};
 };
 
 void MtlParser::parse()
@@ -53,13 +51,8 @@ void MtlParser::parse()
     TextLine line;
     while (lines_.next(line))
         statement(line);
-    if (ignored_.empty())
-        return;
-    std::string names;
-    for (const std::string& name : ignored_)
-        names += (names.empty() ? "" : ", ") + name;
-    library_.warnings.push_back(name_of({path_, first_ignored_line_}) + ": ignored, since only Kd and " +
-                                emission_keyword() + " count: " + names);
+    if (const auto warning = ignored_.warning("ignored, since only Kd and " + emission_keyword() + " count"))
+        library_.warnings.push_back(*warning);
 }
 
 void MtlParser::statement(const TextLine& line)
@@ -75,7 +68,7 @@ void MtlParser::statement(const TextLine& line)
     else if (keyword == emission_keyword())
         set_emittance(keyword, without_comment(rest), line.place);
     else
-        note_ignored(keyword, line.place);
+        ignored_.note(keyword, line.place);
     if (keyword == "Ka")
         note_ambient(without_comment(rest));
 }
@@ -169,15 +162,6 @@ void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_li
         library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
                                     in_quotes(name_of_current()) + " is given again (first in line " +
                                     std::to_string(first_line) + "), the last value counts");
-}
-
-void MtlParser::note_ignored(std::string_view keyword, TextPlace place)
-{
-    constexpr std::size_t most_names = 16;
-    const std::string name = in_quotes(keyword);
-    first_ignored_line_ = ignored_.empty() ? place.line : first_ignored_line_;
-    if (ignored_.size() < most_names && std::find(ignored_.begin(), ignored_.end(), name) == ignored_.end())
-        ignored_.push_back(name);
 }
 
 MtlMaterial& MtlParser::current_material(std::string_view keyword, TextPlace place)

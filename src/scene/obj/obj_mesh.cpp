@@ -66,7 +66,6 @@ private:
     std::uint32_t corner(std::string_view word, const TextPlace& place) const;
     void number_names(TextPlace place);
     void library(std::string_view names, const TextPlace& place);
-    void unknown(std::string_view keyword, const TextPlace& place);
     void make_room_for_vertices();
     void check_corners() const;
     void summarise_warnings();
@@ -83,8 +82,7 @@ private:
     NameNumbers group_numbers_;
     std::uint32_t first_weight_line_ = 0;
     std::size_t weight_count_ = 0;
-    std::uint32_t first_unknown_line_ = 0;
-    std::vector<std::string> unknown_keywords_;
+    IgnoredKeywords unknown_{8};
 };
 
 ObjMesh ObjParser::parse()
@@ -131,7 +129,7 @@ void ObjParser::named_statement(std::string_view keyword, std::string_view rest,
     } else if (contains(unsupported_keywords, keyword)) {
         refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
     } else if (!contains(harmless_keywords, keyword)) {
-        unknown(keyword, place);
+        unknown_.note(keyword, place);
     }
 }
 
@@ -145,17 +143,6 @@ void ObjParser::library(std::string_view names, const TextPlace& place)
     if (known.size() == most_libraries)
         refuse(place, "more than 256 different `mtllib` statements");
     known.push_back({std::string(names), place.line});
-}
-
-void ObjParser::unknown(std::string_view keyword, const TextPlace& place)
-{
-    constexpr std::size_t most_names = 8;
-    if (unknown_keywords_.empty())
-        first_unknown_line_ = place.line;
-    const std::string name = in_quotes(keyword);
-    if (unknown_keywords_.size() < most_names &&
-        std::find(unknown_keywords_.begin(), unknown_keywords_.end(), name) == unknown_keywords_.end())
-        unknown_keywords_.push_back(name);
 }
 
 /// x y z, then perhaps a weight (one more number) or a colour (three more).
@@ -272,12 +259,8 @@ void ObjParser::summarise_warnings()
     if (weight_count_ != 0)
         mesh_.warnings.push_back(name_of(at_line(first_weight_line_)) + ": the weight of a vertex (fourth number) is " +
                                  "ignored, polygons have none (" + std::to_string(weight_count_) + " in the file)");
-    if (unknown_keywords_.empty())
-        return;
-    std::string names;
-    for (const std::string& name : unknown_keywords_)
-        names += (names.empty() ? "" : ", ") + name;
-    mesh_.warnings.push_back(name_of(at_line(first_unknown_line_)) + ": unknown statements ignored: " + names);
+    if (const auto warning = unknown_.warning("unknown statements ignored"))
+        mesh_.warnings.push_back(*warning);
 }
 
 } // namespace

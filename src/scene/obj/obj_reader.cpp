@@ -3,12 +3,13 @@
 
 #include "scene/obj/obj_reader.h"
 
-#include "scene/obj/light_check.h"
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
 #include "scene/obj/obj_mesh.h"
 #include "scene/obj/parallelogram_merge.h"
+#include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
+#include "scene/vertex_weld.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -46,6 +47,16 @@ MaterialLibrary read_libraries(const std::vector<std::string>& files, EmissionFr
     return library;
 }
 
+/// The materials of a scene as its faces use them.
+struct UsedMaterials
+{
+    std::vector<MtlMaterial> used;          ///< defined, and used by a face
+    std::vector<MtlMaterial> unused;        ///< defined only
+    std::vector<std::string> unknown_names; ///< used, but defined nowhere: the default material stands in
+    bool default_used = false;              ///< for these, or for faces without a material
+    std::vector<std::string> files;         ///< MTL files that were read
+};
+
 /// What the faces of a mesh are made of, by the numbers that they use.
 struct MaterialList
 {
@@ -63,13 +74,17 @@ std::vector<bool> materials_of(const LargeVector<Piece>& pieces, const ObjMesh& 
     return has_pieces;
 }
 
+std::vector<std::string> quoted(std::vector<std::string> names)
+{
+    for (std::string& name : names)
+        name = in_quotes(name);
+    return names;
+}
+
 /// " in `a.mtl` or `b.mtl`"
 std::string in_files(const std::vector<std::string>& files)
 {
-    std::string text;
-    for (const std::string& file : files)
-        text += (text.empty() ? " in " : " or ") + in_quotes(file);
-    return text;
+    return files.empty() ? "" : " in " + join(quoted(files), " or ");
 }
 
 /// Adds the default material in place of one that the faces name but no file defines.
@@ -110,6 +125,128 @@ MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, con
     for (std::size_t i = 0; i < library.materials.size(); ++i)
         (is_used[i] ? list.by_origin.used : list.by_origin.unused).push_back(std::move(library.materials[i]));
     return list;
+}
+
+/// "`a`, `b` and 7 more"
+std::string list_of(const std::vector<std::string>& names)
+{
+    constexpr std::size_t most_names = 5;
+    const std::size_t named = std::min(names.size(), most_names);
+    const std::string list = join(quoted({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named)}));
+    return list + (names.size() > most_names ? " and " + std::to_string(names.size() - most_names) + " more" : "");
+}
+
+template <typename Condition>
+std::vector<std::string> names_where(const std::vector<MtlMaterial>& materials, Condition condition)
+{
+    std::vector<std::string> names;
+    for (const MtlMaterial& m : materials)
+        if (condition(m))
+            names.push_back(m.material.name);
+    return names;
+}
+
+bool emits(const MtlMaterial& m)
+{
+    return m.material.emittance != Rgb{};
+}
+
+bool reflects_everything(const MtlMaterial& m)
+{
+    const Rgb rho = m.material.reflectance;
+    return std::max({rho.r, rho.g, rho.b}) == 1.0;
+}
+
+/// Modellers write ambient light into Ka, which ends at 1, and the same for most materials. A lamp sticks out: it is
+/// above 1 where others are not.
+std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
+{
+    std::vector<std::string> lamps = names_where(used, [](const MtlMaterial& m) {
+        return std::max({m.ambient.r, m.ambient.g, m.ambient.b}) > 1.0;
+    });
+    return lamps.size() < used.size() || used.size() == 1 ? lamps : std::vector<std::string>{};
+}
+
+void require_emitter(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
+{
+    if (std::any_of(materials.used.begin(), materials.used.end(), emits))
+        return;
+    const std::string keyword = emission_from == EmissionFrom::ka ? "Ka" : "Ke";
+    std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
+    const std::vector<std::string> idle = names_where(materials.unused, emits);
+    const std::vector<std::string> lamps = lamps_by_ambient(materials.used);
+    if (mesh.libraries.empty())
+        problem += "; no material file is named (`mtllib`)";
+    if (!materials.unknown_names.empty())
+        problem += "; used but defined nowhere: " + list_of(materials.unknown_names) +
+                   (materials.files.empty() ? "" : ", read " + list_of(materials.files));
+    const std::vector<std::string> too_dark =
+        names_where(materials.used, [](const MtlMaterial& m) { return m.emission_too_small; });
+    if (!too_dark.empty())
+        problem += "; below 1e-30, which counts as 0: " + list_of(too_dark);
+    if (!idle.empty())
+        problem += "; emitting but used by no face: " + list_of(idle);
+    if (emission_from == EmissionFrom::ke && !lamps.empty())
+        problem += "; Ka makes a lamp of " + list_of(lamps) + ": try --emission-from Ka";
+    refuse({mesh.path, 0}, problem);
+}
+
+/// Every edge is run through as often one way as the other, as on the walls of a room or the sides of a block.
+bool is_closed(const ObjMesh& mesh)
+{
+    const LargeVector<std::uint32_t> welded = weld(mesh.vertices);
+    LargeVector<std::uint64_t> edges;
+    LargeVector<std::uint64_t> reversed_edges;
+    std::size_t first = 0;
+    for (const ObjFace& face : mesh.faces) {
+        for (std::size_t i = 0; i < face.corner_count; ++i) {
+            const std::uint64_t from = welded[mesh.corners[first + i]];
+            const std::uint64_t to = welded[mesh.corners[first + (i + 1) % face.corner_count]];
+            edges.push_back((from << 32) | to);
+            reversed_edges.push_back((to << 32) | from);
+        }
+        first += face.corner_count;
+    }
+    std::sort(edges.begin(), edges.end());
+    std::sort(reversed_edges.begin(), reversed_edges.end());
+    return edges == reversed_edges;
+}
+
+void require_absorption(const UsedMaterials& materials, const ObjMesh& mesh)
+{
+    const auto all_reflect = [&](double Rgb::*channel) {
+        return std::all_of(materials.used.begin(), materials.used.end(),
+                           [&](const MtlMaterial& m) { return m.material.reflectance.*channel == 1.0; });
+    };
+    if (materials.default_used || !(all_reflect(&Rgb::r) || all_reflect(&Rgb::g) || all_reflect(&Rgb::b)))
+        return;
+    if (is_closed(mesh))
+        refuse({mesh.path, 0}, "nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same "
+                               "colour, expected Kd below 1 in one of them");
+}
+
+void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMaterial>& used,
+                 bool (*has_flaw)(const MtlMaterial&), const std::string& flaw)
+{
+    const auto first = std::find_if(used.begin(), used.end(), has_flaw);
+    if (first != used.end())
+        warnings.push_back(first->material.source + ": " + flaw + ": " + list_of(names_where(used, has_flaw)));
+}
+
+/// Whether there is light, and something that absorbs it. Returns warnings; throws InputError for a scene without an
+/// emitter, and for a closed scene where every material reflects all light of one colour.
+std::vector<std::string> check_light(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
+{
+    require_emitter(materials, mesh, emission_from);
+    require_absorption(materials, mesh);
+
+    std::vector<std::string> warnings;
+    add_warning(warnings, materials.used, reflects_everything,
+                "Kd = 1 reflects all light of a colour, lower it if that is not meant");
+    add_warning(
+        warnings, materials.used, [](const MtlMaterial& m) { return m.kd_line == 0; },
+        "no Kd, so the material reflects nothing");
+    return warnings;
 }
 
 Surface surface_of(const Piece& piece, const LargeVector<Vec3>& vertices)
@@ -163,13 +300,11 @@ std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMater
     if (!materials.unused.empty())
         notes.push_back(counted(materials.unused.size(), "material") + " not used");
 
-    std::string text = counted(scene.materials.size(), "material") + ", " +
-                       counted(static_cast<std::size_t>(emitter_count), "emitter") + ", " +
-                       counted(mesh.faces.size() + mesh.faces_without_corners, "face") + " -> " +
-                       counted(scene.surfaces.size(), "surface");
-    for (std::size_t i = 0; i < notes.size(); ++i)
-        text += (i == 0 ? "; " : ", ") + notes[i];
-    return text;
+    const std::string text = counted(scene.materials.size(), "material") + ", " +
+                             counted(static_cast<std::size_t>(emitter_count), "emitter") + ", " +
+                             counted(mesh.faces.size() + mesh.faces_without_corners, "face") + " -> " +
+                             counted(scene.surfaces.size(), "surface");
+    return text + (notes.empty() ? "" : "; " + join(notes));
 }
 
 } // namespace

@@ -28,6 +28,14 @@ std::string grouped(std::uint64_t count)
     return digits;
 }
 
+std::string join(const std::vector<std::string>& parts, std::string_view separator)
+{
+    std::string text;
+    for (const std::string& part : parts)
+        text.append(text.empty() ? "" : separator).append(part);
+    return text;
+}
+
 namespace {
 
 bool is_continuation(char c)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace multipath {
 
@@ -16,6 +17,9 @@ format(const char* pattern, ...);
 
 /// 4194304 as "4,194,304".
 std::string grouped(std::uint64_t count);
+
+/// "a, b, c".
+std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
 /// How many bytes at the beginning of a text make one well-formed character of UTF-8 (RFC 3629); 0 if none do.
 std::size_t utf8_character_size(std::string_view text);

@@ -4,6 +4,9 @@
 
 #include "scene/text/text_words.h"
 
+#include "scene/text/text_format.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -198,6 +201,22 @@ double read_number(std::string_view word, const TextPlace& place, std::string_vi
     if (std::isnan(value))
         refuse(place, std::string(owner) + ": " + problem_with(word));
     return value;
+}
+
+void IgnoredKeywords::note(std::string_view keyword, TextPlace place)
+{
+    if (names_.empty())
+        first_ = place;
+    const std::string name = in_quotes(keyword);
+    if (names_.size() < most_ && std::find(names_.begin(), names_.end(), name) == names_.end())
+        names_.push_back(name);
+}
+
+std::optional<std::string> IgnoredKeywords::warning(const std::string& problem) const
+{
+    if (names_.empty())
+        return std::nullopt;
+    return name_of(first_) + ": " + problem + ": " + join(names_);
 }
 
 } // namespace multipath

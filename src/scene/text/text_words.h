@@ -2,9 +2,11 @@
 
 #include "scene/text/text_lines.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace multipath {
 
@@ -31,5 +33,23 @@ std::optional<double> to_number(std::string_view word);
 
 /// The same, but throws InputError that says what `word` is instead; `owner` says whose number it is.
 double read_number(std::string_view word, const TextPlace& place, std::string_view owner);
+
+/// Keywords that a reader ignores, told in one warning.
+class IgnoredKeywords
+{
+public:
+    /// `most`: so many are named.
+    explicit IgnoredKeywords(std::size_t most) : most_(most) {}
+
+    void note(std::string_view keyword, TextPlace place);
+
+    /// "room.obj:12: problem: `a`, `b`", with the place of the first; none if nothing was noted.
+    std::optional<std::string> warning(const std::string& problem) const;
+
+private:
+    std::size_t most_;
+    std::vector<std::string> names_;
+    TextPlace first_;
+};
 
 } // namespace multipath
