@@ -16,17 +16,11 @@ void take_square(const Item* items, std::size_t count, std::size_t first_number,
 
 std::vector<const WarpKernel*> available_warp_kernels()
 {
-    std::vector<const WarpKernel*> kernels;
 #if defined(__x86_64__)
-    if (usable(InstructionSet::avx512))
-        kernels.push_back(&avx512_warp_kernel);
-    if (usable(InstructionSet::avx2))
-        kernels.push_back(&avx2_warp_kernel);
-    if (usable(InstructionSet::sse2))
-        kernels.push_back(&sse2_warp_kernel);
+    return usable_kernels(avx512_warp_kernel, avx2_warp_kernel, sse2_warp_kernel, plain_warp_kernel);
+#else
+    return {&plain_warp_kernel};
 #endif
-    kernels.push_back(&plain_warp_kernel);
-    return kernels;
 }
 
 namespace {
