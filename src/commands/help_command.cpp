@@ -7,6 +7,7 @@
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
 #include "sampling/sequence.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -116,17 +117,22 @@ std::string methods_text()
 std::string sequences_text()
 {
     std::string text = "Where the lines come from: items of four numbers in [0, 1), --sequence NAME:\n\n";
+    std::vector<std::string> best_at_powers;
     for (const SequenceKind& kind : sequence_kinds()) {
         const std::string name = std::string(kind.name) + std::string(kind.arguments);
         text += two_columns("  " + name, kind.summary, 28, topic_width);
+        if (kind.fills_best_at_powers_of_two)
+            best_at_powers.emplace_back(kind.name);
     }
-    return text + "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
-                  "count, as in hammersley:2^16. --seed chooses among the random and randomised\n"
-                  "ones (shifted, scrambled, permuted, from a random start); --skip K leaves out\n"
-                  "the first K items. Sobol's suits numbers of lines that are a power of two.\n"
-                  "--replicates takes the randomised form of a sequence.\n"
-                  "\n"
-                  "'multipath points' draws them and measures how evenly they fill space.\n";
+    return text +
+           "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
+           "count, as in hammersley:2^16. --seed chooses among the random and randomised\n"
+           "ones (shifted, scrambled, permuted, from a random start); --skip K leaves out\n"
+           "the first K items. --replicates takes the randomised form of a sequence.\n" +
+           wrapped_text("Numbers of lines that are a power of two suit " + join(best_at_powers) + ".", 0, 0,
+                        topic_width) +
+           "\n"
+           "'multipath points' draws them and measures how evenly they fill space.\n";
 }
 
 std::string outputs_text()

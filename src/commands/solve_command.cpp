@@ -25,8 +25,9 @@ void print_what_was_read(const SceneFile& file)
 void warn_of_line_count(const SolveOptions& options)
 {
     const bool power_of_two = (options.lines & (options.lines - 1)) == 0;
-    if (prefers_powers_of_two(options.sequence) && !power_of_two)
-        print_note("note: Sobol's points are spread best when their number is a power of two, such as --lines 2^20\n");
+    if (sequence_kind(options.sequence).fills_best_at_powers_of_two && !power_of_two)
+        print_note("note: the points of " + options.sequence +
+                   " are spread best when their number is a power of two, such as --lines 2^20\n");
 }
 
 void require_one_on_standard_output(const CommandLine& line)

@@ -62,10 +62,11 @@ void check_bases(const std::vector<std::uint64_t>& bases)
     }
 }
 
-std::string bases_text(const std::vector<RadicalInverse>& inverses)
+template <class Inverse>
+std::string bases_text(const std::vector<Inverse>& inverses)
 {
     std::string text;
-    for (const RadicalInverse& inverse : inverses)
+    for (const Inverse& inverse : inverses)
         text += (text.empty() ? "" : ",") + std::to_string(inverse.base());
     return text;
 }
@@ -134,6 +135,7 @@ public:
             low_.push_back(sum_of_places(n, 0, low_places_));
     }
 
+    std::uint64_t base() const { return base_; }
     double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
 
     /// Calls put(k, value) for the numbers first + k, k = 0 ... count - 1: the high digits change seldom.
@@ -177,13 +179,11 @@ class PermutedHalton final : public Sequence
 public:
     PermutedHalton(const std::vector<std::uint64_t>& bases, std::uint64_t seed)
     {
-        for (std::size_t d = 0; d < bases.size(); ++d) {
+        for (std::size_t d = 0; d < bases.size(); ++d)
             inverses_.emplace_back(bases[d], random_bits(random_key(RandomStream::halton_permutations, seed), d));
-            text_ += (d == 0 ? "" : ",") + std::to_string(bases[d]);
-        }
     }
 
-    std::string name() const override { return "halton-permuted:" + text_; }
+    std::string name() const override { return "halton-permuted:" + bases_text(inverses_); }
     int dimensions() const override { return static_cast<int>(inverses_.size()); }
     std::uint64_t item_limit() const override { return halton_limit; }
     double coordinate(std::uint64_t n, int dimension) const override
@@ -198,7 +198,6 @@ public:
 
 private:
     std::vector<PermutedInverse> inverses_;
-    std::string text_;
 };
 
 class HammersleySequence final : public Sequence

@@ -6,7 +6,7 @@
 #include "sampling/sobol.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -139,26 +139,36 @@ struct MadeKind
     SequencePointer (*make)(const std::string& arguments, std::uint64_t seed, int dimensions);
 };
 
-constexpr std::array<MadeKind, 10> made_kinds = {{
-    {{"random", "", "pseudo-random numbers by counter", "random"}, make_random},
-    {{"sobol", "", "Sobol's sequence", "sobol-owen"}, make_sobol<SobolKind::plain>},
-    {{"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift"}, make_sobol<SobolKind::shift>},
-    {{"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen"}, make_sobol<SobolKind::owen>},
-    {{"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted"}, make_halton<HaltonKind::plain>},
-    {{"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift"}, make_halton<HaltonKind::shift>},
-    {{"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted"},
+constexpr bool at_any_number = false;
+constexpr bool at_powers_of_two = true;
+constexpr bool in_selftest = true;
+
+constexpr MadeKind made_kinds[] = {
+    {{"random", "", "pseudo-random numbers by counter", "random", at_any_number, in_selftest}, make_random},
+    {{"sobol", "", "Sobol's sequence", "sobol-owen", at_powers_of_two, in_selftest}, make_sobol<SobolKind::plain>},
+    {{"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift", at_powers_of_two, !in_selftest},
+     make_sobol<SobolKind::shift>},
+    {{"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen", at_powers_of_two, in_selftest},
+     make_sobol<SobolKind::owen>},
+    {{"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted", at_any_number, in_selftest},
+     make_halton<HaltonKind::plain>},
+    {{"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift", at_any_number, !in_selftest},
+     make_halton<HaltonKind::shift>},
+    {{"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted", at_any_number, in_selftest},
      make_halton<HaltonKind::permuted>},
-    {{"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift"}, make_kronecker<false>},
-    {{"kronecker-shift", "", "the same from a random start", "kronecker-shift"}, make_kronecker<true>},
-    {{"hammersley", ":N[:BASES]", "N items, the first number n/N", ""}, make_hammersley},
-}};
+    {{"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift", at_any_number, in_selftest},
+     make_kronecker<false>},
+    {{"kronecker-shift", "", "the same from a random start", "kronecker-shift", at_any_number, !in_selftest},
+     make_kronecker<true>},
+    {{"hammersley", ":N[:BASES]", "N items, the first number n/N", "", at_any_number, !in_selftest}, make_hammersley},
+};
 
 /// "random, sobol, ... or hammersley:N[:BASES]"
 std::string known_kinds()
 {
     std::string text;
     for (const MadeKind& made : made_kinds) {
-        text += &made == &made_kinds.front() ? "" : &made == &made_kinds.back() ? " or " : ", ";
+        text += &made == std::begin(made_kinds) ? "" : &made + 1 == std::end(made_kinds) ? " or " : ", ";
         text.append(made.kind.name).append(made.kind.arguments);
     }
     return text;
@@ -180,9 +190,9 @@ NameParts parts_of(const std::string& name)
 const MadeKind& kind_named(const std::string& name)
 {
     const std::string kind = parts_of(name).kind;
-    const auto* const made = std::find_if(made_kinds.begin(), made_kinds.end(),
+    const auto* const made = std::find_if(std::begin(made_kinds), std::end(made_kinds),
                                           [&](const MadeKind& candidate) { return candidate.kind.name == kind; });
-    if (made == made_kinds.end())
+    if (made == std::end(made_kinds))
         throw std::invalid_argument("unknown sequence '" + name + "'; expected " + known_kinds());
     return *made;
 }
@@ -203,6 +213,11 @@ std::vector<SequenceKind> sequence_kinds()
     return kinds;
 }
 
+const SequenceKind& sequence_kind(const std::string& name)
+{
+    return kind_named(name).kind;
+}
+
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions)
 {
     const MadeKind& made = kind_named(name);
@@ -220,7 +235,7 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
         return make_sequence(name, seed);
     // Four bases name the 4-D arrangement; pairs use the first two.
     const std::size_t colon = name.find(':');
-    const bool has_bases = name.compare(0, 6, "halton") == 0 && colon != std::string::npos;
+    const bool has_bases = sequence_kind(name).may_have_bases() && colon != std::string::npos;
     std::string points = name;
     if (has_bases) {
         const std::vector<std::uint64_t> bases = parse_list(name.substr(colon + 1));
@@ -233,7 +248,7 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
 std::string randomised_name(const std::string& name)
 {
     const auto [kind, arguments] = parts_of(name);
-    const std::string_view randomised = kind_named(name).kind.randomised;
+    const std::string_view randomised = sequence_kind(name).randomised;
     if (randomised.empty())
         throw std::invalid_argument(kind + " has no randomised form for replicates; expected another sequence");
     return std::string(randomised) + arguments;
@@ -241,13 +256,8 @@ std::string randomised_name(const std::string& name)
 
 bool is_randomised(const std::string& name)
 {
-    const SequenceKind& kind = kind_named(name).kind;
+    const SequenceKind& kind = sequence_kind(name);
     return kind.randomised == kind.name;
-}
-
-bool prefers_powers_of_two(const std::string& name)
-{
-    return name.compare(0, 5, "sobol") == 0;
 }
 
 } // namespace multipath

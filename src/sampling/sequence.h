@@ -52,10 +52,18 @@ struct SequenceKind
     std::string_view summary;   ///< a few words
     /// The kind that the seed randomises of the same points: its own name where it is one, nothing where there is none.
     std::string_view randomised;
+    bool fills_best_at_powers_of_two; ///< numbers of points
+    bool in_selftest;
+
+    /// True if a list of bases may follow the name, one for each dimension.
+    bool may_have_bases() const { return arguments == "[:BASES]"; }
 };
 
 /// All that make_sequence() knows.
 std::vector<SequenceKind> sequence_kinds();
+
+/// The one of them that a name with its arguments means. Throws std::invalid_argument for an unknown name.
+const SequenceKind& sequence_kind(const std::string& name);
 
 /// The name of one of sequence_kinds() with its arguments. The seed chooses among the random and the randomised ones.
 /// Throws std::invalid_argument with the reason.
@@ -68,10 +76,7 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
 /// Throws std::invalid_argument where there is none.
 std::string randomised_name(const std::string& name);
 
-/// True if the seed chooses among the sequences of this name.
+/// True if the seed chooses among sequences of this name.
 bool is_randomised(const std::string& name);
-
-/// Is it one of the kinds that fill space best at numbers of points that are a power of two?
-bool prefers_powers_of_two(const std::string& name);
 
 } // namespace multipath

@@ -22,8 +22,6 @@ constexpr std::size_t most_materials = 4;
 
 using Channel = double Rgb::*;
 
-constexpr std::array<const char*, 6> checked_sequences = {"random", "sobol",           "sobol-owen",
-                                                          "halton", "halton-permuted", "kronecker"};
 constexpr const char* scene_sequence = "sobol-owen";
 
 SolveOptions options_of_run(Method method, const std::string& sequence, const SelftestSettings& settings, int number)
@@ -103,7 +101,10 @@ std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method m
     const double most_power = mean(scene.source_power());
     std::vector<Check> checks;
     std::vector<Solution> all;
-    for (const std::string sequence : checked_sequences) {
+    for (const SequenceKind& kind : sequence_kinds()) {
+        if (!kind.in_selftest)
+            continue;
+        const std::string sequence(kind.name);
         const std::vector<Solution> runs = solved_runs(scene, preparation, method, sequence, settings);
         const double unshot = mean_unshot(runs, method);
         for (const KnownAnswer& answer : known.answers) {
