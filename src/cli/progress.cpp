@@ -1,23 +1,33 @@
 #include "cli/progress.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <unistd.h>
 #include <utility>
 
 namespace multipath {
 
-ProgressStyle automatic_progress()
+namespace {
+
+enum class When { automatic, always, never };
+
+constexpr std::array<NamedValue<When>, 3> when_choices = {
+    {{"auto", When::automatic}, {"always", When::always}, {"never", When::never}}};
+
+} // namespace
+
+Option progress_option()
 {
-    return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+    return {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, names_of(when_choices)};
 }
 
 ProgressStyle progress_style(const CommandLine& line)
 {
-    const std::string when = line.text("progress");
-    if (when == "never" || (line.has("quiet") && when == "auto"))
+    const When when = line.choice("progress", when_choices).value;
+    if (when == When::never || (line.has("quiet") && when == When::automatic))
         return ProgressStyle::none;
-    return automatic_progress();
+    return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 Progress::Progress(std::string what, ProgressStyle style) : what_(std::move(what)), style_(style) {}

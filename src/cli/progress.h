@@ -13,10 +13,11 @@ enum class ProgressStyle {
     lines, ///< a plain line now and then: for a log file
 };
 
-/// `automatic`: a bar when stderr is a terminal, otherwise lines, which a run of some seconds never gets to see.
-ProgressStyle automatic_progress();
+/// `--progress`: a definition for the tables.
+Option progress_option();
 
-/// The style that the options --progress and --quiet ask for.
+/// The style that the options --progress and --quiet ask for: a bar when stderr is a terminal, otherwise lines, which a
+/// run of some seconds never gets to see.
 ProgressStyle progress_style(const CommandLine& line);
 
 /// Shows on stderr how far the work is and how long it will take.

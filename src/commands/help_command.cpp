@@ -141,15 +141,15 @@ std::string outputs_text()
     const auto row = [](std::string_view extension, std::string_view summary) {
         return two_columns("  " + std::string(extension), summary, 10, topic_width);
     };
-    for (const FormatDescription& format : output_formats())
+    for (const OutputFormat& format : output_formats())
         text += row(format.extension, format.summary);
     return text +
            "\nThese are what solve, render and merge write. selftest writes a .csv, study and\n"
            "points a .csv or what explain writes:\n\n" +
            row(".svg", "plot or drawing") +
            "\n'-' is standard output. A file takes its name when it is complete; until then an\n"
-           "old one stays as it is. All but .pfm and .state hold the command that made them:\n"
-           "run it again and compare the files with 'cmp'.\n";
+           "old one stays as it is. Formats with a place for text hold the command that made\n"
+           "them: run it again and compare the files with 'cmp'.\n";
 }
 
 CommandTable help_table(const std::vector<CommandTable>& others)

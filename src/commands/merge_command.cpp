@@ -122,16 +122,15 @@ int run_merge(const CommandLine& line)
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
     inputs.push_back(runs[0].description.scene.file->path);
-    std::vector<PlannedOutput> outputs = open_solution_outputs(
-        line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path), inputs);
+    const std::vector<std::string> paths =
+        line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path);
+    std::vector<PlannedOutput> outputs = open_solution_outputs(paths, inputs);
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =
         read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
-    const bool only_states = std::all_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
-        return format_of(output) == OutputFormat::state;
-    });
-    if (only_states) {
+    const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
+    if (std::all_of(paths.begin(), paths.end(), is_state)) {
         for (PlannedOutput& output : outputs)
             output.file.write(sum.arrays->bytes());
         commit(outputs);

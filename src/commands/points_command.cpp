@@ -11,6 +11,7 @@
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cinttypes>
 #include <optional>
 #include <stdexcept>
@@ -23,6 +24,9 @@ constexpr int most_dimensions = 64;
 constexpr int most_dimensions_of_a_matrix = 8;                         // 28 plots
 constexpr std::uint64_t most_points_drawn = 65536;                     // more are a grey square of many megabytes
 constexpr std::uint64_t most_points_measured = std::uint64_t{1} << 14; // the work grows with the square: seconds
+
+constexpr std::array<NamedValue<decltype(&paper_figure_1)>, 2> paper_figures = {
+    {{"1", paper_figure_1}, {"2", paper_figure_2}}};
 
 CommandTable points_table()
 {
@@ -53,13 +57,9 @@ CommandTable points_table()
             "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
             "is "
             "computed in one and two dimensions."},
-           {"figure",
-            0,
-            "WHICH",
-            "",
+           {"figure", 0, "WHICH", "",
             "A figure of the paper: 1, random beside quasi-random points; 2, why a line should take one 4-D item.",
-            false,
-            {"1", "2"}}}}},
+            false, names_of(paper_figures)}}}},
         "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"
         "  multipath points --sequence halton:2,3 --order -o order.svg\n"
         "  multipath points --sequence sobol --count 2^12 --discrepancy\n"
@@ -258,7 +258,7 @@ int run_figure(const CommandLine& line)
     const std::uint64_t seed = read_count("--seed", line.text("seed"));
     require_drawable(count);
     std::vector<PlannedOutput> outputs = open(line, {".svg"});
-    const auto figure = line.text("figure") == "1" ? paper_figure_1 : paper_figure_2;
+    const auto figure = line.choice("figure", paper_figures).value;
     const std::string drawing = figure(count, seed, provenance(without_options(points_table(), fixed), line));
     for (PlannedOutput& output : outputs)
         output.file.write(drawing);

@@ -24,7 +24,7 @@ CommandTable selftest_table()
               {{"output", 'o', "FILE", "", "Write the table as CSV too.", true},
                {"case", 0, "NAME", "", "Check only this known scene, such as furnace.", true},
                {"quiet", 'q', "", "", "Show only the checks that did not pass, and the last line."},
-               {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}},
+               progress_option(),
                {"seed", 0, "N", "1", "Chooses the random numbers; a correct program passes with any."},
                threads_option()}},
              scene_option_group()},

@@ -37,11 +37,6 @@ void require_one_on_standard_output(const CommandLine& line)
         throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
 }
 
-bool has_extension(const std::string& path, OutputFormat format)
-{
-    return path != "-" && output_format(path) == format;
-}
-
 /// A share of `reuse` is counts that mean nothing alone; one of a walk is a run of its own.
 void require_outputs_of_share(const CommandLine& line, const SolveJob& job, const StateOptions& state)
 {
@@ -53,7 +48,7 @@ void require_outputs_of_share(const CommandLine& line, const SolveJob& job, cons
     if (job.options.lines < state.share.of)
         throw UsageError("--shard: more shards than lines; expected at most " + std::to_string(job.options.lines));
     const std::vector<std::string> outputs = line.all("output");
-    const auto is_state = [](const std::string& path) { return has_extension(path, OutputFormat::state); };
+    const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
     if (state.state.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))
         throw UsageError("--shard: nothing would be left to merge; expected --state FILE with it");
     if (job.options.method->shards == Shards::added && !std::all_of(outputs.begin(), outputs.end(), is_state))
@@ -103,7 +98,7 @@ int run_solve(const CommandLine& line)
         warn_of_line_count(job.options);
     }
     const RunDescription description = description_of(line, scene, state.share);
-    StateKeeper keeper({state.state, state.save_every, has_format(outputs, OutputFormat::state)}, description);
+    StateKeeper keeper({state.state, state.save_every, has_kind(outputs, FormatKind::state)}, description);
     if (!state.from.empty())
         resume(state, description, job, keeper);
     return carry_out(job, scene, outputs, keeper, state.share);

@@ -24,6 +24,7 @@
 #include "study/study_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -79,12 +80,13 @@ CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
     plan.options.threads = 1; // of each run; several go on at a time
     plan.options.method = method_named(wanted.method);
     plan.options.sequence = wanted.sequence;
-    plan.options.pairing = pairing_named(wanted.pairing);
+    plan.options.pairing = row_named(pairing_choices, "--pairings", wanted.pairing).value;
     if (!wanted.chords.empty())
-        plan.options.chords = chords_named(wanted.chords);
-    plan.options.line_order = line_order_named(wanted.line_order);
+        plan.options.chords = row_named(chords_choices, "--chords", wanted.chords).value;
+    plan.options.line_order = row_named(line_order_choices, "--line-orders", wanted.line_order).value;
     plan.kind.sequence = checked_sequence_name(plan.options, "--sequences");
-    plan.kind.chords = has_option(plan.options.method, "chords") ? chords_name(chords_of(plan.options)) : "";
+    plan.kind.chords =
+        has_option(plan.options.method, "chords") ? name_of(chords_choices, chords_of(plan.options)) : "";
     if (!has_option(plan.options.method, "line-order"))
         plan.kind.line_order.clear();
     return plan;
@@ -98,25 +100,24 @@ OptionGroup study_curve_options()
         {{"methods", 'm', "LIST", "first-shot,extended,reuse", "Any that solve knows; see 'multipath help methods'."},
          {"sequences", 's', "LIST", "random,sobol",
           "Any that solve knows; those with bases too, as in random,sobol,halton:2,7,3,5."},
-         {"pairings", 0, "LIST", "4d", "Of 4d, 2d."},
-         {"line-orders", 0, "LIST", "shuffled", "Of shuffled, sequence."},
-         {"chords", 0, "LIST", "", "Of sphere, box. Without it, each method's own."}}};
+         {"pairings", 0, "LIST", "4d", "Of " + listed(names_of(pairing_choices)) + "."},
+         {"line-orders", 0, "LIST", "shuffled", "Of " + listed(names_of(line_order_choices)) + "."},
+         {"chords", 0, "LIST", "", "Of " + listed(names_of(chords_choices)) + ". Without it, each method's own."}}};
 }
 
 /// One curve for each combination of the lists, without those that differ in nothing, such as chords of a method
 /// without global lines. Throws UsageError for an unknown name, one named twice, and options without effect.
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
-    const CommandTable solves = solve_command().table;
-    const auto choices = [&](std::string_view option) { return find_option(solves, option)->choices; };
-    const std::vector<std::string> methods = read_list(line, "methods", choices("method"));
+    const std::vector<std::string> methods =
+        read_list(line, "methods", find_option(solve_command().table, "method")->choices);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);
     const std::vector<std::string> sequences = read_list(line, "sequences", {});
-    const std::vector<std::string> pairings = read_list(line, "pairings", choices("pairing"));
-    const std::vector<std::string> orders = read_list(line, "line-orders", choices("line-order"));
+    const std::vector<std::string> pairings = read_list(line, "pairings", names_of(pairing_choices));
+    const std::vector<std::string> orders = read_list(line, "line-orders", names_of(line_order_choices));
     const std::vector<std::string> chords =
-        line.has("chords") ? read_list(line, "chords", choices("chords")) : std::vector<std::string>{""};
+        line.has("chords") ? read_list(line, "chords", names_of(chords_choices)) : std::vector<std::string>{""};
 
     std::vector<CurvePlan> curves;
     for (const std::string& method : methods)
@@ -132,6 +133,9 @@ std::vector<CurvePlan> read_curves(const CommandLine& line)
     return curves;
 }
 
+constexpr std::array<NamedValue<Abscissa>, 2> against_choices = {
+    {{"lines", Abscissa::lines}, {"seconds", Abscissa::seconds}}};
+
 CommandTable study_table()
 {
     const OptionGroup settings = without_options(
@@ -144,14 +148,14 @@ CommandTable study_table()
                 "Where to write besides the table on standard output; by extension .csv (one row per point) or .svg (a "
                 "plot).",
                 true},
-               {"against", 0, "WHAT", "lines", "What the plot has across.", false, {"lines", "seconds"}},
+               {"against", 0, "WHAT", "lines", "What the plot has across.", false, names_of(against_choices)},
                {"cache", 0, "FOLDER", "",
                 "Where to keep finished runs and the reference, so that the same study goes on where it was "
                 "interrupted; a program from other sources begins anew. Without it, the first output's name with "
                 ".cache for its extension; without an output, "
                 "nothing is kept."},
                {"quiet", 'q', "", "", "Print nothing but errors on stderr, and no table when there is an output."},
-               {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}},
+               progress_option()}},
              study_curve_options(),
              {"Points",
               {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
@@ -370,7 +374,7 @@ int run_study_command(const CommandLine& line)
         const int at_a_time = counts ? reuse_runs_at_a_time(line, scene, threads) : threads;
         study = run_study(scene, reference, plan, journal, at_a_time, [&](double done) { progress.show(done); });
     }
-    const Abscissa against = line.text("against") == "seconds" ? Abscissa::seconds : Abscissa::lines;
+    const Abscissa against = line.choice("against", against_choices).value;
     for (PlannedOutput& output : outputs)
         output.file.write(output.extension == ".csv" ? study_csv(study, comments)
                                                      : convergence_plot(study, against, plot_title(scene), comments));

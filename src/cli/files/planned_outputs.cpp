@@ -55,14 +55,11 @@ std::string_view output_extension(const std::string& path, const std::vector<std
     if (path == "-")
         return extensions.front();
     const std::string extension = lower_case_extension(path);
-    std::string list;
-    for (const std::string_view known : extensions) {
+    for (const std::string_view known : extensions)
         if (extension == known)
             return known;
-        list += (list.empty() ? "" : ", ") + std::string(known);
-    }
-    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " + list +
-                     did_you_mean(extension, {extensions.begin(), extensions.end()}));
+    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " +
+                     listed(extensions) + did_you_mean(extension, {extensions.begin(), extensions.end()}));
 }
 
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,

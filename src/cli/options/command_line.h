@@ -1,13 +1,49 @@
 #pragma once
 
 #include "cli/options/option_table.h"
+#include "cli/options/usage_error.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace multipath {
+
+/// A word that an option allows, and what it stands for. Arrays of such rows, and of any others with a `name`, give an
+/// option its choices (names_of), and the value for the user's word (CommandLine::choice).
+template <typename Value>
+struct NamedValue
+{
+    std::string_view name;
+    Value value;
+};
+
+template <typename Rows>
+std::vector<std::string_view> names_of(const Rows& rows)
+{
+    std::vector<std::string_view> names;
+    for (const auto& row : rows)
+        names.push_back(row.name);
+    return names;
+}
+
+/// Throws UsageError with the names for any other; `option` opens its message.
+template <typename Rows>
+auto row_named(const Rows& rows, std::string_view option, std::string_view name)
+{
+    require_choice(option, name, names_of(rows));
+    return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+}
+
+/// The name of a value that is in one of the rows.
+template <typename Rows, typename Value>
+std::string name_of(const Rows& rows, Value value)
+{
+    return std::string(
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.value == value; })->name);
+}
 
 /// The words after the command's name, checked against the command's table.
 class CommandLine
@@ -22,6 +58,13 @@ public:
 
     /// The value given, else the default, else "".
     std::string text(std::string_view name) const;
+
+    /// The row whose name is the value of the option. Throws UsageError for a value that no row has.
+    template <typename Rows>
+    auto choice(std::string_view name, const Rows& rows) const
+    {
+        return row_named(rows, "--" + std::string(name), text(name));
+    }
 
     /// True if the command has such an option; its default text, "" without one.
     bool knows(std::string_view name) const { return find_option(table_, name) != nullptr; }

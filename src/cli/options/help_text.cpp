@@ -1,5 +1,6 @@
 #include "cli/options/help_text.h"
 
+#include "cli/options/command_line.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -64,14 +65,12 @@ std::string two_columns(const std::string& left, std::string_view right, std::si
 
 std::string option_help(const Option& option)
 {
-    std::string facts;
-    for (const std::string_view choice : option.choices)
-        facts.append(facts.empty() ? "one of " : ", ").append(choice);
+    std::string facts = option.choices.empty() ? "" : "one of " + listed(option.choices);
     if (!option.default_text.empty())
         facts.append(facts.empty() ? "" : "; ").append("default ").append(option.default_text);
     if (option.repeatable)
         facts.append(facts.empty() ? "" : "; ").append("may be repeated");
-    return std::string(option.help) + (facts.empty() ? "" : " (" + facts + ")");
+    return option.help + (facts.empty() ? "" : " (" + facts + ")");
 }
 
 std::string usage_line(const CommandTable& table)
@@ -118,12 +117,9 @@ std::string command_list(const std::vector<CommandTable>& tables)
 
 std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics)
 {
-    std::string names;
-    for (const HelpTopic& topic : topics)
-        names.append(names.empty() ? "" : ", ").append(topic.name);
     return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + command_list(tables) +
            "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n" +
-           wrapped_text("'multipath help TOPIC' explains " + names + ".", 0, 0, page_width) +
+           wrapped_text("'multipath help TOPIC' explains " + listed(names_of(topics)) + ".", 0, 0, page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";
 }
 

@@ -6,14 +6,14 @@
 
 namespace multipath {
 
-/// One option of a command. All views refer to string literals.
+/// One option of a command. Views refer to string literals and tables of constants.
 struct Option
 {
     std::string_view name;                      ///< long form without the dashes
     char short_name = 0;                        ///< 0: long form only
     std::string_view argument = {};             ///< what the help calls the value, such as FILE; empty: a flag
     std::string_view default_text = {};         ///< value when not given; empty: none
-    std::string_view help = {};                 ///< wrapped by help_text(), which adds choices and default in brackets
+    std::string help = {};                      ///< wrapped by help_text(), which adds choices and default in brackets
     bool repeatable = false;                    ///< may be given more than once
     std::vector<std::string_view> choices = {}; ///< allowed values; empty: any text
     bool hidden = false;                        ///< not in the help: for the program's own tests

@@ -68,14 +68,19 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
     return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
+std::string listed(const std::vector<std::string_view>& words, std::string_view before_last)
+{
+    std::string list;
+    for (std::size_t k = 0; k < words.size(); ++k)
+        list.append(k == 0 ? "" : k + 1 < words.size() ? ", " : before_last).append(words[k]);
+    return list;
+}
+
 void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices)
 {
     if (std::find(choices.begin(), choices.end(), word) != choices.end())
         return;
-    std::string list;
-    for (const std::string_view choice : choices)
-        list.append(list.empty() ? "" : ", ").append(choice);
-    throw UsageError(std::string(option) + ": expected one of " + list + ", got " + quoted_argument(word) +
+    throw UsageError(std::string(option) + ": expected one of " + listed(choices) + ", got " + quoted_argument(word) +
                      did_you_mean(word, {choices.begin(), choices.end()}));
 }
 

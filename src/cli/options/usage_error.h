@@ -22,6 +22,9 @@ std::string quoted_argument(std::string_view text);
 /// unfinished word), as "; did you mean CANDIDATE?" ready to be appended; "" when none is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
+/// "a, b, c"; with " or " before the last word "a, b or c".
+std::string listed(const std::vector<std::string_view>& words, std::string_view before_last = ", ");
+
 /// Throws UsageError "OPTION: expected one of A, B, C, got 'WORD'; did you mean A?" unless `word` is among the choices.
 void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices);
 

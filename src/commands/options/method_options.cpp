@@ -28,15 +28,17 @@ Option method_option(bool with_reuse)
 /// "first-shot or extended": the methods with which the option has an effect.
 std::string methods_with(std::string_view option)
 {
-    std::vector<std::string> names;
+    std::vector<std::string_view> names;
     for (const Method method : all_methods())
         if (has_option(method, option))
-            names.emplace_back(method->name);
-    std::string text;
-    for (std::size_t k = 0; k < names.size(); ++k)
-        text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
-    return text;
+            names.push_back(method->name);
+    return listed(names, " or ");
 }
+
+constexpr std::array<NamedValue<Estimator>, 2> estimator_choices = {
+    {{"collision", Estimator::collision}, {"absorption", Estimator::absorption}}};
+constexpr std::array<NamedValue<bool>, 2> bidirectional_choices = {{{"yes", true}, {"no", false}}};
+constexpr std::array<NamedValue<Direct>, 2> direct_choices = {{{"shoot", Direct::shoot}, {"gather", Direct::gather}}};
 
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
 
@@ -49,7 +51,7 @@ Option direct_option()
             "Of reuse: find the light that comes straight from the sources by rays between pairs of patches, or shoot "
             "it like the extended first shot.",
             false,
-            {"shoot", "gather"}};
+            names_of(direct_choices)};
 }
 
 } // namespace
@@ -68,73 +70,32 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's; "
           "with 0 extended is progressive ray refinement."},
          {"steps", 0, "K", "1000", "Most passes of the extended first shot."},
-         {"estimator",
-          0,
-          "WHICH",
-          "collision",
-          "Of the local method: count a particle wherever it arrives, or only where it is absorbed.",
-          false,
-          {"collision", "absorption"}},
-         {"bidirectional",
-          0,
-          "WHETHER",
-          "yes",
-          "Let a global line carry power both ways at once.",
-          false,
-          {"yes", "no"}},
-         {"chords",
-          0,
-          "FROM",
-          "",
+         {"estimator", 0, "WHICH", "collision",
+          "Of the local method: count a particle wherever it arrives, or only where it is absorbed.", false,
+          names_of(estimator_choices)},
+         {"bidirectional", 0, "WHETHER", "yes", "Let a global line carry power both ways at once.", false,
+          names_of(bidirectional_choices)},
+         {"chords", 0, "FROM", "",
           "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
           "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
-          false,
-          {sphere_chords, box_chords}},
+          false, names_of(chords_choices)},
          {"sequence", 's', "NAME", "sobol",
           "Where the lines come from, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath help "
           "sequences' lists them all."},
-         {"line-order",
-          0,
-          "HOW",
-          "shuffled",
+         {"line-order", 0, "HOW", "shuffled",
           "In which order the walk takes its global lines: shuffled in blocks, or that of the sequence, as in the "
           "paper, "
           "which with quasi-random sequences and few patches converges to something slightly wrong.",
-          false,
-          {"shuffled", "sequence"}},
-         {"pairing",
-          0,
-          "HOW",
-          "4d",
+          false, names_of(line_order_choices)},
+         {"pairing", 0, "HOW", "4d",
           "One 4-D item per line, or two successive 2-D items: the arrangement that fails for quasi-random sequences.",
-          false,
-          {"4d", "2d"}},
+          false, names_of(pairing_choices)},
          {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
          {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
          threads_option()}};
     if (with_reuse)
         group.options.push_back(direct_option());
     return group;
-}
-
-Pairing pairing_named(std::string_view name)
-{
-    return name == "2d" ? Pairing::two_dimensional : Pairing::four_dimensional;
-}
-
-Chords chords_named(std::string_view name)
-{
-    return name == box_chords ? Chords::box : Chords::sphere;
-}
-
-std::string chords_name(Chords chords)
-{
-    return std::string(chords == Chords::box ? box_chords : sphere_chords);
-}
-
-LineOrder line_order_named(std::string_view name)
-{
-    return name == "sequence" ? LineOrder::sequence : LineOrder::shuffled;
 }
 
 SolveOptions read_settings(const CommandLine& line)
@@ -148,14 +109,14 @@ SolveOptions read_settings(const CommandLine& line)
     if (line.text("threshold") != "auto")
         options.threshold = read_real("--threshold", line.text("threshold"));
     options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
-    options.estimator = line.text("estimator") == "absorption" ? Estimator::absorption : Estimator::collision;
+    options.estimator = line.choice("estimator", estimator_choices).value;
     options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
     options.seed = read_count("--seed", line.text("seed"));
     if (line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
-    options.bidirectional = line.text("bidirectional") == "yes";
+    options.bidirectional = line.choice("bidirectional", bidirectional_choices).value;
     if (line.knows("direct"))
-        options.direct = line.text("direct") == "shoot" ? Direct::shoot : Direct::gather;
+        options.direct = line.choice("direct", direct_choices).value;
     if (line.has("memory"))
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
     options.threads = thread_count(line);
@@ -167,11 +128,11 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
     SolveOptions options = read_settings(line);
     options.method = method_named(line.text("method"));
     options.sequence = line.text("sequence");
-    options.line_order = line_order_named(line.text("line-order"));
-    options.pairing = pairing_named(line.text("pairing"));
+    options.line_order = line.choice("line-order", line_order_choices).value;
+    options.pairing = line.choice("pairing", pairing_choices).value;
     options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
     if (line.has("chords"))
-        options.chords = chords_named(line.text("chords"));
+        options.chords = line.choice("chords", chords_choices).value;
     return options;
 }
 

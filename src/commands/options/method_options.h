@@ -4,6 +4,7 @@
 #include "cli/options/option_table.h"
 #include "radiosity/solve_options.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,16 +22,13 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
 /// The same without method, sequence, pairing, line order, chords and number of lines.
 SolveOptions read_settings(const CommandLine& line);
 
-/// The choices of --chords.
-inline constexpr std::string_view sphere_chords = "sphere";
-inline constexpr std::string_view box_chords = "box";
-
-std::string chords_name(Chords chords);
-
-/// Words that the tables allow.
-Pairing pairing_named(std::string_view name);
-Chords chords_named(std::string_view name);
-LineOrder line_order_named(std::string_view name);
+// What the words of --chords, --pairing and --line-order stand for.
+inline constexpr std::array<NamedValue<Chords>, 2> chords_choices = {
+    {{"sphere", Chords::sphere}, {"box", Chords::box}}};
+inline constexpr std::array<NamedValue<Pairing>, 2> pairing_choices = {
+    {{"4d", Pairing::four_dimensional}, {"2d", Pairing::two_dimensional}}};
+inline constexpr std::array<NamedValue<LineOrder>, 2> line_order_choices = {
+    {{"shuffled", LineOrder::shuffled}, {"sequence", LineOrder::sequence}}};
 
 /// Options that the method has no use for are mistakes: throws UsageError.
 void require_options_with_effect(const CommandLine& line);

@@ -2,10 +2,9 @@
 
 #include "cli/options/number_text.h"
 #include "cli/options/usage_error.h"
-#include "commands/options/memory_limit.h"
-#include "commands/solve/formats.h"
 #include "image/automatic_camera.h"
-#include "image/render.h"
+#include "image/false_colour/quantity.h"
+#include "radiosity/reuse/gathered_light.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -18,39 +17,34 @@ namespace multipath {
 
 namespace {
 
-std::vector<std::string_view> tone_names()
-{
-    std::vector<std::string_view> names;
-    for (const NamedToneOperator& named : tone_operators)
-        names.push_back(named.name);
-    return names;
-}
+constexpr std::array<NamedValue<Shading>, 3> shading_choices = {
+    {{"smooth", Shading::smooth}, {"flat", Shading::flat}, {"gather", Shading::gather}}};
 
-/// The name is one of them.
-ToneOperator tone_operator(const std::string& name)
-{
-    return std::find_if(tone_operators.begin(), tone_operators.end(),
-                        [&](const NamedToneOperator& named) { return named.name == name; })
-        ->tone;
-}
+constexpr std::array known_quantities = {
+    ShownQuantity{"radiosity", "the room as an eye would see it", ShownAs::room, "radiosity", true, false,
+                  [](const Scene&, const Solution& solution, int) { return solution.radiosity; }},
+    ShownQuantity{"direct", "the same with light that was reflected once only", ShownAs::directly_lit_room,
+                  "direct radiosity", true, false,
+                  [](const Scene& scene, const Solution&, int threads) { return direct_radiosity(scene, threads); }},
+    ShownQuantity{
+        "irradiance", "in false colours with a legend", ShownAs::false_colours, "irradiance", true, false,
+        [](const Scene& scene, const Solution& solution, int) { return irradiance(scene, solution.radiosity); }},
+    ShownQuantity{"error", "likewise, the standard error of the radiosity, which needs --replicates or --tolerance",
+                  ShownAs::false_colours, "standard error of the radiosity", true, true,
+                  [](const Scene&, const Solution& solution, int) { return solution.standard_error; }},
+    ShownQuantity{"unshot", "likewise, what the run has left unsent", ShownAs::false_colours, "unshot radiosity", false,
+                  false, [](const Scene&, const Solution& solution, int) { return magnitudes(solution.unshot); }},
+    ShownQuantity{"patches", "each in a colour of its own", ShownAs::light_of_screen, "patches", false, false,
+                  [](const Scene& scene, const Solution&, int) { return patch_colours(scene.patch_count()); }},
+    ShownQuantity{"normals", "0.5 + 0.5 n as red, green and blue", ShownAs::numbers_of_screen, "normals", false, false,
+                  [](const Scene& scene, const Solution&, int) { return normal_colours(scene); }}};
 
-Shading shading_named(const std::string& name)
+std::string help_of_shown()
 {
-    if (name == "gather")
-        return Shading::gather;
-    return name == "smooth" ? Shading::smooth : Shading::flat;
-}
-
-Shown shown_named(const std::string& name)
-{
-    const std::array<std::pair<const char*, Shown>, 7> names = {{{"radiosity", Shown::radiosity},
-                                                                 {"direct", Shown::direct},
-                                                                 {"irradiance", Shown::irradiance},
-                                                                 {"error", Shown::error},
-                                                                 {"unshot", Shown::unshot},
-                                                                 {"patches", Shown::patches},
-                                                                 {"normals", Shown::normals}}};
-    return std::find_if(names.begin(), names.end(), [&](const auto& one) { return name == one.first; })->second;
+    std::string text;
+    for (const ShownQuantity& shown : known_quantities)
+        text.append(text.empty() ? "What pictures show: " : "; ").append(shown.name).append(", ").append(shown.help);
+    return text + ". A PFM holds the values. Meshes hold the radiosity in any case.";
 }
 
 Camera chosen_camera(const Scene& scene, const PictureOptions& options, const std::vector<Rgb>& radiosity)
@@ -71,51 +65,38 @@ Camera chosen_camera(const Scene& scene, const PictureOptions& options, const st
     return camera;
 }
 
-Shown read_shown(const CommandLine& line)
+ShownQuantity read_shown(const CommandLine& line)
 {
-    const std::string name = line.text("show");
-    const Shown shown = shown_named(name);
-    if (shows_room(shown))
-        return shown;
+    const ShownQuantity shown = line.choice("show", known_quantities);
+    std::vector<std::string_view> rooms;
+    for (const ShownQuantity& other : known_quantities)
+        if (other.is_room())
+            rooms.push_back(other.name);
     for (const std::string option : {"shading", "exposure", "tone-map"})
-        if (line.has(option) && line.text(option) != "flat")
-            throw UsageError("--" + option + " has no effect with --show " + name +
-                             "; expected --show radiosity or direct with it");
+        if (!shown.is_room() && line.has(option) && line.text(option) != "flat")
+            throw UsageError("--" + option + " has no effect with --show " + std::string(shown.name) +
+                             "; expected --show " + listed(rooms, " or ") + " with it");
     return shown;
 }
 
 } // namespace
 
-bool shows_room(Shown shown)
+std::vector<ShownQuantity> shown_quantities()
 {
-    return shown == Shown::radiosity || shown == Shown::direct;
+    return {known_quantities.begin(), known_quantities.end()};
 }
 
 OptionGroup picture_option_group()
 {
     return {
         "Picture",
-        {{"show",
-          0,
-          "WHAT",
-          "radiosity",
-          "What pictures show: radiosity, the room as an eye would see it; direct, the same with light that was "
-          "reflected once only; in false colours with a legend, irradiance, unshot, which the run has left unsent, "
-          "or error, the standard error of the radiosity, which needs --replicates or --tolerance; "
-          "patches, each in a colour of its own; normals, 0.5 + 0.5 n as red, green and blue. A PFM holds the "
-          "values. Meshes hold the radiosity in any case.",
-          false,
-          {"radiosity", "direct", "irradiance", "error", "unshot", "patches", "normals"}},
+        {{"show", 0, "WHAT", known_quantities.front().name, help_of_shown(), false, names_of(known_quantities)},
          {"size", 0, "WxH", "800x600", "Width and height in pixels."},
          {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
-         {"shading",
-          0,
-          "HOW",
-          "smooth",
+         {"shading", 0, "HOW", "smooth",
           "Interpolate between patches; show each in one colour (flat); or, slowly, compute the last reflection for "
           "every pixel (gather): shadows as sharp as they are, and no trace of patches.",
-          false,
-          {"smooth", "flat", "gather"}},
+          false, names_of(shading_choices)},
          {"gather-rays", 0, "N", "64",
           "Of --shading gather: rays per pixel in all directions, and twice as many to sources that something may "
           "hide."},
@@ -125,7 +106,8 @@ OptionGroup picture_option_group()
          {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
          {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
          {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
-         {"tone-map", 0, "HOW", "reinhard", "How radiosity becomes screen brightness.", false, tone_names()}}};
+         {"tone-map", 0, "HOW", "reinhard", "How radiosity becomes screen brightness.", false,
+          names_of(tone_operators)}}};
 }
 
 PictureOptions read_picture_options(const CommandLine& line, int threads)
@@ -136,17 +118,15 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     options.render.width = size.width;
     options.render.height = size.height;
     options.render.samples_per_pixel = static_cast<int>(read_count("--samples", line.text("samples"), 1, 4096));
-    options.render.shading = shows_room(options.shown) ? shading_named(line.text("shading")) : Shading::flat;
-    options.render.indirect = options.shown != Shown::direct;
-    options.mesh_shading = line.text("shading") == "flat" ? Shading::flat : Shading::smooth;
+    const Shading shading = line.choice("shading", shading_choices).value;
+    options.render.shading = options.shown.is_room() ? shading : Shading::flat;
+    options.render.indirect = options.shown.as != ShownAs::directly_lit_room;
+    options.mesh_shading = shading == Shading::flat ? Shading::flat : Shading::smooth;
     if (line.text("gather-rays") != line.default_text("gather-rays") && options.render.shading != Shading::gather)
         throw UsageError("--gather-rays has no effect without --shading gather; expected both");
     options.render.gather_rays = static_cast<int>(read_count("--gather-rays", line.text("gather-rays"), 1, 1 << 20));
     options.render.threads = threads;
-    const bool is_share = line.knows("shard") && line.has("shard"); // without outputs of its own
-    if (wants_pictures(line.all("output")) && !(is_share && line.all("output").empty()))
-        require_memory_for_picture(line, size.width, size.height, options.render.shading == Shading::gather);
-    options.tone.tone = tone_operator(line.text("tone-map"));
+    options.tone.tone = line.choice("tone-map", tone_operators).tone;
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);
     options.up = read_direction("--up", line.text("up"));
     if (line.has("eye"))

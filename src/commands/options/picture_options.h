@@ -4,24 +4,48 @@
 #include "cli/options/option_table.h"
 #include "image/camera.h"
 #include "image/render.h"
+#include "radiosity/solution.h"
 #include "scene/scene.h"
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace multipath {
 
-/// The quantity of a solution that a picture shows.
-enum class Shown { radiosity, direct, irradiance, error, unshot, patches, normals };
+/// How the values of a quantity become a picture.
+enum class ShownAs {
+    room,              ///< as an eye would see it: shaded and exposed
+    directly_lit_room, ///< the same, without light that was reflected before
+    false_colours,     ///< of the mean of the channels, with a legend
+    light_of_screen,   ///< as linear light, 1 is white
+    numbers_of_screen, ///< as the numbers of the file, 1 is white
+};
 
-/// True for the room as an eye might see it, to be shaded and exposed.
-bool shows_room(Shown shown);
+/// A quantity that pictures show: one row of the table in picture_options.cpp.
+struct ShownQuantity
+{
+    std::string_view name; ///< for --show
+    std::string_view help; ///< a few words
+    ShownAs as;
+    std::string_view title; ///< of a legend or a menu; [W/m^2] unless the values are colours
+    bool on_page;           ///< the page to walk through the room has it too
+    bool needs_replicates;  ///< a single run does not tell it
+    /// Per patch, >= 0; not a number in the channels where a patch has none.
+    std::vector<Rgb> (*values)(const Scene&, const Solution&, int threads);
+
+    /// True for light in the room, which can be shaded and exposed.
+    bool is_room() const { return as == ShownAs::room || as == ShownAs::directly_lit_room; }
+};
+
+/// All of them, the radiosity first.
+std::vector<ShownQuantity> shown_quantities();
 
 /// How the user wants pictures to look.
 struct PictureOptions
 {
-    Shown shown = Shown::radiosity;
+    ShownQuantity shown = shown_quantities().front();
     RenderOptions render;
     ToneMapOptions tone;
     Shading mesh_shading = Shading::smooth; ///< of meshes, which hold the radiosity whatever pictures show
@@ -34,7 +58,7 @@ struct PictureOptions
 /// The options of every command that makes pictures.
 OptionGroup picture_option_group();
 
-/// Throws UsageError; InputError for a picture that the memory cannot hold.
+/// Throws UsageError.
 PictureOptions read_picture_options(const CommandLine& line, int threads);
 
 /// Throws SettingsError for a camera of the user's that has no direction in this scene: before the work.

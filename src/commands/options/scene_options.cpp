@@ -7,6 +7,7 @@
 #include "scene/tessellation.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 #include <thread>
@@ -17,6 +18,9 @@ namespace multipath {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::array<NamedValue<EmissionFrom>, 2> emission_choices = {
+    {{"Ke", EmissionFrom::ke}, {"Ka", EmissionFrom::ka}}};
 
 /// The path of a scene: the name itself if there is such a file, otherwise for a bare name, with or without `.obj`, the
 /// bundled scene of that name. Without one the name itself, so that the reader's message has what was typed.
@@ -45,7 +49,8 @@ OptionGroup scene_option_group()
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
          {"flip", 0, "", "", "Turn every face over, for a room that was modelled to be seen from outside."},
          memory_option(),
-         {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false, {"Ke", "Ka"}}}};
+         {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false,
+          names_of(emission_choices)}}};
 }
 
 std::string scene_path(const CommandLine& line)
@@ -62,7 +67,7 @@ Scene read_scene(const CommandLine& line, int threads)
     const std::uint64_t wanted =
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
-    const EmissionFrom emission = line.text("emission-from") == "Ka" ? EmissionFrom::ka : EmissionFrom::ke;
+    const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
     SceneFile file = read_obj(path, emission);

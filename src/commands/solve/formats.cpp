@@ -1,56 +1,72 @@
 #include "commands/solve/formats.h"
 
+#include "cli/options/usage_error.h"
+#include "cli/progress.h"
 #include "export/mesh/glb.h"
 #include "export/mesh/obj_colours.h"
-#include "export/mesh/patch_mesh.h"
 #include "export/mesh/ply.h"
 #include "export/patch_table.h"
 #include "image/false_colour/false_colour.h"
-#include "image/false_colour/quantity.h"
 #include "image/pixmap.h"
 #include "image/png.h"
-#include "image/render.h"
 #include "image/shading/smooth_shading.h"
-#include "image/tone_map.h"
-#include "radiosity/reuse/gathered_light.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace multipath {
 
 namespace {
 
-constexpr std::array<FormatDescription, 9> known_formats = {
-    {{OutputFormat::ppm, FormatKind::picture, ".ppm", "picture, binary PPM (P6)"},
-     {OutputFormat::pfm, FormatKind::picture, ".pfm", "picture as numbers, W/m^2, not tone-mapped"},
-     {OutputFormat::png, FormatKind::picture, ".png", "picture"},
-     {OutputFormat::csv, FormatKind::numbers, ".csv", "table; of a solved scene one row per patch"},
-     {OutputFormat::ply, FormatKind::mesh, ".ply", "mesh with the light as colours and as numbers"},
-     {OutputFormat::glb, FormatKind::mesh, ".glb", "the same, for three.js and Blender"},
-     {OutputFormat::obj, FormatKind::mesh, ".obj", "the same, for MeshLab"},
-     {OutputFormat::html, FormatKind::page, ".html", "page to walk through the room in a browser"},
-     {OutputFormat::state, FormatKind::numbers, ".state", "all of the run, to go on, merge or render again"}}};
+constexpr std::array known_formats = {
+    OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
+                 [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
+    OutputFormat{".pfm", FormatKind::picture, "picture as numbers, W/m^2, not tone-mapped", false,
+                 [](SolvedScene& s) { return pfm_bytes(s.light()); }},
+    OutputFormat{".png", FormatKind::picture, "picture", true,
+                 [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
+    OutputFormat{".csv", FormatKind::table, "table; of a solved scene one row per patch", false,
+                 [](SolvedScene& s) {
+                     return patch_table(s.scene, s.solution.radiosity, s.solution.standard_error, s.comments,
+                                        s.options.render.threads);
+                 }},
+    OutputFormat{
+        ".ply", FormatKind::mesh, "mesh with the light as colours and as numbers", false,
+        [](SolvedScene& s) { return ply_bytes(s.mesh(), s.solution.radiosity, s.mesh_colour(), s.mesh_comments()); }},
+    OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
+                 [](SolvedScene& s) {
+                     const double scale = linear_scale(s.scene, s.solution.radiosity);
+                     return glb_bytes(s.mesh(), s.scene, std::exp2(s.options.tone.exposure) * scale, s.comments);
+                 }},
+    OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
+                 [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
+    OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
+                 [](SolvedScene& s) { return s.page(); }},
+    OutputFormat{".state", FormatKind::state, "all of the run, to go on, merge or render again", false,
+                 [](SolvedScene& s) { return s.state(); }}};
 
-std::vector<std::string_view> known_extensions()
+/// The extensions of all formats, or of those that are written by default.
+std::vector<std::string_view> extensions_of_formats(bool by_default_only = false)
 {
     std::vector<std::string_view> extensions;
-    for (const FormatDescription& known : known_formats)
-        extensions.push_back(known.extension);
+    for (const OutputFormat& known : known_formats)
+        if (known.by_default || !by_default_only)
+            extensions.push_back(known.extension);
     return extensions;
 }
 
-const FormatDescription& format_with(std::string_view extension)
+const OutputFormat& format_with(std::string_view extension)
 {
     return *std::find_if(known_formats.begin(), known_formats.end(),
-                         [&](const FormatDescription& known) { return known.extension == extension; });
+                         [&](const OutputFormat& known) { return known.extension == extension; });
 }
 
-FormatKind kind_of(const PlannedOutput& output)
+const OutputFormat& format_of(const PlannedOutput& output)
 {
-    return format_with(output.extension).kind;
+    return format_with(output.extension);
 }
 
 PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading, int threads)
@@ -69,27 +85,6 @@ PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading,
     return patch_mesh(scene, corners_of(radiosity), corners_of(error), threads);
 }
 
-Quantity shown_quantity(const Scene& scene, const Solution& solution, Shown shown, int threads)
-{
-    switch (shown) {
-    case Shown::direct:
-        return {"direct radiosity [W/m\xB2]", direct_radiosity(scene, threads)};
-    case Shown::unshot:
-        return {"unshot radiosity [W/m\xB2]", magnitudes(solution.unshot)};
-    case Shown::normals:
-        return {"normals", normal_colours(scene)};
-    case Shown::irradiance:
-        return {"irradiance [W/m\xB2]", irradiance(scene, solution.radiosity)};
-    case Shown::error:
-        return {"standard error of the radiosity [W/m\xB2]", solution.standard_error};
-    case Shown::patches:
-        return {"patches", patch_colours(scene.patch_count())};
-    case Shown::radiosity:
-        break;
-    }
-    return {"radiosity [W/m\xB2]", solution.radiosity};
-}
-
 /// The light that makes a screen's numbers those of the colours.
 std::vector<Rgb> decoded(std::vector<Rgb> colours)
 {
@@ -98,174 +93,144 @@ std::vector<Rgb> decoded(std::vector<Rgb> colours)
     return colours;
 }
 
-/// The quantity that pictures show, and from where.
-struct View
-{
-    Camera camera;
-    Quantity quantity;
-};
-
-ScreenImage screen_picture(const Scene& scene, const Quantity& quantity, const Camera& camera,
+ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, const Camera& camera,
                            const PictureOptions& options)
 {
-    if (shows_room(options.shown))
-        return picture(scene, quantity.values, camera, options.render, options.tone);
-    if (options.shown == Shown::patches)
-        return flat_picture(scene, quantity.values, camera, options.render);
-    if (options.shown == Shown::normals)
-        return flat_picture(scene, decoded(quantity.values), camera, options.render);
-    return false_colour(scene, quantity, camera, options.render);
+    switch (options.shown.as) {
+    case ShownAs::room:
+    case ShownAs::directly_lit_room:
+        return picture(scene, values, camera, options.render, options.tone);
+    case ShownAs::light_of_screen:
+        return flat_picture(scene, values, camera, options.render);
+    case ShownAs::numbers_of_screen:
+        return flat_picture(scene, decoded(values), camera, options.render);
+    case ShownAs::false_colours:
+        break;
+    }
+    return false_colour(scene, {std::string(options.shown.title) + " [W/m\xB2]", values}, camera, options.render);
 }
-
-/// The bytes of every file of a solution. What several files share is made once, for the first of them.
-class SolutionFiles
-{
-public:
-    /// The arguments must outlive it.
-    SolutionFiles(const Scene& scene, const Solution& solution, const PictureOptions& options,
-                  const std::vector<std::string>& comments, const FormatMakers& makers)
-        : scene_(scene), solution_(solution), options_(options), comments_(comments), makers_(makers)
-    {
-    }
-
-    std::string bytes(OutputFormat format)
-    {
-        switch (format) {
-        case OutputFormat::ppm:
-            return ppm_bytes(screen(), one_comment());
-        case OutputFormat::png:
-            return png_bytes(screen(), one_comment());
-        case OutputFormat::pfm:
-            return pfm_bytes(render(scene_, view().quantity.values, view().camera, options_.render));
-        case OutputFormat::csv:
-            return patch_table(scene_, solution_.radiosity, solution_.standard_error, comments_,
-                               options_.render.threads);
-        case OutputFormat::ply:
-            return ply();
-        case OutputFormat::glb:
-            return glb_bytes(mesh(), scene_,
-                             std::exp2(options_.tone.exposure) * linear_scale(scene_, solution_.radiosity), comments_);
-        case OutputFormat::obj:
-            return obj();
-        case OutputFormat::html:
-        case OutputFormat::state:
-            break;
-        }
-        return makers_.at(format)();
-    }
-
-private:
-    const View& view()
-    {
-        if (!view_)
-            view_ = View{camera_for(scene_, options_),
-                         shown_quantity(scene_, solution_, options_.shown, options_.render.threads)};
-        return *view_;
-    }
-
-    const ScreenImage& screen()
-    {
-        if (screen_.bytes.empty())
-            screen_ = screen_picture(scene_, view().quantity, view().camera, options_);
-        return screen_;
-    }
-
-    const PatchMesh& mesh()
-    {
-        if (!mesh_)
-            mesh_ = mesh_of(scene_, solution_, options_.mesh_shading, options_.render.threads);
-        return *mesh_;
-    }
-
-    std::string ply()
-    {
-        const double scale = mesh_scale();
-        return ply_bytes(mesh(), solution_.radiosity, colour(scale), mesh_comments(scale));
-    }
-
-    std::string obj()
-    {
-        const double scale = mesh_scale();
-        return obj_text(mesh(), scene_, colour(scale), mesh_comments(scale));
-    }
-
-    /// Exposure of a mesh, that of pictures of it.
-    double mesh_scale() const
-    {
-        return picture_scale(scene_, solution_.radiosity, camera_for(scene_, options_), options_.render, options_.tone);
-    }
-
-    ScreenColour colour(double scale) const
-    {
-        const ToneOperator tone = options_.tone.tone;
-        return [tone, scale](Rgb radiosity) { return srgb_encoded(screen_light(radiosity, tone, scale)); };
-    }
-
-    std::vector<std::string> mesh_comments(double scale) const
-    {
-        std::vector<std::string> comments = comments_;
-        comments.push_back(format("colours: sRGB after the tone map of %.17g m^2/W * radiosity", scale));
-        return comments;
-    }
-
-    std::string one_comment() const
-    {
-        std::string comment;
-        for (const std::string& part : comments_)
-            comment += (comment.empty() ? "" : "; ") + part;
-        return comment;
-    }
-
-    const Scene& scene_;
-    const Solution& solution_;
-    const PictureOptions& options_;
-    const std::vector<std::string>& comments_;
-    const FormatMakers& makers_;
-    std::optional<View> view_;
-    ScreenImage screen_;
-    std::optional<PatchMesh> mesh_;
-};
 
 std::vector<PlannedOutput*> quickest_first(std::vector<PlannedOutput>& outputs)
 {
     std::vector<PlannedOutput*> result;
     for (PlannedOutput& output : outputs)
         result.push_back(&output);
-    std::stable_sort(result.begin(), result.end(),
-                     [](const PlannedOutput* a, const PlannedOutput* b) { return kind_of(*a) < kind_of(*b); });
+    std::stable_sort(result.begin(), result.end(), [](const PlannedOutput* a, const PlannedOutput* b) {
+        return format_of(*a).kind < format_of(*b).kind;
+    });
     return result;
 }
 
 } // namespace
 
-const std::array<FormatDescription, 9>& output_formats()
+SolvedScene::SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
+                         const std::vector<std::string>& origin, Bytes state_bytes, Bytes page_bytes)
+    : scene(of_scene),
+      solution(of_solution),
+      options(picture_options),
+      comments(origin),
+      state(std::move(state_bytes)),
+      page(std::move(page_bytes))
 {
-    return known_formats;
 }
 
-OutputFormat output_format(const std::string& path)
+std::string SolvedScene::one_comment() const
 {
-    return format_with(output_extension(path, known_extensions())).format;
+    std::string comment;
+    for (const std::string& part : comments)
+        comment += (comment.empty() ? "" : "; ") + part;
+    return comment;
 }
 
-OutputFormat format_of(const PlannedOutput& output)
+const Camera& SolvedScene::camera()
 {
-    return format_with(output.extension).format;
+    if (!camera_)
+        camera_ = camera_for(scene, options);
+    return *camera_;
+}
+
+const std::vector<Rgb>& SolvedScene::shown_values()
+{
+    if (!shown_values_)
+        shown_values_ = options.shown.values(scene, solution, options.render.threads);
+    return *shown_values_;
+}
+
+Image SolvedScene::light()
+{
+    return render(scene, shown_values(), camera(), options.render);
+}
+
+const ScreenImage& SolvedScene::screen()
+{
+    if (!screen_)
+        screen_ = screen_picture(scene, shown_values(), camera(), options);
+    return *screen_;
+}
+
+const PatchMesh& SolvedScene::mesh()
+{
+    if (!mesh_)
+        mesh_ = mesh_of(scene, solution, options.mesh_shading, options.render.threads);
+    return *mesh_;
+}
+
+double SolvedScene::mesh_scale()
+{
+    if (!mesh_scale_)
+        mesh_scale_ = picture_scale(scene, solution.radiosity, camera(), options.render, options.tone);
+    return *mesh_scale_;
+}
+
+ScreenColour SolvedScene::mesh_colour()
+{
+    return [tone = options.tone.tone, scale = mesh_scale()](Rgb radiosity) {
+        return srgb_encoded(screen_light(radiosity, tone, scale));
+    };
+}
+
+std::vector<std::string> SolvedScene::mesh_comments()
+{
+    std::vector<std::string> all = comments;
+    all.push_back(format("colours: sRGB after the tone map of %.17g m^2/W * radiosity", mesh_scale()));
+    return all;
+}
+
+std::vector<OutputFormat> output_formats()
+{
+    return {known_formats.begin(), known_formats.end()};
+}
+
+FormatKind kind_of(const std::string& path)
+{
+    return format_with(output_extension(path, extensions_of_formats())).kind;
+}
+
+bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind)
+{
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [&](const PlannedOutput& output) { return format_of(output).kind == kind; });
+}
+
+bool has_view(const std::vector<PlannedOutput>& outputs)
+{
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const PlannedOutput& output) { return format_of(output).kind >= FormatKind::mesh; });
 }
 
 OptionGroup solution_output_group()
 {
     return {"Output",
             {{"output", 'o', "FILE", "",
-              "Where to write; by extension .ppm, .png, .pfm (pictures), .ply, .glb, .obj (meshes whose vertices "
-              "have the light as colours), .csv (one row per patch), .html (a page to walk through the room in a "
-              "browser) or .state (all of the run, to go on or render again). '-' writes a PPM to standard output. "
-              "Without it, a .ppm and a .png with the name of the input are written here.",
+              "Where to write; the extension says what: " + listed(extensions_of_formats(), " or ") +
+                  " ('multipath help outputs' describes them). '-' writes the first of these to standard output. "
+                  "Without it, a " +
+                  listed(extensions_of_formats(true), " and a ") + " with the name of the input are written here.",
               true},
              {"json", 0, "", "", "Print a machine-readable summary on standard output."},
              {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
              {"verbose", 'v', "", "", "Also show where the power is after every stage."},
-             {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, {"auto", "always", "never"}}}};
+             progress_option()}};
 }
 
 std::vector<std::string> default_outputs(const std::string& path)
@@ -274,41 +239,22 @@ std::vector<std::string> default_outputs(const std::string& path)
     const std::size_t dot = name.find_last_of('.');
     if (dot != std::string::npos && dot > 0)
         name.resize(dot);
-    return {name + ".ppm", name + ".png"};
-}
-
-bool wants_pictures(const std::vector<std::string>& paths)
-{
-    return paths.empty() || std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
-               return format_with(output_extension(path, known_extensions())).kind == FormatKind::picture;
-           });
+    std::vector<std::string> outputs;
+    for (const std::string_view extension : extensions_of_formats(true))
+        outputs.push_back(name + std::string(extension));
+    return outputs;
 }
 
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
                                                  const std::vector<std::string>& inputs)
 {
-    return open_outputs(paths, inputs, known_extensions());
+    return open_outputs(paths, inputs, extensions_of_formats());
 }
 
-bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format)
+void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)
 {
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [&](const PlannedOutput& output) { return format_of(output) == format; });
-}
-
-bool has_view(const std::vector<PlannedOutput>& outputs)
-{
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [](const PlannedOutput& output) { return kind_of(output) != FormatKind::numbers; });
-}
-
-void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
-                   const PictureOptions& picture_options, const std::vector<std::string>& comments,
-                   const FormatMakers& makers)
-{
-    SolutionFiles files(scene, solution, picture_options, comments, makers);
     for (PlannedOutput* const output : quickest_first(outputs)) {
-        output->file.write(files.bytes(format_of(*output)));
+        output->file.write(format_of(*output).bytes(solved));
         output->file.complete();
     }
     commit(outputs);

@@ -3,11 +3,11 @@
 #include "cli/files/planned_outputs.h"
 #include "cli/options/option_table.h"
 #include "commands/options/picture_options.h"
+#include "export/mesh/patch_mesh.h"
 #include "radiosity/solve.h"
 
-#include <array>
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,52 +16,79 @@
 
 namespace multipath {
 
-enum class OutputFormat { ppm, pfm, png, csv, ply, glb, obj, html, state };
-
-/// In the order in which files are made: numbers first, so that what a signal costs can be made again from the rest.
-enum class FormatKind { numbers, mesh, picture, page };
-
-/// How a format is asked for, and what it is.
-struct FormatDescription
+/// A solution and all that formats are made of. What several files share is made once, for the first of them.
+class SolvedScene
 {
-    OutputFormat format;
-    FormatKind kind;
+public:
+    /// Bytes that tell more than the solution does; called at most once for each file.
+    using Bytes = std::function<std::string()>;
+
+    /// All references must outlive it.
+    SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
+                const std::vector<std::string>& origin, Bytes state_bytes, Bytes page_bytes);
+
+    const Scene& scene;
+    const Solution& solution;
+    const PictureOptions& options;
+    const std::vector<std::string>& comments; ///< origin, for formats that have a place for text
+    const Bytes state;
+    const Bytes page;
+
+    std::string one_comment() const;
+    const std::vector<Rgb>& shown_values(); ///< of the quantity that pictures show, per patch
+    Image light();                          ///< the picture as numbers
+    const ScreenImage& screen();            ///< the picture for a screen
+    const PatchMesh& mesh();                ///< with the radiosity at its corners
+    double mesh_scale();                    ///< [m^2/W] exposure of the mesh's colours, that of pictures of it
+    ScreenColour mesh_colour();
+    std::vector<std::string> mesh_comments(); ///< with the scale
+
+private:
+    const Camera& camera();
+
+    std::optional<Camera> camera_;
+    std::optional<std::vector<Rgb>> shown_values_;
+    std::optional<ScreenImage> screen_;
+    std::optional<PatchMesh> mesh_;
+    std::optional<double> mesh_scale_;
+};
+
+/// In the order in which files are made: first what is quick, so that what a signal costs can be made again from it.
+enum class FormatKind { state, table, mesh, picture, page };
+
+/// A format: one row of the table in formats.cpp. A new one is a function in `image` or `export` and a row.
+struct OutputFormat
+{
     std::string_view extension; ///< ".ppm"
-    std::string_view summary;   ///< a few words
+    FormatKind kind;
+    std::string_view summary; ///< a few words
+    bool by_default;          ///< written when no output is named
+    std::string (*bytes)(SolvedScene&);
 };
 
 /// All formats; the first one is that of standard output.
-const std::array<FormatDescription, 9>& output_formats();
+std::vector<OutputFormat> output_formats();
 
-/// The format that a file's extension names. Throws UsageError with the list of extensions.
-OutputFormat output_format(const std::string& path);
-OutputFormat format_of(const PlannedOutput& output);
+/// The kind that a file's extension names. Throws UsageError with the list of extensions.
+FormatKind kind_of(const std::string& path);
+
+/// True if one of the outputs is of this kind.
+bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind);
+
+/// True if one of them shows the scene from a camera, or with the exposure of such a picture.
+bool has_view(const std::vector<PlannedOutput>& outputs);
 
 /// --output, --quiet and the like, of every command that writes solutions.
 OptionGroup solution_output_group();
 
-/// NAME.ppm and NAME.png in the working directory, for a file NAME.*.
+/// For a file NAME.*: NAME.ppm and whatever else is written by default, in the working directory.
 std::vector<std::string> default_outputs(const std::string& path);
-
-/// True if one of these is a picture, or if there are none, since pictures are the default.
-bool wants_pictures(const std::vector<std::string>& paths);
 
 /// open_outputs() with these formats.
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
                                                  const std::vector<std::string>& inputs);
 
-bool has_format(const std::vector<PlannedOutput>& outputs, OutputFormat format);
-
-/// True if one of them shows the scene from a camera, or with the exposure of such a picture.
-bool has_view(const std::vector<PlannedOutput>& outputs);
-
-/// The bytes of the formats that are made elsewhere, pages and states.
-using FormatMakers = std::map<OutputFormat, std::function<std::string()>>;
-
-/// Fills every output in its format and puts all into place. The comments go into the formats that have a place for
-/// them. Throws OutputError.
-void write_outputs(std::vector<PlannedOutput>& outputs, const Scene& scene, const Solution& solution,
-                   const PictureOptions& picture_options, const std::vector<std::string>& comments,
-                   const FormatMakers& makers);
+/// Fills every output in its format and puts all into place. Throws OutputError.
+void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);
 
 } // namespace multipath

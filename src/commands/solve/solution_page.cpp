@@ -1,14 +1,13 @@
 #include "commands/solve/solution_page.h"
 
 #include "commands/explain/story_drawing.h"
-#include "image/false_colour/quantity.h"
-#include "radiosity/reuse/gathered_light.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
 #include "viewer/viewer_page.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <functional>
 #include <numeric>
 #include <string_view>
@@ -148,27 +147,25 @@ std::vector<Rgb> patch_areas(const Scene& scene)
 /// The quantities to choose from; the radiosity first.
 std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solution, int threads)
 {
-    std::vector<ViewerQuantity> result = {
-        {"radiosity", "Radiosity", "W/m²", ViewerColours::light, solution.radiosity},
-        {"direct", "Direct light", "W/m²", ViewerColours::light, direct_radiosity(scene, threads)},
-        {"irradiance", "Irradiance", "W/m²", ViewerColours::scale, irradiance(scene, solution.radiosity)},
-        {"area", "Patch size", "m²", ViewerColours::scale, patch_areas(scene)}};
-    if (!solution.standard_error.empty())
-        result.push_back({"error", "Standard error", "W/m²", ViewerColours::scale, solution.standard_error});
+    std::vector<ViewerQuantity> result;
+    for (const ShownQuantity& shown : shown_quantities())
+        if (shown.on_page && !(shown.needs_replicates && solution.standard_error.empty())) {
+            std::string title(shown.title);
+            title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+            result.push_back({std::string(shown.name), title, "W/m²",
+                              shown.is_room() ? ViewerColours::light : ViewerColours::scale,
+                              shown.values(scene, solution, threads)});
+        }
+    result.push_back({"area", "Patch size", "m²", ViewerColours::scale, patch_areas(scene)});
     return result;
 }
 
 /// The quantity that pictures would show, or the radiosity.
-std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, Shown shown)
+std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, const ShownQuantity& shown)
 {
-    const std::string key = shown == Shown::direct       ? "direct"
-                            : shown == Shown::irradiance ? "irradiance"
-                            : shown == Shown::error      ? "error"
-                                                         : "radiosity";
-    for (std::size_t k = 0; k < quantities.size(); ++k)
-        if (quantities[k].key == key)
-            return k;
-    return 0;
+    const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                    [&](const ViewerQuantity& quantity) { return quantity.key == shown.name; });
+    return found == quantities.end() ? 0 : static_cast<std::size_t>(found - quantities.begin());
 }
 
 } // namespace

@@ -56,9 +56,19 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
 
 void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
 {
-    if (pictures.shown == Shown::error && accuracy.replicates < 2)
+    if (pictures.shown.needs_replicates && accuracy.replicates < 2)
         throw UsageError("--show: a single run does not tell its error; expected --replicates, such as 4, or "
-                         "--tolerance with --show error");
+                         "--tolerance with --show " +
+                         std::string(pictures.shown.name));
+}
+
+/// Refuses pictures that the memory cannot hold. Without named outputs there are pictures, except of a shard.
+void require_memory_for_pictures(const CommandLine& line, const RenderOptions& render)
+{
+    const std::vector<std::string> paths = line.all("output");
+    const auto is_picture = [](const std::string& path) { return kind_of(path) == FormatKind::picture; };
+    if (paths.empty() ? !line.has("shard") : std::any_of(paths.begin(), paths.end(), is_picture))
+        require_memory_for_picture(line, render.width, render.height, render.shading == Shading::gather);
 }
 
 double seconds_since(SolveJob::Clock::time_point start)
@@ -89,6 +99,7 @@ SolveJob read_solve_job(const CommandLine& line)
     require_options_with_effect(line);
     SolveJob job{line, read_solve_options(line, "lines"), read_accuracy(line), {}, "", line.has("quiet")};
     job.pictures = read_picture_options(line, job.options.threads);
+    require_memory_for_pictures(line, job.pictures.render);
     require_error_to_show(job.pictures, job.accuracy);
     const std::string name = checked_sequence_name(job.options);
     job.sequence = job.accuracy.replicates > 1 ? randomised_name(name) : name;
@@ -98,7 +109,7 @@ SolveJob read_solve_job(const CommandLine& line)
 void require_results_possible(const SolveJob& job, const Scene& scene, const std::vector<PlannedOutput>& outputs)
 {
     require_view(scene, job.pictures);
-    if (has_format(outputs, OutputFormat::html))
+    if (has_kind(outputs, FormatKind::page))
         require_memory_for_page(job.line, scene);
 }
 
@@ -108,15 +119,16 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
     const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
     const PictureOptions pictures =
         has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
-    if (!job.quiet && has_view(outputs) && shows_room(pictures.shown))
+    if (!job.quiet && has_view(outputs) && pictures.shown.is_room())
         print_note(black_picture_warning(scene, solution.radiosity, pictures));
     const auto page = [&] {
         Progress progress("solving with fewer lines, for the page", progress_style(job.line));
         return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments,
                              [&](double done) { progress.show(done); });
     };
-    write_outputs(outputs, scene, solution, pictures, comments,
-                  {{OutputFormat::state, [&] { return state; }}, {OutputFormat::html, page}});
+    SolvedScene solved(
+        scene, solution, pictures, comments, [&] { return state; }, page);
+    write_outputs(outputs, solved);
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
@@ -138,8 +150,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     }
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && share.of > 1) {
-        write_outputs(outputs, scene, solution, job.pictures, {},
-                      {{OutputFormat::state, [&] { return keeper.last_bytes(); }}});
+        write_results(job, scene, solution, outputs, keeper.last_bytes());
         return tell_of_share(job, keeper);
     }
     if (share.of > 1 && job.options.method->shards == Shards::added)

@@ -147,7 +147,7 @@ JsonObject summary_json(const SolveSummary& s)
     if (!has_option(s.options.method, "chords"))
         json.null("chords");
     else
-        json.text("chords", chords_name(chords_of(s.options)));
+        json.text("chords", name_of(chords_choices, chords_of(s.options)));
     json.count("seed", s.options.seed);
     json.count("lines", s.solution.local_lines + s.solution.global_lines);
     json.count("local_lines", s.solution.local_lines);

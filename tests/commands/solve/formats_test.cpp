@@ -1,0 +1,99 @@
+#include "commands/solve/formats.h"
+
+#include "cli/options/usage_error.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+namespace formats_test {
+
+using namespace multipath;
+
+namespace {
+
+Scene room_with_lamp()
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.6, 0.0);
+    const std::uint32_t lamp = builder.grey(0.3, 3.0);
+    return builder.room({0, 0, 0}, {2, 1, 3}, {wall, lamp, wall, wall, wall, wall}).scene(0.5);
+}
+
+struct SolvedRoom
+{
+    SolvedRoom()
+    {
+        pictures.render.width = 32;
+        pictures.render.height = 24;
+        pictures.up = {0, 1, 0};
+        SolveOptions options;
+        options.lines = 4096;
+        solution = solve(scene, options, [](double) {});
+    }
+
+    Scene scene = room_with_lamp();
+    Solution solution;
+    PictureOptions pictures;
+    std::vector<std::string> comments = {"the origin"};
+    SolvedScene solved{scene, solution, pictures, comments, [] { return "the state"; }, [] { return "the page"; }};
+};
+
+} // namespace
+
+TEST_CASE("every format has an extension and bytes of its own, which are the same when they are asked for again")
+{
+    SolvedRoom room;
+    std::set<std::string_view> extensions;
+    std::set<std::string> all_bytes;
+    for (const OutputFormat& format : output_formats()) {
+        CAPTURE(std::string(format.extension));
+        CHECK(extensions.insert(format.extension).second);
+        const std::string bytes = format.bytes(room.solved);
+        CHECK_FALSE(bytes.empty());
+        CHECK(all_bytes.insert(bytes).second);
+        CHECK(format.bytes(room.solved) == bytes);
+    }
+}
+
+TEST_CASE("a file's extension in upper or lower case tells its kind, and the refusal of another one lists them all")
+{
+    for (const OutputFormat& format : output_formats())
+        CHECK(kind_of("a folder/room" + std::string(format.extension)) == format.kind);
+    CHECK(kind_of("ROOM.PLY") == FormatKind::mesh);
+    CHECK(kind_of("-") == output_formats().front().kind);
+    std::string message;
+    try {
+        (void)kind_of("room.txt");
+    } catch (const UsageError& error) {
+        message = error.what();
+    }
+    for (const OutputFormat& format : output_formats())
+        CHECK(message.find(format.extension) != std::string::npos);
+}
+
+TEST_CASE("the default outputs have the name of the input, wherever that is, and the first format is among them")
+{
+    const std::vector<std::string> outputs = default_outputs("../rooms/a.room.obj");
+    CHECK(outputs.front() == "a.room" + std::string(output_formats().front().extension));
+    CHECK(default_outputs("room").size() == outputs.size());
+}
+
+TEST_CASE("every quantity that pictures show has a value for each patch and a picture of its own")
+{
+    std::set<std::string_view> names;
+    std::set<std::vector<std::uint8_t>> screens;
+    for (const ShownQuantity& shown : shown_quantities()) {
+        SolvedRoom room;
+        room.solution.standard_error = room.solution.radiosity;
+        room.pictures.shown = shown;
+        CAPTURE(std::string(shown.name));
+        CHECK(names.insert(shown.name).second);
+        CHECK(room.solved.shown_values().size() == room.scene.patch_count());
+        CHECK(screens.insert(room.solved.screen().bytes).second);
+    }
+}
+
+} // namespace formats_test
