@@ -2,7 +2,6 @@
 
 #include "cli/options/command_line.h"
 #include "cli/options/help_text.h"
-#include "cli/options/option_table.h"
 
 #include <string>
 #include <vector>

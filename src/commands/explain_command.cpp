@@ -1,4 +1,4 @@
-#include "cli/files/planned_outputs.h"
+#include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/number_text.h"
 #include "cli/options/usage_error.h"

@@ -1,7 +1,5 @@
 #include "cli/files/standard_streams.h"
-#include "cli/options/completion.h"
 #include "cli/options/help_text.h"
-#include "cli/options/man_page.h"
 #include "cli/options/usage_error.h"
 #include "commands/commands.h"
 #include "commands/options/method_options.h"

@@ -22,6 +22,16 @@ std::string operand_names(const std::vector<Operand>& operands, std::size_t firs
     return names;
 }
 
+/// The option with this short name, nullptr when the table has none.
+const Option* find_short_option(const CommandTable& table, char short_name)
+{
+    for (const OptionGroup& group : table.groups)
+        for (const Option& option : group.options)
+            if (option.short_name == short_name && short_name != 0)
+                return &option;
+    return nullptr;
+}
+
 /// Walks over the arguments once, sorting them into options and operands.
 class Reader
 {
@@ -118,8 +128,7 @@ private:
         std::vector<std::string> names = {"--help"};
         for (const OptionGroup& group : table_.groups)
             for (const Option& option : group.options)
-                if (!option.hidden)
-                    names.push_back(dashed(option));
+                names.push_back(dashed(option));
         throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
     }
 
@@ -146,6 +155,37 @@ private:
 };
 
 } // namespace
+
+std::string operand_text(const Operand& operand)
+{
+    const std::string text = std::string(operand.name) + (operand.repeatable ? "..." : "");
+    return operand.optional ? "[" + text + "]" : text;
+}
+
+OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names)
+{
+    const auto left_out = [&](const Option& option) {
+        return std::find(names.begin(), names.end(), option.name) != names.end();
+    };
+    group.options.erase(std::remove_if(group.options.begin(), group.options.end(), left_out), group.options.end());
+    return group;
+}
+
+CommandTable without_options(CommandTable table, const std::vector<std::string>& names)
+{
+    for (OptionGroup& group : table.groups)
+        group = without_options(group, names);
+    return table;
+}
+
+const Option* find_option(const CommandTable& table, std::string_view name)
+{
+    for (const OptionGroup& group : table.groups)
+        for (const Option& option : group.options)
+            if (option.name == name)
+                return &option;
+    return nullptr;
+}
 
 CommandLine::CommandLine(const CommandTable& table, const std::vector<std::string>& arguments) : table_(table)
 {

@@ -1,6 +1,7 @@
 #include "cli/options/help_text.h"
 
 #include "cli/options/command_line.h"
+#include "cli/version.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -26,8 +27,6 @@ std::size_t left_width(const std::vector<OptionGroup>& groups)
     std::size_t widest = 0;
     for (const OptionGroup& group : groups)
         for (const Option& option : group.options) {
-            if (option.hidden)
-                continue;
             const std::size_t width = column_count(left_column(option)) + 2;
             widest = width <= widest_left_column ? std::max(widest, width) : widest;
         }
@@ -96,8 +95,7 @@ std::string help_text(const CommandTable& table)
     for (const OptionGroup& group : groups) {
         text.append("\n").append(group.heading).append(":\n");
         for (const Option& option : group.options)
-            if (!option.hidden)
-                text += two_columns(left_column(option), option_help(option), indent);
+            text += two_columns(left_column(option), option_help(option), indent);
     }
     if (!table.notes.empty())
         text.append("\n").append(table.notes).append(table.notes.back() == '\n' ? "" : "\n");
@@ -121,6 +119,197 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
            "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n" +
            wrapped_text("'multipath help TOPIC' explains " + listed(names_of(topics)) + ".", 0, 0, page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";
+}
+
+namespace {
+
+/// ASCII text as roff prints it: a backslash begins a command, and a bare hyphen may become a dash that cannot be
+/// pasted into a shell.
+std::string escaped(std::string_view text)
+{
+    std::string result;
+    bool line_begins = true;
+    for (const char c : text) {
+        if (line_begins && (c == '.' || c == '\''))
+            result += "\\&"; // such a line would be a command
+        line_begins = c == '\n';
+        if (c == '\\')
+            result += "\\e";
+        else if (c == '-')
+            result += "\\-";
+        else if (c == '\'')
+            result += "\\(aq"; // else a curved quote
+        else
+            result += c;
+    }
+    return result;
+}
+
+std::string bold(std::string_view text)
+{
+    return "\\fB" + escaped(text) + "\\fR";
+}
+
+std::string italic(std::string_view text)
+{
+    return "\\fI" + escaped(text) + "\\fR";
+}
+
+std::string upper_case(std::string_view text)
+{
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return result;
+}
+
+/// Lines that stay as they are.
+std::string as_it_is(std::string_view text)
+{
+    const bool ended = !text.empty() && text.back() == '\n';
+    return ".PP\n.nf\n" + escaped(text) + (ended ? "" : "\n") + ".fi\n";
+}
+
+std::string option_entry(const Option& option)
+{
+    std::string names = option.short_name != 0 ? bold(std::string("-") + option.short_name) + ", " : "";
+    names += bold("--" + std::string(option.name));
+    if (!option.argument.empty())
+        names += " " + italic(option.argument);
+    return ".TP\n" + names + "\n" + escaped(option_help(option)) + "\n";
+}
+
+std::string command_section(const CommandTable& table)
+{
+    std::string text = ".SS " + escaped(table.name) + "\n" + bold("multipath " + std::string(table.name)) + " [" +
+                       italic("OPTIONS") + "]";
+    for (const Operand& operand : table.operands)
+        text += " " + italic(operand_text(operand));
+    text += "\n.PP\n" + escaped(table.summary) + "\n";
+    for (const OptionGroup& group : table.groups) {
+        text += ".PP\n" + bold(std::string(group.heading) + ":") + "\n";
+        for (const Option& option : group.options)
+            text += option_entry(option);
+    }
+    return text + (table.notes.empty() ? "" : as_it_is(table.notes));
+}
+
+} // namespace
+
+std::string man_page(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics)
+{
+    std::string text = ".TH MULTIPATH 1 \"\" \"" + escaped(version()) +
+                       "\" \"User Commands\"\n"
+                       ".SH NAME\nmultipath \\- diffuse global illumination (radiosity) with global lines\n"
+                       ".SH SYNOPSIS\n" +
+                       bold("multipath") + " " + italic("COMMAND") + " [" + italic("OPTIONS") + "] " +
+                       italic("ARGUMENTS") + "\n.SH DESCRIPTION\n" + escaped(program_summary) +
+                       "\nFor a first picture:" + as_it_is("  multipath solve scenes/5cubes.obj").insert(0, "\n") +
+                       ".SH COMMANDS\n";
+    text +=
+        "Every command has the option " + bold("--help") + ", or " + bold("-h") + ", which prints what stands here.\n";
+    for (const CommandTable& table : tables)
+        text += command_section(table);
+    for (const HelpTopic& topic : topics)
+        text += ".SH " + escaped(upper_case(topic.name)) + "\n" + as_it_is(topic.text);
+    return text + ".SH ENVIRONMENT\n.TP\n" + bold("MULTIPATH_KERNELS") +
+           "\nLimits the instruction sets to avx512, avx2, sse2 or plain; the result does not depend on it.\n";
+}
+
+namespace {
+
+// Where '=' separates words, as it does unless COMP_WORDBREAKS says otherwise, --method=reuse arrives as three of them.
+constexpr const char* bash_functions = R"(# bash completion of multipath, written by 'multipath help --completion bash'.
+
+_multipath_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$word"); }
+_multipath_folders() {
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -d -- "$word")
+}
+_multipath_files() {
+    local extension
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(
+        compgen -d -- "$word"
+        for extension in ${*:-""}; do compgen -f -X "!*$extension" -- "$word"; done
+    )
+}
+
+_multipath() {
+    local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]}
+    [[ $word == = ]] && word=
+    [[ $option == = ]] && option=${COMP_WORDS[COMP_CWORD - 2]}
+    COMPREPLY=()
+)";
+
+/// All options of a command, and --help.
+std::vector<Option> with_help(const CommandTable& table)
+{
+    std::vector<Option> options;
+    for (const OptionGroup& group : table.groups)
+        options.insert(options.end(), group.options.begin(), group.options.end());
+    options.push_back({"help", 'h', "", "", "Print the help."});
+    return options;
+}
+
+/// Words with blanks between them.
+std::string joined(const std::vector<std::string_view>& words)
+{
+    std::string text;
+    for (const std::string_view word : words)
+        text.append(text.empty() ? "" : " ").append(word);
+    return text;
+}
+
+/// "--output | -o"
+std::string names_of(const Option& option)
+{
+    const std::string name = "--" + std::string(option.name);
+    return option.short_name == 0 ? name : name + " | -" + option.short_name;
+}
+
+std::string value_case(const Option& option)
+{
+    const std::string action = option.argument == "FILE"     ? "_multipath_files; "
+                               : option.argument == "FOLDER" ? "_multipath_folders; "
+                               : option.choices.empty()      ? ""
+                                                             : "_multipath_words '" + joined(option.choices) + "'; ";
+    return "        " + names_of(option) + ") " + action + "return ;;\n";
+}
+
+std::string command_case(const CommandTable& table)
+{
+    std::string values;
+    std::string names;
+    for (const Option& option : with_help(table)) {
+        values += option.argument.empty() ? "" : value_case(option);
+        names += (names.empty() ? "--" : " --") + std::string(option.name);
+    }
+    const std::string options = "_multipath_words '" + names + "'";
+    std::string operand = options;
+    if (!table.operands.empty()) {
+        const Operand& last = table.operands.back();
+        operand = last.choices.empty() ? "_multipath_files " + joined(last.extensions)
+                                       : "_multipath_words '" + joined(last.choices) + "'";
+    }
+    return "    " + std::string(table.name) + ")\n        case $option in\n" + values +
+           "        esac\n        case $word in\n        -*) " + options + " ;;\n        *) " + operand +
+           " ;;\n        esac ;;\n";
+}
+
+} // namespace
+
+std::string bash_completion(const std::vector<CommandTable>& tables)
+{
+    std::string commands;
+    std::string cases;
+    for (const CommandTable& table : tables) {
+        commands += std::string(table.name) + " ";
+        cases += command_case(table);
+    }
+    return std::string(bash_functions) + "    if ((COMP_CWORD == 1)); then\n        _multipath_words '" + commands +
+           "--help --version'\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n" + cases +
+           "    esac\n}\n\ncomplete -F _multipath multipath\n";
 }
 
 } // namespace multipath

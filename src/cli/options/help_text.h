@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/options/option_table.h"
+#include "cli/options/command_line.h"
 
 #include <cstddef>
 #include <string>
@@ -50,5 +50,13 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
 
 /// One line per command: name and summary, aligned.
 std::string command_list(const std::vector<CommandTable>& tables);
+
+/// The manual of the program in the language of `man` (roff with the macros man(7)): every command with its options,
+/// then every topic. The same tables give the same bytes: it bears the version, and no date.
+std::string man_page(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
+
+/// The script that lets bash complete commands, the options of a command, their choices, and files with the extensions
+/// that an operand takes. An option's argument called FILE is a file, FOLDER a folder.
+std::string bash_completion(const std::vector<CommandTable>& tables);
 
 } // namespace multipath

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "cli/options/option_table.h"
 #include "scene/scene.h"
 
 #include <string>

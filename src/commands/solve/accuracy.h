@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "cli/options/option_table.h"
 #include "radiosity/runs/replicates.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/files/planned_outputs.h"
-#include "cli/options/option_table.h"
+#include "cli/files/output_file.h"
+#include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
 #include "export/mesh/patch_mesh.h"
 #include "radiosity/solve.h"

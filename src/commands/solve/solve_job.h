@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/files/planned_outputs.h"
+#include "cli/files/output_file.h"
 #include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
 #include "commands/solve/accuracy.h"

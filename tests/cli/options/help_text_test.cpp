@@ -35,6 +35,13 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
+bool contains(const std::string& text, const std::string& part)
+{
+    CAPTURE(text);
+    CAPTURE(part);
+    return text.find(part) != std::string::npos;
+}
+
 } // namespace
 
 TEST_CASE("words are wrapped to a width, counted in characters")
@@ -81,14 +88,6 @@ TEST_CASE("the help shows usage, groups, both forms, choices, defaults and notes
           "  multipath solve room.obj\n");
 }
 
-TEST_CASE("a hidden option is not in the help")
-{
-    CommandTable table = table_with_long_help();
-    const std::string before = help_text(table);
-    table.groups[0].options.push_back({"a-hidden-option", 0, "VALUE", "", "", false, {}, true});
-    CHECK(help_text(table) == before);
-}
-
 TEST_CASE("no line of the help is wider than 90 columns and none ends in a blank")
 {
     CommandTable table = table_with_long_help();
@@ -118,6 +117,40 @@ TEST_CASE("the list of commands is aligned")
     CHECK(command_list({{"solve", "solve a scene", {}, {}}, {"selftest", "take an exam", {}, {}}}) ==
           "  solve     solve a scene\n"
           "  selftest  take an exam\n");
+}
+
+TEST_CASE("the manual shows commands with both forms of their options, and topics as they are")
+{
+    const CommandTable table = {
+        "solve",
+        "solve a scene",
+        {{"SCENE.obj"}},
+        {{"Budget", {{"lines", 'n', "N", "2^20", "How many."}, {"quiet", 0, "", "", "No word."}}}},
+        "  multipath solve room.obj"};
+    const std::string page = man_page({table}, {{"exit-codes", "what is returned", "  0  done\n"}});
+    CHECK(contains(page, ".SS solve\n\\fBmultipath solve\\fR [\\fIOPTIONS\\fR] \\fISCENE.obj\\fR\n"));
+    CHECK(contains(page, ".TP\n\\fB\\-n\\fR, \\fB\\-\\-lines\\fR \\fIN\\fR\nHow many. (default 2^20)\n"));
+    CHECK(contains(page, ".TP\n\\fB\\-\\-quiet\\fR\nNo word.\n"));
+    CHECK(contains(page, ".nf\n  multipath solve room.obj\n.fi\n"));
+    CHECK(contains(page, ".SH EXIT\\-CODES\n.PP\n.nf\n  0  done\n.fi\n"));
+}
+
+TEST_CASE("nothing in a text is a command of roff")
+{
+    const std::string page = man_page({}, {{"odd", "", ".so /etc/passwd\n'br\na\\b isn't .x\n"}});
+    CHECK(contains(page, "\n\\&.so /etc/passwd\n\\&\\(aqbr\na\\eb isn\\(aqt .x\n"));
+}
+
+TEST_CASE("the completion offers what the help shows")
+{
+    const CommandTable table = {
+        "solve",
+        "solve a scene",
+        {{"SCENE.obj", false, false, {".obj"}}},
+        {{"", {{"method", 'm', "NAME", "", "The method.", false, {"local", "reuse"}}, {"out", 0, "FOLDER"}}}}};
+    const std::string script = bash_completion({table});
+    for (const char* word : {"solve", "--method | -m", "local reuse", "--help", ".obj", "--out) _multipath_folders"})
+        CHECK_MESSAGE(script.find(word) != std::string::npos, word);
 }
 
 } // namespace help_text_test
