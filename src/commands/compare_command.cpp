@@ -2,7 +2,6 @@
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
-#include "commands/options/solve_table.h"
 #include "commands/solve/saved_run.h"
 #include "export/csv_text.h"
 #include "export/json.h"
@@ -35,7 +34,7 @@ PatchTable read_result(const std::string& path)
     const Solution solution = finished_solution(saved, scene);
     PatchTable table;
     table.path = path;
-    table.comments = provenance(solve_table(), command_line_of(saved.description, {}), scene);
+    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         table.surfaces.push_back(scene.surface_of(i));
         table.materials.push_back(scene.material_of(i).name);

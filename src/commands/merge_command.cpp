@@ -137,7 +137,7 @@ int run_merge(const CommandLine& line)
         return 0;
     }
     runs.clear();
-    StateKeeper keeper({"", 60.0, true}, sum.description);
+    StateKeeper keeper({}, true, sum.description);
     keeper.resume(std::move(sum));
     return carry_out(job, scene, outputs, keeper, {});
 }

@@ -1,8 +1,8 @@
 #include "cli/files/standard_streams.h"
 #include "cli/options/usage_error.h"
 #include "commands/commands.h"
+#include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
-#include "commands/options/solve_table.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
 #include "scene/text/text_format.h"
@@ -49,7 +49,7 @@ void require_outputs_of_share(const CommandLine& line, const SolveJob& job, cons
         throw UsageError("--shard: more shards than lines; expected at most " + std::to_string(job.options.lines));
     const std::vector<std::string> outputs = line.all("output");
     const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
-    if (state.state.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))
+    if (state.path.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))
         throw UsageError("--shard: nothing would be left to merge; expected --state FILE with it");
     if (job.options.method->shards == Shards::added && !std::all_of(outputs.begin(), outputs.end(), is_state))
         throw UsageError(
@@ -67,7 +67,7 @@ std::vector<std::string> output_paths(const CommandLine& line, const StateOption
 void resume(const StateOptions& state, const RunDescription& wanted, const SolveJob& job, StateKeeper& keeper)
 {
     SavedRun saved = read_saved_run(state.from);
-    const bool whole = state.from != state.state && saved.description.share.of == 1; // merged, to be shared again
+    const bool whole = state.from != state.path && saved.description.share.of == 1; // merged, to be shared again
     if (whole)
         saved.description.share = wanted.share;
     require_same_run(saved.description, state.from, wanted);
@@ -78,6 +78,21 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
     keeper.resume(std::move(saved));
 }
 
+CommandTable solve_table()
+{
+    return {"solve",
+            "radiosity of every patch of a scene, as pictures, meshes and tables",
+            {{"SCENE.obj", false, false, {".obj"}}},
+            {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
+             scene_option_group(), picture_option_group()},
+            "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
+            "\n"
+            "  multipath solve room.obj\n"
+            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"
+            "  multipath solve room.obj -o room.glb -o room.ply\n"
+            "  multipath solve room.obj -o room.html\n"};
+}
+
 int run_solve(const CommandLine& line)
 {
     require_one_on_standard_output(line);
@@ -85,7 +100,7 @@ int run_solve(const CommandLine& line)
     const StateOptions state = read_state_options(line);
     require_outputs_of_share(line, job, state);
     std::vector<std::string> inputs = {scene_path(line)};
-    for (const std::string& path : {state.state, state.from})
+    for (const std::string& path : {state.path, state.from})
         if (!path.empty())
             inputs.push_back(path);
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs);
@@ -98,7 +113,7 @@ int run_solve(const CommandLine& line)
         warn_of_line_count(job.options);
     }
     const RunDescription description = description_of(line, scene, state.share);
-    StateKeeper keeper({state.state, state.save_every, has_kind(outputs, FormatKind::state)}, description);
+    StateKeeper keeper(state, has_kind(outputs, FormatKind::state), description);
     if (!state.from.empty())
         resume(state, description, job, keeper);
     return carry_out(job, scene, outputs, keeper, state.share);

@@ -1,5 +1,6 @@
 // The end of the program runs within a handler of signals, so that no phase of any work, nor a pipe without a reader,
-// can hold it up. Handlers call only what POSIX allows them, and read only lock-free atomics and slots of part_file.cpp.
+// can hold it up. Handlers call only what POSIX allows them, and read only lock-free atomics and slots of
+// part_file.cpp.
 
 #include "cli/files/interrupt.h"
 

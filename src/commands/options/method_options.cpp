@@ -98,6 +98,14 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
     return group;
 }
 
+OptionGroup solve_method_group()
+{
+    return method_option_group(
+        {"lines", 'n', "N", "2^20",
+         "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
+        true);
+}
+
 SolveOptions read_settings(const CommandLine& line)
 {
     SolveOptions options;

@@ -15,6 +15,9 @@ namespace multipath {
 /// that can do it; the others take the methods whose lines can be told.
 OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 
+/// The same for `solve`.
+OptionGroup solve_method_group();
+
 /// `line_count`: the name of that option. Throws UsageError.
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count);
 

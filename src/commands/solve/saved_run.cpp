@@ -2,9 +2,11 @@
 
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
+#include "cli/options/number_text.h"
 #include "cli/provenance.h"
+#include "commands/commands.h"
+#include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
-#include "commands/options/solve_table.h"
 #include "commands/solve/accuracy.h"
 #include "radiosity/solution.h"
 #include "scene/input_error.h"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <sys/stat.h>
 #include <utility>
 
 namespace multipath {
@@ -29,6 +32,22 @@ std::vector<Option> options_that_matter()
             if (is_recorded(option.name))
                 options.push_back(option);
     return options;
+}
+
+bool exists(const std::string& path)
+{
+    struct stat status = {};
+    return stat(path.c_str(), &status) == 0;
+}
+
+/// "3/16" is the third of sixteen.
+Share read_share_of_work(const std::string& text)
+{
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos)
+        throw UsageError("--shard: '" + text + "' is no part of a whole; expected I/N, such as 3/16");
+    const std::uint64_t of = read_count("--shard", text.substr(slash + 1), 1, 1000000);
+    return {read_count("--shard", text.substr(0, slash), 1, of) - 1, of};
 }
 
 bool is_share(const RunDescription& description)
@@ -53,6 +72,41 @@ void visit_head(Archive& archive, RunDescription& description, std::vector<std::
 }
 
 } // namespace
+
+OptionGroup state_option_group()
+{
+    return {"State",
+            {{"state", 0, "FILE", "",
+              "Keep the state of the run there, saved now and then and at the end: enough to go on after an "
+              "interruption, to merge shards, or to make other pictures."},
+             {"save-every", 0, "TIME", "60s", "How often to save the state."},
+             {"resume", 0, "", "",
+              "Go on from the --state file if there is one, with the same result as without the interruption; also to "
+              "more --lines than it was made with."},
+             {"from-state", 0, "FILE", "", "Go on from the state in this file, which stays as it is."},
+             {"shard", 0, "I/N", "", "Do part I of N of the work, 1/N ... N/N, for 'multipath merge' to add up."}}};
+}
+
+StateOptions read_state_options(const CommandLine& line)
+{
+    StateOptions options;
+    options.path = line.text("state");
+    // Thirty years are as good as never, and far from the end of what a clock counts.
+    options.save_every = std::min(read_seconds("--save-every", line.text("save-every")), 1e9);
+    if (line.has("shard"))
+        options.share = read_share_of_work(line.text("shard"));
+    if (line.has("state") && options.path.empty())
+        throw UsageError("--state: the name is empty; expected a file");
+    if (options.path.empty() && (line.has("resume") || line.has("save-every")))
+        throw UsageError(std::string(line.has("resume") ? "--resume" : "--save-every") +
+                         " has no effect without --state; expected --state FILE with it");
+    const bool left = !options.path.empty() && exists(options.path);
+    if (left && !line.has("resume"))
+        throw InputError(options.path +
+                         " exists; expected --resume with it to go on from there, or the name of a new file");
+    options.from = left ? options.path : line.text("from-state");
+    return options;
+}
 
 void RunDescription::visit(Archive& archive)
 {
@@ -82,7 +136,7 @@ CommandLine command_line_of(const RunDescription& description, const std::vector
 {
     std::vector<std::string> words = more_words;
     words.insert(words.end(), description.arguments.begin(), description.arguments.end());
-    return {solve_table(), words};
+    return {solve_command().table, words};
 }
 
 std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line)
@@ -146,11 +200,12 @@ Solution finished_solution(const SavedRun& saved, const Scene& scene)
     return std::move(record.solution);
 }
 
-StateKeeper::StateKeeper(StatePlan plan, RunDescription description)
-    : plan_(std::move(plan)),
+StateKeeper::StateKeeper(StateOptions options, bool keep_last, RunDescription description)
+    : options_(std::move(options)),
+      keep_last_(keep_last),
       description_(std::move(description)),
       next_save_(Clock::now() +
-                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan_.save_every)))
+                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every)))
 {
 }
 
@@ -163,7 +218,7 @@ void StateKeeper::resume(SavedRun saved)
 bool StateKeeper::wants_pause() const
 {
     worked_ = true;
-    return interrupted() || (!plan_.path.empty() && Clock::now() >= next_save_);
+    return interrupted() || (!options_.path.empty() && Clock::now() >= next_save_);
 }
 
 void StateKeeper::write(const StateWriter::Sink& sink)
@@ -183,13 +238,13 @@ void StateKeeper::keep_in_memory()
 
 void StateKeeper::keep()
 {
-    if (!plan_.path.empty()) {
-        OutputFile file(plan_.path);
+    if (!options_.path.empty()) {
+        OutputFile file(options_.path);
         const InterruptDelay delay;
         write([&](std::string_view bytes) { file.write(bytes); });
         file.commit();
     }
-    if (plan_.keep_last)
+    if (keep_last_)
         keep_in_memory();
 }
 
@@ -197,7 +252,8 @@ bool StateKeeper::pause_now()
 {
     const Clock::time_point start = Clock::now();
     keep();
-    const auto interval = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan_.save_every));
+    const auto interval =
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every));
     // A large state is saved less often, so that saving stays a small part of the time.
     next_save_ = Clock::now() + std::max(interval, 10 * (Clock::now() - start));
     return interrupted();
@@ -213,7 +269,7 @@ void StateKeeper::finish_now()
 {
     if (!resumed_ || worked_)
         keep();
-    else if (plan_.keep_last) // the file says it already
+    else if (keep_last_) // the file says it already
         keep_in_memory();
 }
 

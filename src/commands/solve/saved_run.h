@@ -15,6 +15,21 @@
 
 namespace multipath {
 
+/// Whether and where the state of a run is kept, what it goes on from, and which share of the work it does.
+struct StateOptions
+{
+    std::string path;         ///< file; empty: not kept
+    std::string from;         ///< state to go on from; empty: it begins anew
+    double save_every = 60.0; ///< [s]
+    Share share;
+};
+
+/// --state, --resume, --shard and the like.
+OptionGroup state_option_group();
+
+/// Throws UsageError; InputError for a state that exists where none is to be resumed: it would be lost.
+StateOptions read_state_options(const CommandLine& line);
+
 /// Scene, options and share of a run, as its state file has them.
 struct RunDescription
 {
@@ -58,26 +73,19 @@ bool is_finished(const SavedRun& saved);
 /// Of the pieces of the run that are finished. Throws InputError without any.
 Solution finished_solution(const SavedRun& saved, const Scene& scene);
 
-/// Where the state of a run goes.
-struct StatePlan
-{
-    std::string path;         ///< empty: nowhere
-    double save_every = 60.0; ///< [s]
-    bool keep_last = false;   ///< in memory, for an output
-};
-
 /// Saves the state of a run now and then, at its end, and where the user interrupts it, which ends the work.
 class StateKeeper : public Checkpoint
 {
 public:
-    StateKeeper(StatePlan plan, RunDescription description);
+    /// `keep_last`: what was saved last stays in the memory, for an output.
+    StateKeeper(StateOptions options, bool keep_last, RunDescription description);
 
     /// The run goes on from there.
     void resume(SavedRun saved);
 
     bool wants_pause() const override;
 
-    const std::string& path() const { return plan_.path; }
+    const std::string& path() const { return options_.path; }
     /// Of the last time it was saved, if that is kept.
     const std::string& last_bytes() const { return last_bytes_; }
     bool resumed() const { return resumed_.has_value(); }
@@ -95,7 +103,8 @@ private:
     void keep_in_memory();
     void keep();
 
-    StatePlan plan_;
+    StateOptions options_;
+    bool keep_last_;
     RunDescription description_;
     std::optional<SavedRun> resumed_;
     Clock::time_point next_save_;

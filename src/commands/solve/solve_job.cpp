@@ -7,20 +7,190 @@
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "commands/commands.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
-#include "commands/options/solve_table.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
-#include "commands/solve/solve_summary.h"
 #include "radiosity/line_budget.h"
+#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/runs/replicates.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace multipath {
+
+namespace {
+
+/// Area-weighted mean over all patches [W/m^2].
+Rgb mean_radiosity(const SolveSummary& s)
+{
+    Rgb power;
+    for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i)
+        power += s.scene.area(i) * s.solution.radiosity[i];
+    return (1.0 / s.scene.total_area()) * power;
+}
+
+/// [1] Of the power of the result: what the unshot light would add if every surface saw only others of its colour, and
+/// none reflected more than all but 1e-4.
+double growth_by_unshot_light(const SolveSummary& s)
+{
+    double growth = 0.0; // [W]
+    double power = 0.0;  // [W]
+    for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i) {
+        const Rgb rho = s.scene.reflectance(i);
+        const Rgb unshot = s.solution.unshot[i];
+        for (double Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b})
+            growth += s.scene.area(i) / 3.0 * unshot.*channel / std::max(1.0 - rho.*channel, 1e-4);
+        power += s.scene.area(i) * mean(s.solution.radiosity[i]);
+    }
+    return power > 0.0 ? growth / power : 0.0;
+}
+
+double lines_per_second(const SolveSummary& s)
+{
+    const auto lines = static_cast<double>(s.solution.all_lines);
+    return s.seconds_trace > 0.0 && s.all_at_once ? lines / s.seconds_trace : 0.0;
+}
+
+std::vector<double> channels(Rgb c)
+{
+    return {c.r, c.g, c.b};
+}
+
+} // namespace
+
+std::string summary_text(const SolveSummary& s)
+{
+    const PowerBalance& balance = s.solution.balance;
+    const auto percent = [&](Rgb part) {
+        const double share = 100.0 * mean(part) / mean(balance.emitted);
+        return std::abs(share) < 5e-4 ? 0.0 : share; // never "-0.000"
+    };
+    const Rgb b = mean_radiosity(s);
+    std::string text;
+    text += format("scene      %s surfaces, %s patches, %.4g m^2, mean reflectance %.3f\n",
+                   grouped(s.scene.surfaces().size()).c_str(), grouped(s.scene.patch_count()).c_str(),
+                   s.scene.total_area(), mean(s.scene.average_reflectance()));
+    text += format("method     %s, sequence %s: %s local + %s global lines\n", s.method.c_str(), s.sequence.c_str(),
+                   grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
+    if (s.solution.relative_standard_error)
+        text += format("error      %.3g %% relative standard error, from %d replicates%s\n",
+                       100.0 * *s.solution.relative_standard_error, s.solution.replicates,
+                       s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
+                           ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
+                           : "");
+    const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
+    if (s.solution.relative_standard_error && lines < lines_for_error(s.scene, s.options.method, s.solution.replicates))
+        text += "warning    with fewer than 64 lines per patch in each replicate the error may be several times larger "
+                "than this; more lines or fewer replicates help\n";
+    text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) W/m^2\n", mean(b), b.r, b.g, b.b);
+    text += format("power      emitted %.6g W: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
+                   "surfaces; balance to %.0e\n",
+                   mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
+                   percent(balance.behind), balance.relative_error());
+    if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0)
+        text +=
+            format("warning    so few lines per patch are not reused: particles carried the reflected light, with more "
+                   "noise; reuse begins at about %.1g lines, if --memory holds them\n",
+                   2.0 * fewest_lines_to_count(s.scene, GlobalLines(s.scene.bounds(), chords_of(s.options))));
+    const double surplus = mean(balance.emitted) - mean(balance.source);
+    if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
+        text +=
+            format("warning    the lines sent %.4g W, but the sources emit %.4g W, and chance alone explains %.2g W of "
+                   "difference: these lines are not uniform, and the result is as wrong\n",
+                   mean(balance.emitted), mean(balance.source), balance.emitted_error);
+    if (percent(balance.unshot) > 5.0)
+        text += format("warning    %.2g %% of the power is not distributed yet, which makes the result too dark; more "
+                       "lines help, or "
+                       "larger patches\n",
+                       percent(balance.unshot));
+    else if (const double more = growth_by_unshot_light(s); more > 0.1)
+        text += format("warning    the %.2g %% of the power that is not distributed yet is on surfaces that reflect "
+                       "nearly all of it, and may make the result brighter by %.2g %%; more lines help, or "
+                       "--method reuse\n",
+                       percent(balance.unshot), 100.0 * more);
+    if (percent(balance.behind) > 0.01)
+        text += format(
+            "warning    %.2g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
+            "'multipath check' names them, --two-sided gives them backs\n",
+            percent(balance.behind));
+    if (!s.all_at_once)
+        return text + format("time       %.2f s, of this part of the run\n", s.seconds);
+    text +=
+        format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s; %.2f s for the outputs\n",
+               s.seconds, s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads,
+               s.options.threads == 1 ? "" : "s", s.seconds_outputs);
+    return text;
+}
+
+std::string stages_text(const Solution& solution)
+{
+    const auto row = [](const std::string& stage, std::uint64_t lines, const PowerBalance& b) {
+        return format("  %-12s %14s %12.6g %12.6g %12.6g %12.6g %12.6g\n", stage.c_str(), grouped(lines).c_str(),
+                      mean(b.emitted), mean(b.absorbed), mean(b.unshot), mean(b.escaped), mean(b.behind));
+    };
+    std::string text = format("stages     %14s %12s %12s %12s %12s %12s   (W, after the stage)\n", "lines", "emitted",
+                              "absorbed", "unshot", "escaped", "behind");
+    for (std::size_t k = 0; k < solution.shot_passes.size(); ++k)
+        text += row("pass " + std::to_string(k + 1), solution.shot_passes[k].lines, solution.shot_passes[k].balance);
+    const bool local = solution.global_lines == 0 && solution.shot_passes.empty();
+    return text + row(local ? "particles" : "global pass", local ? solution.local_lines : solution.global_lines,
+                      solution.balance);
+}
+
+JsonObject summary_json(const SolveSummary& s)
+{
+    const PowerBalance& balance = s.solution.balance;
+    JsonObject json;
+    json.text("scene", s.scene.path());
+    json.text("scene_hash", format("%016llx", static_cast<unsigned long long>(s.scene.hash())));
+    json.count("patches", s.scene.patch_count());
+    json.count("surfaces", s.scene.surfaces().size());
+    json.number("patch_size", s.scene.patch_size());
+    json.number("area_m2", s.scene.total_area());
+    json.number("average_reflectance", mean(s.scene.average_reflectance()));
+    json.number("source_power_w", mean(s.scene.source_power()));
+    json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
+    json.text("method", s.method);
+    json.text("sequence", s.sequence);
+    if (!has_option(s.options.method, "chords"))
+        json.null("chords");
+    else
+        json.text("chords", name_of(chords_choices, chords_of(s.options)));
+    json.count("seed", s.options.seed);
+    json.count("lines", s.solution.local_lines + s.solution.global_lines);
+    json.count("local_lines", s.solution.local_lines);
+    json.count("global_lines", s.solution.global_lines);
+    json.count("global_lines_cast", s.solution.global_lines_cast);
+    json.number("mean_radiosity", mean(mean_radiosity(s)));
+    json.numbers("mean_radiosity_rgb", channels(mean_radiosity(s)));
+    json.number("emitted_power_w", mean(balance.emitted));
+    json.number("emitted_power_error_w", balance.emitted_error);
+    json.number("absorbed_power_w", mean(balance.absorbed));
+    json.number("unshot_power_w", mean(balance.unshot));
+    json.number("escaped_power_w", mean(balance.escaped));
+    json.number("back_face_power_w", mean(balance.behind));
+    json.number("balance_error", balance.relative_error());
+    json.number("seconds", s.seconds);
+    json.number("seconds_trace", s.seconds_trace);
+    json.number("seconds_outputs", s.seconds_outputs);
+    json.number("seconds_to_first_lines", s.seconds_to_first_lines);
+    json.number("lines_per_second", lines_per_second(s));
+    json.boolean("complete", s.complete);
+    json.count("threads", static_cast<std::uint64_t>(s.options.threads));
+    json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
+    json.count("all_lines", s.solution.all_lines);
+    if (s.solution.relative_standard_error)
+        json.number("relative_standard_error", *s.solution.relative_standard_error);
+    else
+        json.null("relative_standard_error");
+    return json;
+}
 
 namespace {
 
@@ -116,7 +286,7 @@ void require_results_possible(const SolveJob& job, const Scene& scene, const std
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state)
 {
-    const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
+    const std::vector<std::string> comments = provenance(solve_command().table, job.line, scene);
     const PictureOptions pictures =
         has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
     if (!job.quiet && has_view(outputs) && pictures.shown.is_room())

@@ -5,6 +5,7 @@
 #include "commands/options/picture_options.h"
 #include "commands/solve/accuracy.h"
 #include "commands/solve/saved_run.h"
+#include "export/json.h"
 #include "radiosity/solve_options.h"
 
 #include <chrono>
@@ -41,5 +42,30 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
 /// Fills the outputs from a solution; `state` are the bytes of those that are one.
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state);
+
+/// Figures of a finished `solve`.
+struct SolveSummary
+{
+    const Scene& scene;
+    const SolveOptions& options;
+    const Solution& solution;
+    std::string method;                  ///< as the user names it
+    std::string sequence;                ///< full name
+    double seconds = 0.0;                ///< from start to end, pictures included
+    double seconds_trace = 0.0;          ///< of the solver alone
+    double seconds_outputs = 0.0;        ///< of making and writing the outputs
+    double seconds_to_first_lines = 0.0; ///< from start to when the first block of lines was done
+    bool complete = true;                ///< or was it interrupted?
+    bool all_at_once = true;             ///< or were some of the lines traced by an earlier run?
+};
+
+/// Some lines for a person.
+std::string summary_text(const SolveSummary& summary);
+
+/// Where the power is after every stage: each pass of the (extended) first shot, then the whole run.
+std::string stages_text(const Solution& solution);
+
+/// The same for a program: the keys of `solve --json`.
+JsonObject summary_json(const SolveSummary& summary);
 
 } // namespace multipath

@@ -1,6 +1,6 @@
 #include "commands/solve/saved_run.h"
 
-#include "commands/options/solve_table.h"
+#include "commands/commands.h"
 #include "scene/input_error.h"
 #include "test_scenes.h"
 
@@ -25,7 +25,7 @@ RunDescription run_of(const std::vector<std::string>& options, Share share = {},
 {
     std::vector<std::string> words = {"room.obj"};
     words.insert(words.end(), options.begin(), options.end());
-    return description_of({solve_table(), words}, room(reflectance), share);
+    return description_of({solve_command().table, words}, room(reflectance), share);
 }
 
 /// What is said against going on from one run with another, or "".

@@ -1,4 +1,4 @@
-#include "commands/solve/solve_summary.h"
+#include "commands/solve/solve_job.h"
 
 #include "test_scenes.h"
 
@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace solve_summary_test {
+namespace solve_job_test {
 
 using namespace multipath;
 
@@ -51,4 +51,4 @@ TEST_CASE("little unshot power is warned of where it would be reflected many tim
     CHECK_FALSE(warns(summary_of(0.02, 0.0, 0.75), ""));
 }
 
-} // namespace solve_summary_test
+} // namespace solve_job_test
