@@ -27,18 +27,6 @@ using namespace multipath;
 constexpr int exit_done = 0;
 constexpr int exit_usage = 2;
 
-const Command& find_command(const std::vector<Command>& commands, const std::string& name)
-{
-    std::vector<std::string> names;
-    for (const Command& command : commands) {
-        if (command.table.name == name)
-            return command;
-        names.emplace_back(command.table.name);
-    }
-    throw UsageError((name[0] == '-' ? "unknown option '" : "unknown command '") + name + "'" +
-                     did_you_mean(name, names));
-}
-
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
 {
     if (!kernel_limit_is_known())
@@ -51,7 +39,7 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
         print(program_help(tables_of(commands), help_topics()));
         return exit_done;
     }
-    const Command& command = find_command(commands, words[0]);
+    const Command command = command_named(words[0]);
     const CommandLine line(command.table, {words.begin() + 1, words.end()});
     if (line.has("help")) {
         print(help_text(command.table));

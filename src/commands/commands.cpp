@@ -1,5 +1,7 @@
 #include "commands/commands.h"
 
+#include "cli/options/usage_error.h"
+
 namespace multipath {
 
 std::vector<Command> commands()
@@ -9,6 +11,18 @@ std::vector<Command> commands()
                                 explain_command(), selftest_command()};
     all.push_back(help_command(all));
     return all;
+}
+
+Command command_named(const std::string& name)
+{
+    std::vector<std::string> names;
+    for (const Command& command : commands()) {
+        if (command.table.name == name)
+            return command;
+        names.emplace_back(command.table.name);
+    }
+    throw UsageError((name[0] == '-' ? "unknown option " : "unknown command ") + quoted_argument(name) +
+                     did_you_mean(name, names));
 }
 
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands)

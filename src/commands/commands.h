@@ -18,6 +18,9 @@ struct Command
 /// All commands in the order of the help.
 std::vector<Command> commands();
 
+/// The command of this name. Throws UsageError for another word.
+Command command_named(const std::string& name);
+
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands);
 
 /// All topics of `multipath help`, in the order in which they are best read.

@@ -11,7 +11,6 @@
 #include "study/paper_report.h"
 #include "study/study_table.h"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -45,16 +44,10 @@ CommandTable paper_table()
         "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
 }
 
-const Command& command_named(const std::vector<Command>& all, const std::string& name)
-{
-    return *std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.table.name == name; });
-}
-
 /// Runs one step as if it had been typed, with its files in the folder.
 void run_step(const PaperStep& step, const std::string& folder, const CommandLine& line)
 {
-    const std::vector<Command> all = commands();
-    const Command& command = command_named(all, step.words.front());
+    const Command command = command_named(step.words.front());
     std::vector<std::string> words(step.words.begin() + 1, step.words.end());
     for (const std::string& output : step.outputs)
         words.insert(words.end(), {"--output", folder + "/" + output});

@@ -49,14 +49,6 @@ Words shell_words(std::string_view text)
     return words;
 }
 
-Command command_named(const std::string& name)
-{
-    for (const Command& command : commands())
-        if (command.table.name == name)
-            return command;
-    throw std::out_of_range(name);
-}
-
 /// What is recorded of the command, in one line.
 std::string recorded_text(const CommandTable& table, const CommandLine& line)
 {

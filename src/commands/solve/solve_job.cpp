@@ -72,11 +72,12 @@ std::string summary_text(const SolveSummary& s)
         return std::abs(share) < 5e-4 ? 0.0 : share; // never "-0.000"
     };
     const Rgb b = mean_radiosity(s);
+    const std::string method(s.options.method->name);
     std::string text;
     text += format("scene      %s surfaces, %s patches, %.4g m^2, mean reflectance %.3f\n",
                    grouped(s.scene.surfaces().size()).c_str(), grouped(s.scene.patch_count()).c_str(),
                    s.scene.total_area(), mean(s.scene.average_reflectance()));
-    text += format("method     %s, sequence %s: %s local + %s global lines\n", s.method.c_str(), s.sequence.c_str(),
+    text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.sequence.c_str(),
                    grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
     if (s.solution.relative_standard_error)
         text += format("error      %.3g %% relative standard error, from %d replicates%s\n",
@@ -156,7 +157,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("average_reflectance", mean(s.scene.average_reflectance()));
     json.number("source_power_w", mean(s.scene.source_power()));
     json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
-    json.text("method", s.method);
+    json.text("method", std::string(s.options.method->name));
     json.text("sequence", s.sequence);
     if (!has_option(s.options.method, "chords"))
         json.null("chords");
@@ -336,7 +337,6 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     const SolveSummary summary{scene,
                                job.options,
                                solution,
-                               job.line.text("method"),
                                job.sequence,
                                seconds_since(job.start),
                                seconds_trace,

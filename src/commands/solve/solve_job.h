@@ -49,7 +49,6 @@ struct SolveSummary
     const Scene& scene;
     const SolveOptions& options;
     const Solution& solution;
-    std::string method;                  ///< as the user names it
     std::string sequence;                ///< full name
     double seconds = 0.0;                ///< from start to end, pictures included
     double seconds_trace = 0.0;          ///< of the solver alone

@@ -27,7 +27,7 @@ std::string summary_of(double unshot, double behind, double rho = 0.5)
     solution.balance.unshot = grey(unshot);
     solution.balance.behind = grey(behind);
     solution.balance.absorbed = grey(1.0 - unshot - behind);
-    return summary_text({scene, options, solution, "reuse", "sobol"});
+    return summary_text({scene, options, solution, "sobol"});
 }
 
 bool warns(const std::string& text, const char* of)
