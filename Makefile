@@ -12,14 +12,14 @@
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
-# the commands. Each folder of src and of tests is compiled as one file; UNITY=no compiles every file by itself, which
+# the commands, WERROR=-Werror makes warnings errors. Each folder of src and of tests is compiled as one file; UNITY=no compiles every file by itself, which
 # takes four times as long from scratch and less after a change.
 
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
-WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
 COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
@@ -32,7 +32,7 @@ test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' !
 # Never joined: kernels, which have the same names for every instruction set, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
 # Folders in which no line flies.
-cold  = src/cli src/commands src/export src/selftest src/study src/viewer
+cold  = src/check src/cli src/commands src/explain src/export src/selftest src/study src/viewer $(test_units)
 
 ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)

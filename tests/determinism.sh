@@ -1,10 +1,11 @@
 # Compares the bytes of every output between builds, instruction sets and numbers of threads.
 # A build is a program that exists, or a compiler with flags, such as "clang++ -O0", which is built into a folder of this
-# name in build/. All are compared with the first one. KERNELS and THREADS are the instruction sets and the numbers of
-# threads to run each with; instruction sets that the processor lacks are left out.
+# name in build/. RUNS lists instruction sets and numbers of threads; those that the processor lacks are left out. The first
+# build makes all of these runs, every other build the last one; all are compared with the first run.
 # Ends with the line "N passed, N failed".
-# usage: [KERNELS="avx512 plain"] [THREADS="1 3"] determinism.sh BUILD...
+# usage: [RUNS="avx512:1 plain:3"] determinism.sh BUILD...
 [ $# -ge 1 ] || { echo "usage: determinism.sh BUILD..." >&2; exit 2; }
+runs=${RUNS:-avx512:1 avx512:2 avx512:3 avx512:7 avx2:1 avx2:2 sse2:1 sse2:7 plain:1 plain:4}
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 scratch=$root/build/determinism passed=0 failed=0
 rm -rf "$scratch" && mkdir -p "$scratch" && cd "$root" || exit 1
@@ -60,33 +61,32 @@ results() {
     rm -r scenes study.cache
 }
 
-# usage: same_bytes BUILD        with the current kernel and number of threads
+# usage: same_bytes        by the current program, instruction set and number of threads
 same_bytes() {
-    run=$scratch/run
-    rm -rf "$run" && mkdir -p "$run"
-    (cd "$run" && results) >"$run/errors.txt" 2>&1
-    (cd "$run" && cksum -- *) >"$scratch/these"
-    [ -f "$scratch/first" ] || { mv "$scratch/these" "$scratch/first" && mv "$run" "$scratch/expected"; return; }
+    folder=$scratch/run
+    rm -rf "$folder" && mkdir -p "$folder"
+    (cd "$folder" && results) >"$folder/errors.txt" 2>&1
+    (cd "$folder" && cksum -- *) >"$scratch/these"
+    [ -f "$scratch/first" ] || { mv "$scratch/these" "$scratch/first" && mv "$folder" "$scratch/expected"; return; }
     cmp -s "$scratch/first" "$scratch/these" && return
     diff "$scratch/first" "$scratch/these" | sed -n 's/^[<>] [0-9]* [0-9]* /  differs: /p' | sort -u
-    cat "$run/errors.txt"
+    cat "$folder/errors.txt"
     return 1
 }
 
 for build in "$@"; do
     find_program "$build" || { echo "FAILED: no build '$build'"; failed=$((failed + 1)); continue; }
-    for kernel in ${KERNELS-avx512 avx2 sse2 plain}; do
-        MULTIPATH_KERNELS=$kernel
-        "$program" --version | grep -q "^instruction sets: $kernel" || { echo "left out: $kernel"; continue; }
-        for threads in ${THREADS-1 2 3 7}; do
-            if same_bytes; then
-                passed=$((passed + 1))
-            else
-                failed=$((failed + 1))
-                echo "FAILED: other bytes from $build, $kernel, $threads threads"
-            fi
-        done
+    for run in $runs; do
+        MULTIPATH_KERNELS=${run%:*} threads=${run#*:}
+        "$program" --version | grep -q "^instruction sets: $MULTIPATH_KERNELS" || { echo "left out: $run"; continue; }
+        if same_bytes; then
+            passed=$((passed + 1))
+        else
+            failed=$((failed + 1))
+            echo "FAILED: other bytes from $build, $run"
+        fi
     done
+    runs=${runs##* }
 done
 [ -s "$scratch/expected/errors.txt" ] && { cat "$scratch/expected/errors.txt"; failed=$((failed + 1)); }
 echo "$passed passed, $failed failed"

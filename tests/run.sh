@@ -24,16 +24,22 @@ tally() {
     failed=$((failed + 1))
 }
 
-# Mostly on one processor: the scripts run meanwhile.
+# As many at a time as there are processors, those that take longest first.
+jobs=$(nproc 2>/dev/null || echo 2)
 (cd "$root" && "$unit_tests" $UNIT_ARGS) >"$scratch/unit_tests.log" 2>&1 &
 unit_tests_process=$!
-
-for script in "$root/tests/include_order_test.sh" "$root"/tests/cli/*.sh; do
-    name=$(basename "$script" .sh)
-    case " check $LEAVE_OUT " in *" $name "*) continue ;; esac
-    mkdir "$scratch/$name"
-    (cd "$scratch/$name" && sh "$script" "$program" "$root") >"$scratch/$name.log" 2>&1
-    tally "$name.sh" $? "$scratch/$name.log" "$(tail -n 1 "$scratch/$name.log" |
+slow="selftest torture limits study solve memory page install"
+scripts=
+for name in $slow include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p'); do
+    case " check $LEAVE_OUT $scripts " in *" $name "*) ;; *) scripts="$scripts $name" ;; esac
+done
+export root program scratch
+printf '%s\n' $scripts | xargs -P "$jobs" -I{} sh -c 'name=$1 script=$root/tests/cli/$1.sh
+    [ -f "$script" ] || script=$root/tests/$name.sh
+    mkdir "$scratch/$name" && cd "$scratch/$name" && sh "$script" "$program" "$root" >"$scratch/$name.log" 2>&1
+    echo $? >"$scratch/$name.status"' run {}
+for name in $scripts; do
+    tally "$name.sh" "$(cat "$scratch/$name.status")" "$scratch/$name.log" "$(tail -n 1 "$scratch/$name.log" |
         sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p')"
 done
 

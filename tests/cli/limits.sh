@@ -48,10 +48,8 @@ may_fail() {
     esac
 }
 
-# usage: survives COMMAND OPTION VALUE
+# usage: survives COMMAND OPTION VALUE ARGS...
 survives() {
-    set -- "$1" "$2" "$3" $({ small_run "$1"; [ "$1" = study ] || needs "$2"; } | tr ' ' '\n' | grep -v -e "^--$2=" \
-        -e "^--$([ "$2" = patch-size ] && echo patches)=")
     command=$1 option=$2 value=$3
     shift 3
     $patience "$program" "$command" "$@" "--$option=$value" >out 2>err </dev/null
@@ -66,13 +64,22 @@ survives() {
     return 1
 }
 
+# usage: small_run_without OPTION COMMAND      the words of a small run without the option, which is about to be set
+small_run_without() {
+    for word in $(small_run "$2") $([ "$2" = study ] || needs "$1"); do
+        case $1:$word in patch-size:--patches=*) continue ;; esac
+        case $word in --"$1"=*) ;; *) echo "$word" ;; esac
+    done
+}
+
 all_survive() {
     options=$(valued_options "$1")
     [ "$options" ] || return
     failed=0
     for name in $options; do
+        words=$(small_run_without "$name" "$1")
         for limit in 0 1 -1 2^63 2^64 nan inf '' 1e400 1e308 1e-300 1e308,1e308,1e308; do
-            survives "$1" "$name" "$limit" || failed=1
+            survives "$1" "$name" "$limit" $words || failed=1
         done
     done
     return $failed
