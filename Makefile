@@ -12,8 +12,8 @@
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
-# the commands, WERROR=-Werror makes warnings errors. Each folder of src and of tests is compiled as one file; UNITY=no compiles every file by itself, which
-# takes four times as long from scratch and less after a change.
+# the commands, WERROR=-Werror makes warnings errors. Each folder of src and of tests is compiled as one file, small ones
+# together; UNITY=no compiles every file by itself, which takes four times as long from scratch and less after a change.
 
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
@@ -29,17 +29,22 @@ Q         = $(if $(V),,@)
 sources      = $(sort $(shell find src -name '*.cpp'))
 test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' ! -path 'tests/fuzz/*'))
 
-# Never joined: kernels, which have the same names for every instruction set, and the version, which any change changes.
+# Compiled by themselves: kernels, which have the same names for every instruction set, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
-# Folders in which no line flies.
-cold  = src/check src/cli src/commands src/explain src/export src/selftest src/study src/viewer $(test_units)
+# Folders that are compiled as one file.
+lines = src/parallel src/sampling src/transport
+small = src/check src/explain src/export src/selftest src/study src/viewer
+# What no line flies through, and what only reads.
+cold  = src/cli src/commands src/small $(small) $(test_units)
+cool  = src/scene
 
 ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)
 test_units = $(test_sources:%.cpp=%)
 else
 folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
-units      = $(alone:%.cpp=%) $(filter-out %.cpp,$(call folders,$(sources)))
+# The linker keeps the first of several copies of a template's function: those of -O3 come first.
+units      = src/lines $(filter-out %.cpp $(lines) $(small) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/cli src/commands src/small
 test_units = $(patsubst %.cpp,%,$(call folders,$(test_sources)))
 endif
 objects      = $(units:%=$(BUILD)/%.o)
@@ -85,7 +90,7 @@ $(BUILD)/doctest.path: tests/find_doctest.sh
 # The files of the viewer's page as string literals: {"name", "line\n" "line\n" ...}, for each.
 page_files = $(wildcard src/viewer/page/*)
 
-$(filter $(BUILD)/src/viewer%,$(objects)): $(BUILD)/generated/viewer/page_files.inc
+$(filter $(BUILD)/src/viewer% $(BUILD)/src/small.o,$(objects)): $(BUILD)/generated/viewer/page_files.inc
 
 $(BUILD)/generated/viewer/page_files.inc: $(page_files)
 	@mkdir -p $(@D)
@@ -103,6 +108,7 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@mv $@.new $@
 
 $(cold:%=$(BUILD)/%.o): OPTIMISE = -O1
+$(cool:%=$(BUILD)/%.o): OPTIMISE = -O2
 
 define compile
 @mkdir -p $(@D)
@@ -120,7 +126,7 @@ $(BUILD)/%.o: $(BUILD)/unity/%.cpp
 .PRECIOUS: $(BUILD)/unity/%.cpp
 $(BUILD)/unity/%.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $*/%,$(sources) $(test_sources))) > $@.new
+	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(patsubst %,%/%,$(or $($(*:src/%=%)),$*)),$(sources) $(test_sources))) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 coverage:

@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::string_view kind = "multipath state ";
+constexpr std::string_view state_kind = "multipath state ";
 constexpr std::string_view first_line = "multipath state 1      \n"; // three words; the number is that of the format
 constexpr std::size_t word_size = 8;
 
@@ -131,13 +131,13 @@ std::size_t StateWriter::length(const std::string&, Scalar)
 
 bool is_state_file(const std::string& path)
 {
-    std::string start(kind.size(), '\0');
+    std::string start(state_kind.size(), '\0');
     std::FILE* const file = std::fopen(path.c_str(), "rb");
     if (!file)
         return false;
     start.resize(std::fread(start.data(), 1, start.size(), file));
     std::fclose(file);
-    return start == kind;
+    return start == state_kind;
 }
 
 StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of_state(path)) {}
@@ -165,11 +165,12 @@ std::uint64_t StateReader::word(std::size_t place) const
 void StateReader::require_version() const
 {
     const std::string_view start(bytes_.data(), std::min(bytes_.size(), first_line.size()));
-    if (start.substr(0, kind.size()) != kind)
+    if (start.substr(0, state_kind.size()) != state_kind)
         refuse("not a state of multipath; expected a file that --state or -o FILE.state wrote");
     if (start.size() == first_line.size() && start != first_line)
         refuse("written by a newer version of multipath (format " +
-               std::string(start.substr(kind.size(), start.find_first_of(" \n", kind.size()) - kind.size())) +
+               std::string(
+                   start.substr(state_kind.size(), start.find_first_of(" \n", state_kind.size()) - state_kind.size())) +
                "); expected format 1");
 }
 

@@ -58,7 +58,7 @@ struct SharedRange
     std::uint64_t end = 0;
     std::uint64_t shares = 1; ///< into which the work is cut; 1 also after they were united
 
-    static SharedRange of(std::uint64_t all, Share share)
+    static SharedRange of(std::uint64_t all, Shard share)
     {
         return {all, share.begin(all), share.begin(all), share.end(all), share.of};
     }

@@ -6,7 +6,7 @@
 // expanded in place, KERNEL_ENTRY those that are called.
 
 #include <cstddef>
-#include <immintrin.h>
+#include <emmintrin.h>
 
 #define KERNEL_CODE __attribute__((always_inline, target("sse2"))) inline
 #define KERNEL_ENTRY __attribute__((target("sse2")))

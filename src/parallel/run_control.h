@@ -11,7 +11,7 @@ namespace multipath {
 using LineCounter = std::function<void(std::uint64_t lines)>;
 
 /// Which part of the work that several runs share is to be done by this one.
-struct Share
+struct Shard
 {
     std::uint64_t number = 0; ///< 0 ... of - 1
     std::uint64_t of = 1;
@@ -31,7 +31,7 @@ struct RunControl
     int threads = 1;
     LineCounter line_counter{};
     Checkpoint* checkpoint = nullptr; ///< empty: the work is done in one go
-    Share share{};                    ///< of the stages whose results can be added; less than all needs a checkpoint
+    Shard share{};                    ///< of the stages whose results can be added; less than all needs a checkpoint
 
     void count_lines(std::uint64_t lines) const
     {

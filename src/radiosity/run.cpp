@@ -59,7 +59,7 @@ std::uint64_t checked_first_item(const Sequence& sequence, const SolveOptions& o
 } // namespace
 
 Run::Run(const Scene& scene_of_run, const SolveOptions& options_of_run, const Preparation& preparation_of_run,
-         const ProgressCallback& progress, Checkpoint* checkpoint, Share shard_of_run)
+         const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard_of_run)
     : scene(scene_of_run),
       options(options_of_run),
       preparation(preparation_of_run),
@@ -134,7 +134,7 @@ void Run::note_cast(std::uint64_t cast)
     solution.global_lines_cast = cast;
 }
 
-RunControl Run::control(std::uint64_t lines_to_come, std::uint64_t charged, Share of_shards)
+RunControl Run::control(std::uint64_t lines_to_come, std::uint64_t charged, Shard of_shards)
 {
     const double charge = static_cast<double>(charged) / static_cast<double>(std::max<std::uint64_t>(1, lines_to_come));
     const auto count = [this, charge](std::uint64_t counted) {

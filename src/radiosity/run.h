@@ -16,7 +16,7 @@ class Run
 public:
     /// Throws SettingsError for a sequence with too few items or more lines than the method can take.
     Run(const Scene& scene, const SolveOptions& options, const Preparation& preparation,
-        const ProgressCallback& progress, Checkpoint* checkpoint, Share shard);
+        const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard);
 
     /// All stages, from the first that the checkpoint does not hold. Throws InputError for a result that is not sound.
     Solution solve();
@@ -24,7 +24,7 @@ public:
     const Scene& scene;
     const SolveOptions& options;
     const Preparation& preparation;
-    const Share shard;
+    const Shard shard;
     const std::unique_ptr<const Sequence> sequence;
     const GlobalLines lines;
     const std::uint64_t first_item; ///< of the sequence that is not skipped
@@ -51,7 +51,7 @@ public:
     void note_cast(std::uint64_t cast);
 
     /// For `lines` lines to come, which are charged as so many of the budget (N1).
-    RunControl control(std::uint64_t lines_to_come, std::uint64_t charged, Share of_shards = {});
+    RunControl control(std::uint64_t lines_to_come, std::uint64_t charged, Shard of_shards = {});
 
 private:
     void visit(Archive& archive);

@@ -15,7 +15,7 @@ Preparation prepare(const Scene& scene, const SolveOptions& options)
 }
 
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
-               const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
+               const ProgressCallback& progress, Checkpoint* checkpoint, Shard share)
 {
     SolveOptions prepared = options;
     if (preparation.ratio)

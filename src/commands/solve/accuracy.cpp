@@ -70,7 +70,7 @@ Accuracy read_accuracy(const CommandLine& line)
 }
 
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
-                          const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
+                          const ProgressCallback& progress, Checkpoint* checkpoint, Shard share)
 {
     if (!accuracy.in_rounds())
         return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, share);

@@ -41,7 +41,7 @@ bool exists(const std::string& path)
 }
 
 /// "3/16" is the third of sixteen.
-Share read_share_of_work(const std::string& text)
+Shard read_share_of_work(const std::string& text)
 {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos)
@@ -118,7 +118,7 @@ void RunDescription::visit(Archive& archive)
     scene.visit(archive);
 }
 
-RunDescription description_of(const CommandLine& line, const Scene& scene, Share share)
+RunDescription description_of(const CommandLine& line, const Scene& scene, Shard share)
 {
     RunDescription description;
     for (const Option& option : options_that_matter())

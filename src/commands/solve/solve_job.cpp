@@ -303,7 +303,7 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
-              Share share)
+              Shard share)
 {
     const SolveJob::Clock::time_point solve_start = SolveJob::Clock::now();
     double seconds_to_first_lines = 0.0;

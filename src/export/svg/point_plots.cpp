@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t arrow_limit = 100;
 
 // [px] around every plot, for its title, labels and axis titles.
-constexpr double above = 34.0;
-constexpr double below = 42.0;
+constexpr double space_above = 34.0;
+constexpr double space_below = 42.0;
 constexpr double to_the_left = 54.0;
 constexpr double to_the_right = 16.0;
 
@@ -27,14 +27,14 @@ struct PlotGrid
     static constexpr double heading = 30.0;
 
     double width() const { return static_cast<double>(columns) * (to_the_left + side + to_the_right); }
-    double height() const { return heading + static_cast<double>(rows) * (above + side + below); }
+    double height() const { return heading + static_cast<double>(rows) * (space_above + side + space_below); }
 
     Plot cell(std::size_t column, std::size_t row, const std::string& title, const std::string& across,
               const std::string& up) const
     {
         const std::vector<PlotTick> ticks = {{0.0, "0"}, {0.5, "0.5"}, {1.0, "1"}};
         return {static_cast<double>(column) * (to_the_left + side + to_the_right) + to_the_left,
-                heading + static_cast<double>(row) * (above + side + below) + above,
+                heading + static_cast<double>(row) * (space_above + side + space_below) + space_above,
                 side,
                 side,
                 title,

@@ -214,7 +214,7 @@ SolveOptions stretch_options(const Scene& scene, const SolveOptions& options, st
 } // namespace
 
 Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int replicates,
-                            const ProgressCallback& progress, Checkpoint* checkpoint, Share share)
+                            const ProgressCallback& progress, Checkpoint* checkpoint, Shard share)
 {
     if (share.of > 1 && replicates > 1)
         throw std::invalid_argument("replicates have no shares");
@@ -235,7 +235,7 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
                 : stretch_options(scene, options, record.pieces, record.lines, record.goal);
         Solution found = replicates > 1
                              ? solve_replicates(scene, preparation, stretch, replicates, progress, checkpoint)
-                             : solve(scene, preparation, stretch, progress, checkpoint, averaged ? Share{} : share);
+                             : solve(scene, preparation, stretch, progress, checkpoint, averaged ? Shard{} : share);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : found;
         record.finish_piece(record.pieces > 0 ? combined(scene, {record.solution, found}) : std::move(found));

@@ -170,7 +170,7 @@ public:
 
     bool any() const { return level_ > 0.0; }
     RowOfRays row(std::uint32_t i) const;
-    SharedRange rows_of(Share share) const; ///< those with its part of the rays
+    SharedRange rows_of(Shard share) const; ///< those with its part of the rays
 
     void visit(Archive& archive); ///< for a checkpoint
 
@@ -286,7 +286,7 @@ RowOfRays PairRayAllotment::row(std::uint32_t i) const
     return row;
 }
 
-SharedRange PairRayAllotment::rows_of(Share share) const
+SharedRange PairRayAllotment::rows_of(Shard share) const
 {
     const std::uint64_t n = before_.size() - 1;
     const auto first_row = [&](std::uint64_t number) -> std::uint64_t {

@@ -121,7 +121,7 @@ void GlobalLines::lines(const Item* items, std::size_t count, Line* lines) const
 
 void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines) const
 {
-    SquarePoints square;
+    SquarePoints square = {};
     WarpedPoints from;
     WarpedPoints to;
     take_square(items, count, 0, square);
@@ -136,7 +136,7 @@ void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines
 
 void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) const
 {
-    SquarePoints square;
+    SquarePoints square = {};
     WarpedPoints local;
     take_square(items, count, 2, square);
     warp_kernel().cosine_hemisphere(square, count, local);

@@ -21,7 +21,7 @@ Scene room(double reflectance)
     return builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(reflectance, 1.0)).scene(1.0);
 }
 
-RunDescription run_of(const std::vector<std::string>& options, Share share = {}, double reflectance = 0.5)
+RunDescription run_of(const std::vector<std::string>& options, Shard share = {}, double reflectance = 0.5)
 {
     std::vector<std::string> words = {"room.obj"};
     words.insert(words.end(), options.begin(), options.end());

@@ -34,7 +34,7 @@ std::unique_ptr<TestCheckpoint> checkpoint_from(const std::optional<SavedWork>& 
     return work ? std::make_unique<TestCheckpoint>(-1, *work) : std::make_unique<TestCheckpoint>(-1);
 }
 
-Solution solved(const Scene& scene, const SolveOptions& options, TestCheckpoint& checkpoint, Share share = {})
+Solution solved(const Scene& scene, const SolveOptions& options, TestCheckpoint& checkpoint, Shard share = {})
 {
     return solve_in_stretches(
         scene, options, 1, [](double) {}, &checkpoint, share);

@@ -4,7 +4,7 @@
 
 #if defined(__x86_64__)
 
-#include <immintrin.h>
+#include <emmintrin.h>
 
 #define KERNEL_CODE __attribute__((always_inline, target("sse2"))) inline
 #define KERNEL_ENTRY __attribute__((target("sse2")))
