@@ -83,7 +83,8 @@ private:
     {
         SolveOptions options = plan_.options;
         options.lines = lines;
-        return independent_run(options, RandomStream::runs, seed_ ^ lines, static_cast<std::uint64_t>(number), stretch(scene_, options));
+        return independent_run(options, RandomStream::runs, seed_ ^ lines, static_cast<std::uint64_t>(number),
+                               stretch(scene_, options));
     }
 
     const Scene& scene_;

@@ -15,7 +15,7 @@ namespace multipath {
 namespace {
 
 // [px]
-constexpr double width = 640.0;
+constexpr double plot_drawing_width = 640.0;
 constexpr double plot_left = 70.0;
 constexpr double plot_top = 42.0;
 constexpr double plot_width = 552.0;
@@ -337,9 +337,9 @@ std::string convergence_plot(const Study& study, Abscissa against, const std::st
     const std::vector<std::string> notes = notes_of(study, curves);
     const double notes_top = legend_top + row_height * static_cast<double>(curves.size() + (reference ? 1 : 0)) + 6.0;
     const double height = notes_top + note_height * static_cast<double>(notes.size()) + 8.0;
-    const double title_size = std::clamp(1.6 * width / static_cast<double>(title.size() + 1), 8.0, 15.0);
-    return svg_head(width, height, title, comments) +
-           svg_text(0.5 * width, 25.0, title, SvgAnchor::middle, title_size) +
+    const double title_size = std::clamp(1.6 * plot_drawing_width / static_cast<double>(title.size() + 1), 8.0, 15.0);
+    return svg_head(plot_drawing_width, height, title, comments) +
+           svg_text(0.5 * plot_drawing_width, 25.0, title, SvgAnchor::middle, title_size) +
            plot_text(plot, curves, guides, reference) + svg_axes(plot) +
            legend_text(curves, labels, reference.has_value()) + notes_text(notes, notes_top) + svg_end();
 }

@@ -66,14 +66,14 @@ copies() {
     copies_of 400
     (ulimit -v 250000 && ends 1 check copies.obj --threads 1 && says out "pairs of faces lie in one place" &&
         says out "lines were cast for the figures instead of") || return
-    copies_of 20000
+    copies_of 8000
     for method in local global first-shot extended "reuse --direct shoot"; do
         (ulimit -v 300000 && ends 0 solve copies.obj --lines 1000 --method $method --threads 1 -o copies.csv --quiet) || return
     done
 }
 # A sanitizer takes all addresses there are.
 if (ulimit -v 300000 && "$program" --version >/dev/null 2>&1); then
-    check "a run keeps to its estimate without pairs" within 250000 --patches 500k --memory 210MB -o a.csv -o a.png -o a.glb
+    check "a run keeps to its estimate without pairs" within 250000 --patches 400k --memory 190MB -o a.csv -o a.png -o a.glb
     check "hundreds and thousands of copies of a face take no more than the scene" copies
     check "and the pairs of reuse to the limit" within 250000 --patches 8000 --memory 200MB -o b.csv
 fi
