@@ -36,7 +36,7 @@ solved() (
 results() {
     ln -s "$root/scenes" scenes
     for scene in 5cubes 4chairs sphere; do
-        for method in local global first-shot extended reuse; do
+        for method in $("$program" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p'); do
             for sequence in random halton sobol-owen; do
                 solved $scene-$method-$sequence csv scenes/$scene.obj --patches 500 -n 2^13 -m $method -s $sequence
             done

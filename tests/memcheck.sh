@@ -14,7 +14,7 @@ clean() {
 }
 
 cp "$root"/scenes/5cubes.* "$root"/scenes/sphere.* .
-for method in local global first-shot extended reuse; do
+for method in $(methods); do
     check "solve by $method" clean solve 5cubes.obj $few --method $method -o $method.csv
 done
 check "replicates, on both sides" clean solve sphere.obj $few --two-sided --replicates 2 -o sphere.csv

@@ -47,11 +47,20 @@ function show_controls(shown) {
     by_id('fold').click();
 }
 
-async function look_with(act) {
+// The page is loaded anew for each function.
+async function look_with(...acts) {
   await new Promise(done => window.addEventListener('load', done));
+  result.textContent = '';
+  for (const act of acts) {
+    await look_once(act);
+    await new Promise(done => { frame.addEventListener('load', done, { once: true }); frame.contentWindow.location.reload(); });
+  }
+}
+
+async function look_once(act) {
   [view, page] = [frame.contentWindow, frame.contentDocument];
   multipath = view.multipath;
-  result.textContent = '';
+  find('look', act.name);
   try {
     show_controls(false);
     await pause();

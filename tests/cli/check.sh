@@ -31,6 +31,9 @@ ends() {
     return 1
 }
 
+# The names of all methods, from the help.
+methods() { "$program" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p'; }
+
 # For what must happen within some seconds of the clock: a busy machine may miss them once, not thrice.
 # usage: in_three_tries COMMAND ARGS...
 in_three_tries() { "$@" || "$@" || "$@"; }

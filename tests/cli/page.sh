@@ -24,7 +24,7 @@ same_bytes() {
 check "the same bytes for any number of threads, alone or beside other outputs" same_bytes
 
 every_method() {
-    for method in local global first-shot extended reuse; do
+    for method in $(methods); do
         ends 0 solve scenes/5cubes.obj $small --method $method -o $method.html && says $method.html '"transfers"' || return
     done
 }

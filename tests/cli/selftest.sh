@@ -4,7 +4,7 @@
 # The table of all scenes takes half a minute of one processor: `./multipath selftest` tells.
 furnace() {
     ends 0 selftest --case furnace -o checks.csv && tail -n 1 out | grep -Eqx '[1-9][0-9]+ passed, 0 failed' || return
-    for word in local global first-shot extended reuse random sobol-owen halton kronecker furnace; do
+    for word in $(methods) random sobol-owen halton kronecker furnace; do
         says out "$word" || return
     done
     grep -q '^# command: multipath selftest' checks.csv && # as many rows as were passed

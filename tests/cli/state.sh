@@ -40,7 +40,7 @@ goes_on() {
     ends 0 solve "$scene" $quick "$@" --state run.state --resume --threads 1 -o part.csv && cmp whole.csv part.csv
 }
 killed() {
-    for method in local global first-shot extended reuse; do goes_on --method $method --lines 2^19 || return; done
+    for method in $(methods); do goes_on --method $method --lines 2^19 || return; done
     goes_on --lines 2^20 --replicates 3
 }
 check "a killed run that is resumed gives the same bytes, for every method" killed

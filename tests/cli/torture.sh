@@ -11,8 +11,8 @@ now() { date +%s.%N; }
 # The run number $1: every method, other sequences and numbers of threads in turn.
 # usage: run_options NUMBER
 run_options() {
-    set -- "$1" $(($1 % 5)) $(($1 % 3))
-    method=$(echo local global first-shot extended reuse | cut -d' ' -f$(($2 + 1)))
+    set -- "$1" $(($1 % $(methods | wc -l))) $(($1 % 3))
+    method=$(methods | sed -n "$(($2 + 1))p")
     sequence=$(echo random sobol halton-permuted | cut -d' ' -f$(($3 + 1)))
     echo "--method $method --sequence $sequence --lines 2^20"
 }

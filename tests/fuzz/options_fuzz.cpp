@@ -46,7 +46,7 @@ void read_numbers(const std::string& word)
     unless_refused([&] { require(read_seconds("--x", word) > 0.0); });
     unless_refused([&] { require(std::isfinite(read_vec3("--x", word).x)); });
     unless_refused([&] { require(read_pixel_size("--x", word, 16384).width >= 1); });
-    unless_refused([&] { output_format(word); });
+    unless_refused([&] { (void)kind_of(word); });
 }
 
 void read_options(const CommandLine& line)
