@@ -211,9 +211,7 @@ std::string beside(const std::string& output)
 std::string cache_folder(const CommandLine& line, const std::vector<std::string>& outputs)
 {
     const auto file = std::find_if(outputs.begin(), outputs.end(), [](const std::string& path) { return path != "-"; });
-    const std::string folder = line.has("cache")       ? line.text("cache")
-                               : file != outputs.end() ? beside(*file)
-                                                       : std::string();
+    std::string folder = line.has("cache") ? line.text("cache") : file != outputs.end() ? beside(*file) : std::string();
     if (!folder.empty())
         make_folder(folder);
     return folder;

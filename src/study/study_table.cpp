@@ -60,7 +60,7 @@ std::string fixed(double value, int decimals)
 
 std::string scientific(double value)
 {
-    const std::string text = format("%.1e", value);
+    std::string text = format("%.1e", value);
     const std::size_t e = text.find('e');
     if (e == std::string::npos)
         return text; // not a number
