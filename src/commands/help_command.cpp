@@ -79,7 +79,7 @@ Other pictures, meshes and tables of a finished run, without the OBJ file:
   multipath render room.state --eye 1,1,5 --target 2,1,0 -o door.png
   multipath compare room.state other.csv
 
-Shard a run among machines, which need not know each other:
+Share a run among machines, which need not know each other:
   multipath solve room.obj --shard 1/2 --state 1.state
   multipath solve room.obj --shard 2/2 --state 2.state
   multipath merge 1.state 2.state -o room.png -o room.csv

@@ -36,16 +36,16 @@ CommandTable merge_table()
 void require_all_shares(std::vector<SavedRun>& runs)
 {
     std::sort(runs.begin(), runs.end(), [](const SavedRun& a, const SavedRun& b) {
-        return a.description.share.number < b.description.share.number;
+        return a.description.shard.number < b.description.shard.number;
     });
-    const std::uint64_t of = runs[0].description.share.of;
+    const std::uint64_t of = runs[0].description.shard.of;
     const auto share_text = [&](std::uint64_t number) { return std::to_string(number + 1) + "/" + std::to_string(of); };
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        RunDescription same_share = runs[k].description;
-        same_share.share.number = runs[0].description.share.number;
-        require_same_run(runs[0].description, runs[0].name(), same_share);
-        const std::uint64_t number = runs[k].description.share.number;
-        if (k > 0 && number == runs[k - 1].description.share.number)
+        RunDescription same_shard = runs[k].description;
+        same_shard.shard.number = runs[0].description.shard.number;
+        require_same_run(runs[0].description, runs[0].name(), same_shard);
+        const std::uint64_t number = runs[k].description.shard.number;
+        if (k > 0 && number == runs[k - 1].description.shard.number)
             throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both share " + share_text(number) +
                              "; expected each share once");
         if (number != k)
@@ -95,7 +95,7 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
     StateWriter sum([&](std::string_view more) { bytes += more; });
     SavedRun whole;
     whole.description = runs[0].description;
-    whole.description.share = {};
+    whole.description.shard = {};
     whole.description.visit(sum);
     if (job.options.method->shards == Shards::added) {
         require_same_stage(runs);

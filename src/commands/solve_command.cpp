@@ -40,12 +40,12 @@ void require_one_on_standard_output(const CommandLine& line)
 /// A share of `reuse` is counts that mean nothing alone; one of a walk is a run of its own.
 void require_outputs_of_share(const CommandLine& line, const SolveJob& job, const StateOptions& state)
 {
-    if (state.share.of == 1)
+    if (state.shard.of == 1)
         return;
     if (job.accuracy.replicates > 1)
         throw UsageError("--shard: shares of replicates cannot be added up; expected no --replicates, --tolerance or "
                          "--time with it");
-    if (job.options.lines < state.share.of)
+    if (job.options.lines < state.shard.of)
         throw UsageError("--shard: more shards than lines; expected at most " + std::to_string(job.options.lines));
     const std::vector<std::string> outputs = line.all("output");
     const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
@@ -60,16 +60,16 @@ std::vector<std::string> output_paths(const CommandLine& line, const StateOption
 {
     if (line.has("output"))
         return line.all("output");
-    return state.share.of > 1 ? std::vector<std::string>{} : default_outputs(line.operands()[0]);
+    return state.shard.of > 1 ? std::vector<std::string>{} : default_outputs(line.operands()[0]);
 }
 
 /// Lets the run go on from a saved state. Throws InputError for the state of another run.
 void resume(const StateOptions& state, const RunDescription& wanted, const SolveJob& job, StateKeeper& keeper)
 {
     SavedRun saved = read_saved_run(state.from);
-    const bool whole = state.from != state.path && saved.description.share.of == 1; // merged, to be shared again
+    const bool whole = state.from != state.path && saved.description.shard.of == 1; // merged, to be shared again
     if (whole)
-        saved.description.share = wanted.share;
+        saved.description.shard = wanted.shard;
     require_same_run(saved.description, state.from, wanted);
     if (!job.quiet)
         print_note(format(is_finished(saved) ? "%s is of a finished run; more --lines go on from there\n"
@@ -112,11 +112,11 @@ int run_solve(const CommandLine& line)
         print_what_was_read(scene.file());
         warn_of_line_count(job.options);
     }
-    const RunDescription description = description_of(line, scene, state.share);
+    const RunDescription description = description_of(line, scene, state.shard);
     StateKeeper keeper(state, has_kind(outputs, FormatKind::state), description);
     if (!state.from.empty())
         resume(state, description, job, keeper);
-    return carry_out(job, scene, outputs, keeper, state.share);
+    return carry_out(job, scene, outputs, keeper, state.shard);
 }
 
 } // namespace

@@ -240,7 +240,7 @@ void shared_blocks(SharedRange& range, const RunControl& run, const std::functio
                    const std::function<void(std::uint64_t, int)>& consume)
 {
     resumable_blocks(range.next, range.end, run, produce, consume);
-    if (range.is_share() && !run.stopped())
+    if (range.is_shard() && !run.stopped())
         run.checkpoint->hand_in();
 }
 

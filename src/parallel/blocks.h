@@ -58,12 +58,12 @@ struct SharedRange
     std::uint64_t end = 0;
     std::uint64_t shares = 1; ///< into which the work is cut; 1 also after they were united
 
-    static SharedRange of(std::uint64_t all, Shard share)
+    static SharedRange of(std::uint64_t all, Shard shard)
     {
-        return {all, share.begin(all), share.begin(all), share.end(all), share.of};
+        return {all, shard.begin(all), shard.begin(all), shard.end(all), shard.of};
     }
-    /// Has others' work to be added? A share may have all pieces, if there are few.
-    bool is_share() const { return shares > 1; }
+    /// True if there is more than one shard; one of them may have all pieces, if there are few.
+    bool is_shard() const { return shares > 1; }
 
     void visit(Archive& archive); ///< for a checkpoint; throws ArchiveError for what cannot be
 };

@@ -10,13 +10,13 @@ namespace multipath {
 /// Called now and then with the number of lines done since the last call.
 using LineCounter = std::function<void(std::uint64_t lines)>;
 
-/// Which part of the work that several runs share is to be done by this one.
+/// The part of the work that this run does of what several runs do together.
 struct Shard
 {
     std::uint64_t number = 0; ///< 0 ... of - 1
     std::uint64_t of = 1;
 
-    /// This run does begin ... end - 1 of so many pieces; all shares together do each of them once.
+    /// This run does begin ... end - 1 of so many pieces; all shards together do each of them once.
     std::uint64_t begin(std::uint64_t pieces) const { return before(number, pieces); }
     std::uint64_t end(std::uint64_t pieces) const { return before(number + 1, pieces); }
 
@@ -31,7 +31,7 @@ struct RunControl
     int threads = 1;
     LineCounter line_counter{};
     Checkpoint* checkpoint = nullptr; ///< empty: the work is done in one go
-    Shard share{};                    ///< of the stages whose results can be added; less than all needs a checkpoint
+    Shard shard{};                    ///< of the stages whose results can be added; less than all needs a checkpoint
 
     void count_lines(std::uint64_t lines) const
     {
@@ -39,8 +39,8 @@ struct RunControl
             line_counter(lines);
     }
     bool stopped() const { return checkpoint && checkpoint->stopped(); }
-    /// Does what this run has found mean nothing without that of others?
-    bool is_share() const { return share.of > 1; }
+    /// True for one of several shards.
+    bool is_shard() const { return shard.of > 1; }
 };
 
 } // namespace multipath

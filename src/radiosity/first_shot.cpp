@@ -167,7 +167,7 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
 
 namespace {
 
-/// [1] Shard of a patch's unshot power that lies above the threshold; in colour, the mean of the channels decides.
+/// [1] Share of a patch's unshot power that lies above the threshold; in colour, the mean of the channels decides.
 double share_above(const Scene& scene, const PowerState& state, double threshold, std::uint32_t patch)
 {
     const double unshot_radiosity = mean(state.unshot[patch]) / scene.area(patch);
@@ -194,7 +194,7 @@ double correction_of(double excess, double sent)
     return std::min(most, excess / sent);
 }
 
-/// Shard of the excess that is sent.
+/// Share of the excess that is sent.
 double sent_share(double excess, double sent)
 {
     return excess > 0.0 && sent < (1.0 - 1e-9) * excess ? sent / excess : 1.0;

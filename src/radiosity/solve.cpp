@@ -15,12 +15,12 @@ Preparation prepare(const Scene& scene, const SolveOptions& options)
 }
 
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
-               const ProgressCallback& progress, Checkpoint* checkpoint, Shard share)
+               const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard)
 {
     SolveOptions prepared = options;
     if (preparation.ratio)
         prepared.ratio = preparation.ratio;
-    return Run(scene, prepared, preparation, progress, checkpoint, share).solve();
+    return Run(scene, prepared, preparation, progress, checkpoint, shard).solve();
 }
 
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)

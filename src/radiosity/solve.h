@@ -30,7 +30,7 @@ Preparation prepare(const Scene& scene, const SolveOptions& options);
 /// `reuse` can count; InputError for a share whose counts fill the memory; std::invalid_argument for an unknown
 /// sequence.
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
-               const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard share = {});
+               const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress);
 

@@ -8,7 +8,7 @@ namespace multipath {
 
 namespace {
 
-/// Shard of all boxes [0, q) that contain both points; with a point twice, that contain it.
+/// Share of all boxes [0, q) that contain both points; with a point twice, that contain it.
 double boxes_around(const PointSet& points, std::size_t a, std::size_t b)
 {
     double share = 1.0;

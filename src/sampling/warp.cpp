@@ -27,13 +27,6 @@ Barycentric square_to_uniform_triangle(double a, double b)
     return {1.0 - width, b * width};
 }
 
-ObliqueAxes::ObliqueAxes(const Surface& surface, Vec3 normal) : z(normal)
-{
-    const Vec3 along_edge = normalized(surface.edge_u);
-    x = 0.6 * along_edge + 0.8 * cross(normal, along_edge);
-    y = cross(normal, x);
-}
-
 namespace {
 
 /// The part of x that is orthogonal to the unit vector `axis`, as a unit vector.

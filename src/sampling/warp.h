@@ -75,10 +75,16 @@ struct ObliqueAxes
     Vec3 x, y, z;
 
     /// `normal`: of the surface, on either side.
-    ObliqueAxes(const Surface& surface, Vec3 normal);
+    ObliqueAxes(const Surface& surface, Vec3 normal)
+        : x(oblique(normalized(surface.edge_u), normal)), y(cross(normal, x)), z(normal)
+    {
+    }
 
     /// A vector of the maps about +z, about the normal.
     Vec3 turned(Vec3 local) const { return local.x * x + local.y * y + local.z * z; }
+
+private:
+    static Vec3 oblique(Vec3 along_edge, Vec3 normal) { return 0.6 * along_edge + 0.8 * cross(normal, along_edge); }
 };
 
 /// A triangle on the unit sphere: what a flat triangle hides of the sky at a point.

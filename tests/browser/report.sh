@@ -12,7 +12,7 @@ cat >look.html <<'HTML'
 const line = text => { document.getElementById('result').textContent += text + '\n'; };
 const as_image = source => new Promise((done, fail) => {
   const image = new Image(); image.onload = () => done(image); image.onerror = () => fail('cannot be decoded'); image.src = source; });
-// Shard of the pixels that differ clearly from the most frequent colour.
+// Share of the pixels that differ clearly from the most frequent colour.
 function drawn(image) {
   const canvas = document.createElement('canvas'); canvas.width = 300; canvas.height = 225;
   const context = canvas.getContext('2d', { willReadFrequently: true }); context.drawImage(image, 0, 0, 300, 225);

@@ -70,10 +70,10 @@ Accuracy read_accuracy(const CommandLine& line)
 }
 
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
-                          const ProgressCallback& progress, Checkpoint* checkpoint, Shard share)
+                          const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard)
 {
     if (!accuracy.in_rounds())
-        return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, share);
+        return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, shard);
     RoundLimit limit(accuracy, lines_for_error(scene, options.method, accuracy.replicates));
     const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
     using Clock = std::chrono::steady_clock;

@@ -44,6 +44,6 @@ Accuracy read_accuracy(const CommandLine& line);
 /// Solves as the accuracy asks: once, in replicates, or in rounds until it is reached or would not be in time. Shares
 /// are for runs without replicates.
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
-                          const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard share = {});
+                          const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 
 } // namespace multipath

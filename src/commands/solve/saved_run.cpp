@@ -41,7 +41,7 @@ bool exists(const std::string& path)
 }
 
 /// "3/16" is the third of sixteen.
-Shard read_share_of_work(const std::string& text)
+Shard read_shard(const std::string& text)
 {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos)
@@ -50,9 +50,9 @@ Shard read_share_of_work(const std::string& text)
     return {read_count("--shard", text.substr(0, slash), 1, of) - 1, of};
 }
 
-bool is_share(const RunDescription& description)
+bool is_shard(const RunDescription& description)
 {
-    return description.share.of > 1;
+    return description.shard.of > 1;
 }
 
 /// "--sequence halton", "no --two-sided"
@@ -94,7 +94,7 @@ StateOptions read_state_options(const CommandLine& line)
     // Thirty years are as good as never, and far from the end of what a clock counts.
     options.save_every = std::min(read_seconds("--save-every", line.text("save-every")), 1e9);
     if (line.has("shard"))
-        options.share = read_share_of_work(line.text("shard"));
+        options.shard = read_shard(line.text("shard"));
     if (line.has("state") && options.path.empty())
         throw UsageError("--state: the name is empty; expected a file");
     if (options.path.empty() && (line.has("resume") || line.has("save-every")))
@@ -111,14 +111,14 @@ StateOptions read_state_options(const CommandLine& line)
 void RunDescription::visit(Archive& archive)
 {
     archive.texts("arguments", arguments);
-    archive.value<std::uint64_t>("share", share);
-    if (share.of == 0 || share.number >= share.of)
+    archive.value<std::uint64_t>("share", shard);
+    if (shard.of == 0 || shard.number >= shard.of)
         throw ArchiveError("the state is damaged: no such share");
     const Archive::Inner inner(archive, "scene");
     scene.visit(archive);
 }
 
-RunDescription description_of(const CommandLine& line, const Scene& scene, Shard share)
+RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard)
 {
     RunDescription description;
     for (const Option& option : options_that_matter())
@@ -128,7 +128,7 @@ RunDescription description_of(const CommandLine& line, const Scene& scene, Shard
     description.arguments.emplace_back("--");
     description.arguments.push_back(line.operands()[0]);
     description.scene = archived(scene);
-    description.share = share;
+    description.shard = shard;
     return description;
 }
 
@@ -157,11 +157,11 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
         throw InputError(path + ": the state of another run: " + difference +
                          "; expected the same options, or another file");
     };
-    if (saved.share.number != wanted.share.number || saved.share.of != wanted.share.of)
+    if (saved.shard.number != wanted.shard.number || saved.shard.of != wanted.shard.of)
         refuse("of another share of the work");
     for (const Option& option : options_that_matter()) {
         const bool fixed =
-            is_share(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
+            is_shard(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
         const std::string before = said(option, of_saved);
         const std::string now = said(option, of_wanted);
         if (fixed && before != now)

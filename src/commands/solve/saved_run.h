@@ -21,7 +21,7 @@ struct StateOptions
     std::string path;         ///< file; empty: not kept
     std::string from;         ///< state to go on from; empty: it begins anew
     double save_every = 60.0; ///< [s]
-    Shard share;
+    Shard shard;
 };
 
 /// --state, --resume, --shard and the like.
@@ -35,13 +35,13 @@ struct RunDescription
 {
     std::vector<std::string> arguments; ///< of `solve`, as words: those that its result depends on, and the scene
     ArchivedScene scene;
-    Shard share;
+    Shard shard;
 
     void visit(Archive& archive);
 };
 
 /// Of the run that the user asks for; its options are those of `solve`.
-RunDescription description_of(const CommandLine& line, const Scene& scene, Shard share);
+RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard);
 
 /// The command line of the run that a state is of, with more words of the user, such as where to write pictures.
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words);

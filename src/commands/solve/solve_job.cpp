@@ -303,7 +303,7 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
-              Shard share)
+              Shard shard)
 {
     const SolveJob::Clock::time_point solve_start = SolveJob::Clock::now();
     double seconds_to_first_lines = 0.0;
@@ -317,14 +317,14 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
             }
             progress.show(done);
         };
-        solution = solve_accurately(scene, job.options, job.accuracy, show, &keeper, share);
+        solution = solve_accurately(scene, job.options, job.accuracy, show, &keeper, shard);
     }
     const double seconds_trace = seconds_since(solve_start);
-    if (keeper.stopped() && share.of > 1) {
+    if (keeper.stopped() && shard.of > 1) {
         write_results(job, scene, solution, outputs, keeper.last_bytes());
         return tell_of_share(job, keeper);
     }
-    if (share.of > 1 && job.options.method->shards == Shards::added)
+    if (shard.of > 1 && job.options.method->shards == Shards::added)
         throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
     if (keeper.stopped())
         tell_of_interruption(job, solution, keeper); // before what may be given up

@@ -37,7 +37,7 @@ void require_results_possible(const SolveJob& job, const Scene& scene, const std
 
 /// Solves, or goes on with what the keeper resumes, fills the outputs and tells the user. Returns the exit code.
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
-              Shard share);
+              Shard shard);
 
 /// Fills the outputs from a solution; `state` are the bytes of those that are one.
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,

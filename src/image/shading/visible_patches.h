@@ -21,7 +21,7 @@ public:
 
     const Scene& scene() const { return scene_; }
 
-    /// [1] Shard of the patch that nothing covers.
+    /// [1] Share of the patch that nothing covers.
     double open_share(std::uint32_t patch) const;
     /// On the open part; that of the whole patch if there is none.
     Rgb value(std::uint32_t patch) const;

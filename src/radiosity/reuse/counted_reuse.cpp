@@ -49,7 +49,7 @@ std::uint64_t reuse_counted_lines(const Scene& scene, const GlobalLines& lines, 
     while (done < lines_cast && !run.stopped()) {
         const CountedLines counted =
             count_lines(scene, lines, sequence, first_item + done, lines_cast - done, byte_limit, run);
-        if (counted.lines_cast == 0 || (run.stopped() && run.is_share()))
+        if (counted.lines_cast == 0 || (run.stopped() && run.is_shard()))
             break;
         const std::uint64_t planned = run.stopped() ? lines_cast - done : counted.lines_cast;
         const double crossing_area = 1.0 / lines.expected_crossings(1.0, counted.lines_cast); // (G1)

@@ -25,7 +25,7 @@ struct GatheredLight
 /// keep.
 void receive(const GatheredLight& light, const Scene& scene, PowerState& state);
 
-/// [1] Shard of the source power that gathering with up to so many rays would gather; the rest it would shoot.
+/// [1] Share of the source power that gathering with up to so many rays would gather; the rest it would shoot.
 double gathered_share(const Scene& scene, std::uint64_t rays);
 
 /// Direct light found from the receiver's end: exact but for the share of each light that each patch sees, which shadow

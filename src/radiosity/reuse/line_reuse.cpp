@@ -146,7 +146,7 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
     const auto crossing_area_of = [&](std::uint64_t cast) { return 1.0 / lines.expected_crossings(1.0, cast); }; // (G1)
     if (counted.lines == 0) {
         const PairCounts counts = count_pairs(scene, lines, sequence, plan.first_line_item, plan.cast, run);
-        if (counts.lines == 0 || (run.stopped() && run.is_share()))
+        if (counts.lines == 0 || (run.stopped() && run.is_shard()))
             return counts.lines;
         const double area = crossing_area_of(counts.lines);
         counted.lines = counts.lines;
@@ -161,7 +161,7 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
     if (plan.rays > 0 && !run.stopped())
         refine_by_rays(counted.estimate, scene, unoccluded.table(), crossing_area, counted.first_guess, sequence,
                        {plan.first_ray_item, plan.rays, plan.seed}, run);
-    if (run.stopped() && run.is_share())
+    if (run.stopped() && run.is_shard())
         return lines_cast;
     const Field first_guess = counted.first_guess;
     ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), crossing_area, run.threads);

@@ -214,9 +214,9 @@ SolveOptions stretch_options(const Scene& scene, const SolveOptions& options, st
 } // namespace
 
 Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int replicates,
-                            const ProgressCallback& progress, Checkpoint* checkpoint, Shard share)
+                            const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard)
 {
-    if (share.of > 1 && replicates > 1)
+    if (shard.of > 1 && replicates > 1)
         throw std::invalid_argument("replicates have no shares");
     const bool averaged = options.method->shards == Shards::averaged;
     const Preparation preparation = prepare(scene, options);
@@ -230,12 +230,12 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
         if (record.goal == 0)
             record.goal = options.lines;
         const SolveOptions stretch =
-            share.of > 1 && averaged
-                ? stretch_options(scene, options, share.number, share.begin(record.goal), share.end(record.goal))
+            shard.of > 1 && averaged
+                ? stretch_options(scene, options, shard.number, shard.begin(record.goal), shard.end(record.goal))
                 : stretch_options(scene, options, record.pieces, record.lines, record.goal);
         Solution found = replicates > 1
                              ? solve_replicates(scene, preparation, stretch, replicates, progress, checkpoint)
-                             : solve(scene, preparation, stretch, progress, checkpoint, averaged ? Shard{} : share);
+                             : solve(scene, preparation, stretch, progress, checkpoint, averaged ? Shard{} : shard);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : found;
         record.finish_piece(record.pieces > 0 ? combined(scene, {record.solution, found}) : std::move(found));

@@ -45,6 +45,6 @@ Solution solve_until(const Scene& scene, const SolveOptions& options, int replic
 /// its own; shares of `reuse` are for those who add them up. Throws what these throw, InputError for fewer lines than
 /// the run has, and std::invalid_argument for a share of replicates.
 Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int replicates,
-                            const ProgressCallback& progress, Checkpoint* checkpoint, Shard share);
+                            const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard);
 
 } // namespace multipath

@@ -22,7 +22,7 @@ public:
     /// [m^2] G_ii; not zero only where rounding or noise is put into it.
     virtual double self_exchange(std::uint32_t patch) const = 0;
 
-    /// [m^2] Shard of the patch's exchange that leaves the scene, and that meets surfaces from behind.
+    /// [m^2] Share of the patch's exchange that leaves the scene, and that meets surfaces from behind.
     virtual double escaping(std::uint32_t patch) const = 0;
     virtual double behind(std::uint32_t patch) const = 0;
 

@@ -305,7 +305,7 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
                          std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run)
 {
     CountedLines counted{LineCounts(scene.patch_count(), byte_limit), 0};
-    SharedRange range = SharedRange::of(lines, run.share); // of lines, merged up to the next one
+    SharedRange range = SharedRange::of(lines, run.shard); // of lines, merged up to the next one
     std::uint64_t round = 0;                               // lines that are noted before the next merge
     std::uint64_t next_block = 0;                          // of the round
     const Checkpoint::Part part(run.checkpoint, "line counts", [&](Archive& archive) {
@@ -337,7 +337,7 @@ CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, co
         counted.lines_cast = range.next - range.first;
         round = next_block = 0;
     }
-    if (!range.is_share() || run.stopped())
+    if (!range.is_shard() || run.stopped())
         return counted;
     if (range.next < range.end)
         throw InputError("the counts of this share of the lines fill the memory; expected more of it, or more shares");

@@ -170,7 +170,7 @@ public:
 
     bool any() const { return level_ > 0.0; }
     RowOfRays row(std::uint32_t i) const;
-    SharedRange rows_of(Shard share) const; ///< those with its part of the rays
+    SharedRange rows_of(Shard shard) const; ///< those with its part of the rays
 
     void visit(Archive& archive); ///< for a checkpoint
 
@@ -286,19 +286,19 @@ RowOfRays PairRayAllotment::row(std::uint32_t i) const
     return row;
 }
 
-SharedRange PairRayAllotment::rows_of(Shard share) const
+SharedRange PairRayAllotment::rows_of(Shard shard) const
 {
     const std::uint64_t n = before_.size() - 1;
     const auto first_row = [&](std::uint64_t number) -> std::uint64_t {
-        if (number == 0 || number == share.of)
+        if (number == 0 || number == shard.of)
             return number == 0 ? 0 : n;
-        const double part = static_cast<double>(number) / static_cast<double>(share.of);
+        const double part = static_cast<double>(number) / static_cast<double>(shard.of);
         const double rays = before_.front() + part * (before_.back() - before_.front());
         const auto row = std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin();
         return std::min(n, static_cast<std::uint64_t>(row));
     };
-    const std::uint64_t first = first_row(share.number);
-    return {n, first, first, first_row(share.number + 1), share.of};
+    const std::uint64_t first = first_row(shard.number);
+    return {n, first, first, first_row(shard.number + 1), shard.of};
 }
 
 void PairRayAllotment::visit(Archive& archive)
@@ -404,8 +404,8 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     });
     if (!part.resumed()) {
         allotment.allot(plan.rays, plan.seed, run.threads);
-        if (run.is_share() && allotment.any())
-            rows = allotment.rows_of(run.share);
+        if (run.is_shard() && allotment.any())
+            rows = allotment.rows_of(run.shard);
     }
     if (!allotment.any())
         return;

@@ -31,7 +31,7 @@ public:
     double behind(std::uint32_t patch) const override;
     double row_area(std::uint32_t patch) const override { return area_[patch]; }
 
-    /// [1] Shard of all exchange that no line has shown: how far the result rests on step 2.
+    /// [1] Share of all exchange that no line has shown: how far the result rests on step 2.
     double unseen_share() const;
 
 private:

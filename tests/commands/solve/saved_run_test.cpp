@@ -21,11 +21,11 @@ Scene room(double reflectance)
     return builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(reflectance, 1.0)).scene(1.0);
 }
 
-RunDescription run_of(const std::vector<std::string>& options, Shard share = {}, double reflectance = 0.5)
+RunDescription run_of(const std::vector<std::string>& options, Shard shard = {}, double reflectance = 0.5)
 {
     std::vector<std::string> words = {"room.obj"};
     words.insert(words.end(), options.begin(), options.end());
-    return description_of({solve_command().table, words}, room(reflectance), share);
+    return description_of({solve_command().table, words}, room(reflectance), shard);
 }
 
 /// What is said against going on from one run with another, or "".

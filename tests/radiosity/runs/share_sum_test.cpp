@@ -34,10 +34,10 @@ std::unique_ptr<TestCheckpoint> checkpoint_from(const std::optional<SavedWork>& 
     return work ? std::make_unique<TestCheckpoint>(-1, *work) : std::make_unique<TestCheckpoint>(-1);
 }
 
-Solution solved(const Scene& scene, const SolveOptions& options, TestCheckpoint& checkpoint, Shard share = {})
+Solution solved(const Scene& scene, const SolveOptions& options, TestCheckpoint& checkpoint, Shard shard = {})
 {
     return solve_in_stretches(
-        scene, options, 1, [](double) {}, &checkpoint, share);
+        scene, options, 1, [](double) {}, &checkpoint, shard);
 }
 
 /// What the shares of the next stage hand in, added up.
