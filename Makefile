@@ -34,8 +34,9 @@ alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.
 # Folders that are compiled as one file.
 lines = src/parallel src/sampling src/transport
 small = src/check src/explain src/export src/selftest src/study src/viewer
+commands = src/cli src/commands
 # What no line flies through, and what only reads.
-cold  = src/cli src/commands src/small $(small) $(test_units)
+cold  = src/commands $(commands) src/small $(small) $(test_units)
 cool  = src/scene
 
 ifeq ($(UNITY),no)
@@ -44,7 +45,7 @@ test_units = $(test_sources:%.cpp=%)
 else
 folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
 # The linker keeps the first of several copies of a template's function: those of -O3 come first.
-units      = src/lines $(filter-out %.cpp $(lines) $(small) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/cli src/commands src/small
+units      = src/lines $(filter-out %.cpp $(lines) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/commands src/small
 test_units = $(patsubst %.cpp,%,$(call folders,$(test_sources)))
 endif
 objects      = $(units:%=$(BUILD)/%.o)
@@ -107,7 +108,7 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
-$(cold:%=$(BUILD)/%.o): OPTIMISE = -O1
+$(cold:%=$(BUILD)/%.o): OPTIMISE = -Og
 $(cool:%=$(BUILD)/%.o): OPTIMISE = -O2
 
 define compile

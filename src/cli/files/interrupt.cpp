@@ -19,7 +19,7 @@ namespace {
 constexpr unsigned seconds_to_end = 2;
 constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<bool> received{false};
+std::atomic<bool> signal_received{false};
 std::atomic<bool> always_ends{false};
 std::atomic<const char*> end_hint{""};
 std::atomic<int> delays{0};
@@ -122,7 +122,7 @@ void handle_ends(Handler handler)
 
 extern "C" void note_interrupt(int)
 {
-    received = true;
+    signal_received = true;
     handle_ends(end_with_what_is_complete);
     alarm(seconds_to_end);
 }
@@ -142,7 +142,7 @@ void always_end_at_interrupts(const char* hint)
 
 void watch_interrupts()
 {
-    if (always_ends || received)
+    if (always_ends || signal_received)
         return;
     handle(SIGALRM, end_in_time);
     handle_ends(note_interrupt);
@@ -155,7 +155,7 @@ void end_at_lost_bytes()
 
 bool interrupted()
 {
-    return received;
+    return signal_received;
 }
 
 InterruptDelay::InterruptDelay()
