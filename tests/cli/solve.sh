@@ -1,7 +1,8 @@
 # The main job as a user runs it: a scene in, pictures, a table and a summary out.
 . "$2/tests/cli/check.sh"
 scene=$root/scenes/5cubes.obj
-quick="--lines 20000 --size 80x60 --samples 1"
+small="--size 80x60 --samples 1 --patch-size"
+quick="--lines 20000 $small 0.4"
 
 default_outputs() {
     ends 0 solve "$scene" $quick && silent out && says err "absorbed" && says err "lines/s" &&
@@ -26,7 +27,7 @@ same_bytes() {
 check "one and two threads give the same bytes, run after run" same_bytes
 
 table() {
-    ends 0 solve "$scene" $quick --patch-size 1 -o room.csv || return
+    ends 0 solve "$scene" --lines 20000 $small 1 -o room.csv || return
     grep -q '^# command: multipath solve .*5cubes.obj.* --lines 20000' room.csv && grep -q '^# seed: 1$' room.csv &&
         grep -Eq '^# scene: [0-9a-f]{16}$' room.csv || { head -5 room.csv; return 1; }
     # 6 walls of 3 x 3 patches, 5 cubes of 6 and a lamp of 6; areas add up to the scene's 70.3446 m^2
@@ -144,8 +145,8 @@ skip_and_pairing() {
 check "items can be skipped and taken in pairs, and the table says so" skip_and_pairing
 
 power_of_two() {
-    ends 0 solve "$scene" --lines 1000 --size 8x6 && says err "power of two" && ends 0 solve "$scene" --lines 2^10 --size 8x6 &&
-        ! grep "power of two" err && ends 0 solve "$scene" --lines 1000 --sequence random --size 8x6 && ! grep "power of two" err
+    ends 0 solve "$scene" --lines 1000 --patch-size 1 --size 8x6 && says err "power of two" && ends 0 solve "$scene" --lines 2^10 --patch-size 1 --size 8x6 &&
+        ! grep "power of two" err && ends 0 solve "$scene" --lines 1000 --patch-size 1 --sequence random --size 8x6 && ! grep "power of two" err
 }
 check "a number of lines that does not suit Sobol's sequence is remarked on, once" power_of_two
 
@@ -176,7 +177,7 @@ check "the camera follows its options" camera
 
 # Single precision keeps 7 digits of a value; nothing seen is 0.
 shown_error() {
-    ends 0 solve "$scene" --lines 2^14 -q --replicates 4 --show error --size 80x60 --samples 1 -o error.pfm -o error.csv || return
+    ends 0 solve "$scene" --lines 2^14 -q --replicates 4 --show error $small 0.4 -o error.pfm -o error.csv || return
     { grep -v '^#' error.csv | awk -F, 'NR > 1 { print $20, "table" } END { print 0, "table" }'
         tail -n +4 error.pfm | od -An -v -tf4 | tr -s ' ' '\n' | awk 'NF && ++n % 3 == 1 { print $1, "pixel" }'; } | sort -g >values
     awk '{ value[NR] = $1; pixel[NR] = $2 == "pixel" }
@@ -191,10 +192,10 @@ check "a PFM of the error holds the errors of the table" shown_error
 
 shown_pictures() {
     for what in radiosity direct irradiance error unshot patches normals; do
-        ends 0 solve "$scene" --lines 2^14 -q --replicates 2 --show $what --size 320x240 --samples 1 -o $what.ppm || return
+        ends 0 solve "$scene" --lines 2^14 -q --replicates 2 --patch-size 0.4 --show $what --size 320x240 --samples 1 -o $what.ppm || return
         [ "$(head -c 2 $what.ppm)" = P6 ] && [ "$(wc -c <$what.ppm)" -gt 230400 ] || return
     done
-    ends 0 solve "$scene" --lines 2^15 -q --tolerance 50% --show error --size 320x240 --samples 1 -o rounds.ppm || return
+    ends 0 solve "$scene" --lines 2^15 -q --tolerance 50% --patch-size 0.4 --show error --size 320x240 --samples 1 -o rounds.ppm || return
     # The legend's paper, of grey 32, is in the last row of the pictures with a legend and of no other.
     for what in radiosity direct irradiance error unshot patches normals rounds; do
         tail -c 960 $what.ppm | od -An -v -tu1 | tr -s ' ' '\n' | sort -u | tr -s '\n' ' ' >$what.row
@@ -208,9 +209,9 @@ check "quantities have a legend, the room and its patches none" shown_pictures
 
 gathered() {
     for threads in 1 2; do
-        ends 0 solve "$scene" --lines 2^14 -q --shading gather --gather-rays 4 --size 64x48 --threads $threads -o $threads.ppm || return
+        ends 0 solve "$scene" --lines 2^14 -q --patch-size 0.4 --shading gather --gather-rays 4 --size 64x48 --threads $threads -o $threads.ppm || return
     done
-    cmp 1.ppm 2.ppm && ends 0 solve "$scene" --lines 2^14 -q --size 64x48 -o smooth.ppm && ! cmp -s 1.ppm smooth.ppm &&
+    cmp 1.ppm 2.ppm && ends 0 solve "$scene" --lines 2^14 -q --patch-size 0.4 --size 64x48 -o smooth.ppm && ! cmp -s 1.ppm smooth.ppm &&
         ends 2 solve "$scene" --gather-rays 8 && says err "no effect without --shading gather"
 }
 few_lines() {

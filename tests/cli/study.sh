@@ -52,7 +52,7 @@ other_reference() {
 check "a kept reference is used only if it says of itself what it should be" other_reference
 
 interrupted() {
-    long="--methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^18 --replicates 32 -o long.csv --quiet"
+    long="--methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^17 --replicates 32 -o long.csv --quiet"
     "$program" study "$scene" $long --threads 1 2>err &
     pid=$!
     for wait in $(seq 2000); do
@@ -86,7 +86,7 @@ left_by_signal() {
 one_kept() { [ "$(cat left.cache/runs-*.txt 2>/dev/null | wc -l)" -ge 2 ]; }
 part_there() { [ -n "$(find . -name '.reference*.part')" ]; }
 stopped() {
-    left_by_signal left.csv one_kept study "$scene" --methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^26 \
+    left_by_signal left.csv one_kept study "$scene" --methods global --sequences random --patch-size 0.5 --from 2^15 --to 2^22 --replicates 100 \
         --reference ref_of_24.csv --quiet -o left.csv && says err "goes on from the runs that were finished"
 }
 stopped_in_reference() {
