@@ -35,16 +35,16 @@ solved() (
 # surfaces that all are filtered, and so many that there is a hierarchy.
 results() {
     ln -s "$root/scenes" scenes
+    set -- random halton sobol-owen
     for scene in 5cubes 4chairs sphere; do
         for method in $("$program" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p'); do
-            for sequence in random halton sobol-owen; do
-                solved $scene-$method-$sequence csv scenes/$scene.obj --patches 500 -n 2^13 -m $method -s $sequence
-            done
+            solved $scene-$method csv scenes/$scene.obj --patches 500 -n 2^13 -m $method -s "$1"
+            set -- "$2" "$3" "$1"
         done
-        solved $scene-all "csv ppm png pfm ply glb obj html" scenes/$scene.obj --patches 800 -n 2^14 --size 96x72
-        solved $scene-gather pfm scenes/$scene.obj -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
         solved $scene-two-sided csv scenes/$scene.obj --patches 500 -n 2^13 --two-sided --replicates 3
     done
+    solved all "csv ppm png pfm ply glb obj html" scenes/4chairs.obj --patches 800 -n 2^14 --size 96x72
+    solved gather pfm scenes/sphere.obj --patches 500 -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
     solved shot-reuse csv scenes/5cubes.obj -n 2^13 --direct shoot -s kronecker-shift
     solved absorption csv scenes/5cubes.obj -n 2^13 -m local --estimator absorption
     solved one-way csv scenes/4chairs-up.obj -n 2^13 -m global --bidirectional no --chords box --pairing 2d --line-order sequence
@@ -57,7 +57,7 @@ results() {
     "$program" points -d 4 -s halton-permuted --discrepancy -o points.csv >points.txt || echo "points: exit status $?"
     "$program" study scenes/5cubes.obj -q -m extended,reuse --from 2^10 --to 2^11 --replicates 2 --patches 200 \
         --threads "$threads" -o study.svg || echo "study: exit status $?"
-    "$program" compare 5cubes-reuse-random.csv 5cubes-local-random.csv >compare.txt || echo "compare: exit status $?"
+    "$program" compare 5cubes-reuse.csv 5cubes-local.csv >compare.txt || echo "compare: exit status $?"
     rm -r scenes study.cache
 }
 
