@@ -99,4 +99,14 @@ using UnsetVector = std::vector<Value, LargeAllocator<Value, NewElements::unset>
 template <class Value>
 using ZeroedVector = std::vector<Value, LargeAllocator<Value, NewElements::zero>>;
 
+/// An empty vector with room for so many elements in huge pages: for large results, whose type is a plain vector.
+template <class Value>
+std::vector<Value> with_room(std::size_t count)
+{
+    std::vector<Value> room;
+    room.reserve(count);
+    ask_for_huge_pages(room.data(), count * sizeof(Value));
+    return room;
+}
+
 } // namespace multipath

@@ -1,5 +1,7 @@
 #include "radiosity/power_state.h"
 
+#include "parallel/memory.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +18,10 @@ double PowerBalance::relative_error() const
                      channel(emitted.b, found.b, source.b)});
 }
 
-PowerState::PowerState(const Scene& scene) : incident(scene.patch_count())
+PowerState::PowerState(const Scene& scene)
+    : incident(with_room<Rgb>(scene.patch_count())), unshot(with_room<Rgb>(scene.patch_count()))
 {
-    unshot.reserve(scene.patch_count());
+    incident.resize(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         unshot.push_back(scene.area(i) * scene.emittance(i));
         emitted += unshot.back();
@@ -73,8 +76,7 @@ PowerBalance power_balance(const Scene& scene, const PowerState& state)
 
 std::vector<Rgb> radiosity(const Scene& scene, const PowerState& state)
 {
-    std::vector<Rgb> result;
-    result.reserve(scene.patch_count());
+    std::vector<Rgb> result = with_room<Rgb>(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         result.push_back(scene.emittance(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * state.incident[i]));
     return result;

@@ -121,13 +121,17 @@ public:
     std::uint64_t item_limit() const override { return std::uint64_t{1} << sobol::index_bits; }
     double coordinate(std::uint64_t n, int dimension) const override
     {
-        return bits_to_unit(sobol::coordinate_bits(n, dimension));
+        return bits_to_unit(sobol::coordinate_bits(n, dimension) ^ shift_[static_cast<std::size_t>(dimension)]);
     }
+    // The shift stays in the walking bits: exclusive or does not mind the order.
     void generate(std::uint64_t first, std::vector<Item>& items) const override
     {
-        walk(steps_, bits_of(first), first, items, [](Item& item, const std::array<std::uint64_t, 4>& bits) {
+        std::array<std::uint64_t, 4> bits = bits_of(first);
+        for (std::size_t d = 0; d < 4; ++d)
+            bits[d] ^= shift_[d];
+        walk(steps_, bits, first, items, [](Item& item, const std::array<std::uint64_t, 4>& walking) {
             for (std::size_t d = 0; d < 4; ++d)
-                item[d] = bits_to_unit(bits[d]);
+                item[d] = bits_to_unit(walking[d]);
         });
     }
 
@@ -139,6 +143,7 @@ protected:
     }
 
     StepTable steps_;
+    std::array<std::uint64_t, sobol::dimensions> shift_{}; ///< exclusive or of all points, of each dimension
 
 private:
     int dimensions_;
@@ -155,30 +160,12 @@ std::array<std::uint64_t, sobol::dimensions> random_keys(RandomStream stream, st
 class ShiftedSobol final : public SobolSequence
 {
 public:
-    ShiftedSobol(std::uint64_t seed, int dimensions)
-        : SobolSequence(dimensions), shift_(random_keys(RandomStream::sobol_shift, seed))
+    ShiftedSobol(std::uint64_t seed, int dimensions) : SobolSequence(dimensions)
     {
+        shift_ = random_keys(RandomStream::sobol_shift, seed);
     }
 
     std::string name() const override { return "sobol-shift"; }
-    double coordinate(std::uint64_t n, int dimension) const override
-    {
-        return bits_to_unit(sobol::coordinate_bits(n, dimension) ^ shift_[static_cast<std::size_t>(dimension)]);
-    }
-    // The shift stays in the walking bits: exclusive or does not mind the order.
-    void generate(std::uint64_t first, std::vector<Item>& items) const override
-    {
-        std::array<std::uint64_t, 4> bits = bits_of(first);
-        for (std::size_t d = 0; d < 4; ++d)
-            bits[d] ^= shift_[d];
-        walk(steps_, bits, first, items, [](Item& item, const std::array<std::uint64_t, 4>& walking) {
-            for (std::size_t d = 0; d < 4; ++d)
-                item[d] = bits_to_unit(walking[d]);
-        });
-    }
-
-private:
-    std::array<std::uint64_t, sobol::dimensions> shift_;
 };
 
 class OwenSobol final : public SobolSequence

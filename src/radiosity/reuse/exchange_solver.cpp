@@ -7,6 +7,7 @@
 
 #include "radiosity/reuse/exchange_solver.h"
 
+#include "parallel/memory.h"
 #include "transport/exchange/conjugate_gradients.h"
 
 #include <algorithm>
@@ -100,9 +101,9 @@ std::vector<Rgb> reflectances(const Scene& scene)
 
 std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state)
 {
-    std::vector<Rgb> unshot(scene.patch_count());
+    std::vector<Rgb> unshot = with_room<Rgb>(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        unshot[i] = (1.0 / scene.area(i)) * state.unshot[i];
+        unshot.push_back((1.0 / scene.area(i)) * state.unshot[i]);
     return unshot;
 }
 
