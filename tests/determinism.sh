@@ -42,9 +42,9 @@ results() {
             set -- "$2" "$3" "$1"
         done
         solved $scene-two-sided csv scenes/$scene.obj --patches 500 -n 2^13 --two-sided --replicates 3
+        solved $scene-gather pfm scenes/$scene.obj --patches 500 -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
     done
     solved all "csv ppm png pfm ply glb obj html" scenes/4chairs.obj --patches 800 -n 2^14 --size 96x72
-    solved gather pfm scenes/sphere.obj --patches 500 -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
     solved shot-reuse csv scenes/5cubes.obj -n 2^13 --direct shoot -s kronecker-shift
     solved absorption csv scenes/5cubes.obj -n 2^13 -m local --estimator absorption
     solved one-way csv scenes/4chairs-up.obj -n 2^13 -m global --bidirectional no --chords box --pairing 2d --line-order sequence

@@ -74,7 +74,7 @@ struct ObliqueAxes
 {
     Vec3 x, y, z;
 
-    /// `normal`: of the surface, on either side.
+    /// `normal`: of the surface, on either side. Inline: made for every few rays.
     ObliqueAxes(const Surface& surface, Vec3 normal)
         : x(oblique(normalized(surface.edge_u), normal)), y(cross(normal, x)), z(normal)
     {
