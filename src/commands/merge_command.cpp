@@ -2,8 +2,6 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "radiosity/memory_estimate.h"
-#include "radiosity/reuse/counted_reuse.h"
 #include "radiosity/runs/share_sum.h"
 #include "radiosity/solution.h"
 #include "scene/input_error.h"
@@ -102,9 +100,7 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
         std::vector<Archive*> shares;
         for (SavedRun& run : runs)
             shares.push_back(run.arrays.get());
-        add_up_shares(shares, runs[0].parts, scene.patch_count(),
-                      count_bytes(scene.patch_count(), bytes_for_pairs(job.options.memory, scene)), job.options.threads,
-                      sum);
+        add_up_shares(shares, runs[0].parts, scene.patch_count(), job.options.threads, sum);
     } else {
         average(runs, scene, job.options.lines, sum);
     }

@@ -4,8 +4,6 @@
 #include "radiosity/line_budget.h"
 #include "scene/input_error.h"
 
-#include <cmath>
-
 namespace multipath {
 
 namespace {
@@ -43,15 +41,6 @@ ExtendedShotOptions extended_shot(const Scene& scene, const SolveOptions& option
     shot.most_steps = options.most_steps;
     shot.seed = options.seed;
     return shot;
-}
-
-std::uint64_t lines_for_what_stands_out(const Scene& scene, const SolveOptions& options, const PowerState& state,
-                                        std::uint64_t lines_left)
-{
-    const double unshot = mean(power_balance(scene, state).unshot);
-    const double above = power_above(scene, state, extended_shot(scene, options).threshold);
-    const double share = unshot > 0.0 ? above / unshot : 0.0;
-    return share < 0.2 ? 0 : static_cast<std::uint64_t>(0.5 * std::sqrt(share) * static_cast<double>(lines_left));
 }
 
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,

@@ -4,8 +4,7 @@
 #include "radiosity/local_monte_carlo.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/multipath.h"
-#include "radiosity/reuse/counted_reuse.h"
-#include "radiosity/reuse/gathered_light.h"
+#include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/run.h"
 #include "scene/input_error.h"
@@ -62,50 +61,23 @@ void reuse_pairs(Run& run)
                               run.state)); // (R1)
 }
 
-void gather(Run& run)
+/// Line reuse without a table of all pairs. Of too few rays to know most patches, particles make more.
+void reuse_rays(Run& run)
 {
-    const GatheredLight light =
-        gather_direct_light(run.scene, *run.sequence, run.first_item, run.local_share(0.25), run.control(1, 1));
-    receive(light, run.scene, run.state);
-    run.solution.local_lines += light.lines;
-}
-
-void shoot_what_stands_out(Run& run)
-{
-    if (run.lines_to_shoot == Run::undecided)
-        run.lines_to_shoot = lines_for_what_stands_out(run.scene, run.options, run.state, run.lines_left());
-    if (run.lines_to_shoot == 0)
-        return;
-    ExtendedShotOptions shot = extended_shot(run.scene, run.options);
-    shot.lines = run.lines_to_shoot;
-    run.add_shots(
-        shoot_extended(run.scene, *run.sequence, run.first_local_item(), shot, run.control(1, 1), run.state)); // (S2)
-}
-
-/// [bytes]
-std::size_t counts_limit(const Run& run)
-{
-    return count_bytes(run.scene.patch_count(), bytes_for_pairs(run.options.memory, run.scene));
-}
-
-/// Line reuse without a table of all pairs. Too few lines for equations become particles.
-void reuse_counts(Run& run)
-{
-    run.plan_global_lines();
-    const std::size_t bytes = counts_limit(run);
-    Solution& solution = run.solution;
-    if (!can_count(run.scene, run.lines, solution.global_lines_cast, bytes)) {
+    const std::uint64_t left = run.lines_left();
+    if (left < fewest_balanced_rays(run.scene)) {
         if (run.shard.of > 1)
             throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
-                                                   "expected more --lines, more --memory, or no --shard");
-        solution.global_lines = solution.global_lines_cast = 0;
+                                                   "expected more --lines, or no --shard");
         particles(run);
         return;
     }
-    run.note_cast(reuse_counted_lines(run.scene, run.lines, *run.sequence, run.first_global_item(),
-                                      solution.global_lines_cast, bytes,
-                                      run.control(solution.global_lines_cast, solution.global_lines, run.shard),
-                                      run.state)); // (R1)
+    const BalancedRays rays{run.first_local_item(), left, gathers(run), true};
+    const BalancedResult result =
+        reuse_balanced(run.scene, *run.sequence, rays, bytes_for_pairs(run.options.memory, run.scene),
+                       run.control(1, 1, run.shard), run.state); // (R1) (R4) (R5)
+    run.solution.local_lines += result.rays;
+    run.solved = result.solved;
 }
 
 // Choice of stages
@@ -120,25 +92,9 @@ std::vector<Stage> stages_of_walk(const Run&)
     return {shots, global_pass};
 }
 
-/// Lines that are too few to be counted are spent on gathering only if most of the light is gathered by them, and not
-/// shot: particles do that as well.
-bool few_lines_gather_enough(const Run& run)
-{
-    const std::uint64_t rays = run.local_share(0.25);
-    const std::uint64_t surely_left = (run.options.lines - rays) / 2; // what stands out is shot with the other half
-    return can_count(run.scene, run.lines, run.lines.lines_to_cast(surely_left), counts_limit(run)) ||
-           gathered_share(run.scene, rays) > 0.5;
-}
-
 std::vector<Stage> stages_of_reuse(const Run& run)
 {
-    if (run.preparation.unoccluded)
-        return {shots, reuse_pairs};
-    if (!gathers(run))
-        return {shots, reuse_counts};
-    if (!few_lines_gather_enough(run))
-        return {particles};
-    return {gather, shoot_what_stands_out, reuse_counts};
+    return {shots, run.preparation.unoccluded ? reuse_pairs : reuse_rays};
 }
 
 // Preparation
@@ -149,12 +105,31 @@ void prepare_ratio(const Scene& scene, const SolveOptions& options, Preparation&
         preparation.ratio = ratio_for(scene, options);
 }
 
-/// Makes a table of all pairs where it fits, unless there are so many pairs along lines, which are all counted, or so
-/// many faces on each other, of which each pair is tested for contact, that these are the work.
+/// Is a table of all pairs worth its time? It has about a fifth of the error of rays alone, for the time of a line per
+/// 20 pairs; but only if there are some lines for each pair of a patch and one that emits, or a few such pairs.
+/// Measured on 4CHAIRS, and on a floor in the penumbra of one large lamp (docs/line_reuse.md).
+bool table_pays(const Scene& scene, std::uint64_t lines)
+{
+    constexpr double pairs_per_line = 20.0;
+    constexpr double lines_per_light_pair = 4.0;
+    constexpr double few_pairs = 5e6; // made in a tenth of a second, whatever the lines
+    constexpr double few_light_pairs = 1e5;
+    const auto n = static_cast<double>(scene.patch_count());
+    double emitters = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        emitters += mean(scene.emittance(i)) > 0.0 ? 1.0 : 0.0;
+    const auto budget = static_cast<double>(lines);
+    return 0.5 * n * n <= std::max(few_pairs, pairs_per_line * budget) &&
+           emitters * n <= std::max(few_light_pairs, budget / lines_per_light_pair);
+}
+
+/// Makes a table of all pairs where it pays and fits, unless there are so many pairs along lines, which are all
+/// counted, or so many faces on each other, of which each pair is tested for contact, that these are the work.
 void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation& preparation)
 {
     constexpr double many_pairs = 4096.0;
-    if (reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
+    if (table_pays(scene, options.lines) && reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) &&
+        affordable_patch_rays(scene) == 1.0 &&
         pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
         preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
 }

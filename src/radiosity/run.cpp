@@ -90,7 +90,6 @@ void Run::visit(Archive& archive)
     archive.value<std::uint64_t>("stages done", stages_done_);
     archive.value<double>("lines done", done_);
     archive.value<std::uint64_t>("local lines", local_lines_before_);
-    archive.value<std::uint64_t>("lines to shoot", lines_to_shoot);
     multipath::visit(archive, solution.shot_passes);
     state.visit(archive);
     if (archive.reads())
@@ -158,7 +157,7 @@ Solution Run::finish()
     if (stopped()) // fewer rays than planned, too
         solution.local_lines =
             static_cast<std::uint64_t>(done_) - std::min(static_cast<std::uint64_t>(done_), solution.global_lines);
-    if (stopped() && shard.of == 1 && solution.global_lines_cast == 0)
+    if (stopped() && shard.of == 1 && solution.global_lines_cast == 0 && !solved)
         send_the_rest();
     remove_negative_light(scene, state);
     solution.balance = power_balance(scene, state);

@@ -31,8 +31,7 @@ public:
 
     PowerState state;
     Solution solution;
-    static constexpr std::uint64_t undecided = ~std::uint64_t{0};
-    std::uint64_t lines_to_shoot = undecided; ///< see lines_for_what_stands_out
+    bool solved = false; ///< a stage has sent all light by solving for it, also if the run was stopped
 
     /// Number of local lines by the user's ratio of local to global lines, or by the usual one.
     std::uint64_t local_share(double usual_ratio) const;

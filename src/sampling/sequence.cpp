@@ -6,6 +6,7 @@
 #include "sampling/sobol.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -258,6 +259,17 @@ bool is_randomised(const std::string& name)
 {
     const SequenceKind& kind = sequence_kind(name);
     return kind.randomised == kind.name;
+}
+
+std::uint64_t bits_from(const Item& item)
+{
+    std::uint64_t mixed = 0;
+    for (const double x : item) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof bits);
+        mixed = mix_bits(mixed ^ bits) + 1;
+    }
+    return mix_bits(mixed);
 }
 
 } // namespace multipath

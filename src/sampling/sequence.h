@@ -39,6 +39,9 @@ public:
     }
 };
 
+/// Random bits that tell nothing of the item from which they are made.
+std::uint64_t bits_from(const Item& item);
+
 /// How four numbers are taken from a sequence: one 4-D item, or two successive items of its first two dimensions, the
 /// arrangement that the paper found to fail for quasi-random sequences (its section 3).
 enum class Pairing { four_dimensional, two_dimensional };

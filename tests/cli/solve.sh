@@ -119,7 +119,7 @@ check "a broken scene is one line that names the place" broken
 # All walls of the furnace have 2 W/m^2 (scenes/furnace.obj). 1944 patches make two million pairs, more than fit.
 without_pairs() {
     ends 0 solve "$root/scenes/furnace.obj" --patches 2000 --lines 2^15 --memory 11MB --direct shoot -q -o furnace.csv &&
-        awk -F, '/^[0-9]/ { ++n; for (k = 17; k <= 19; ++k) wrong += $k < 1.999999 || $k > 2.000001 }
+        awk -F, '/^[0-9]/ { ++n; for (k = 17; k <= 19; ++k) wrong += $k < 1.99999 || $k > 2.00001 }
             END { exit !(n == 1944 && wrong == 0) }' furnace.csv
 }
 check "reuse without memory for pairs finds the light of a furnace after a first shot" without_pairs

@@ -74,7 +74,7 @@ struct Way
     double bytes_per_patch; ///< of memory beyond what every run needs; a table of all pairs takes more
 };
 
-/// With 1200 bytes per patch or less the lines are counted, if they are enough; otherwise they are particles.
+/// With 1200 bytes per patch or less there is no table of pairs.
 const std::vector<Way> ways = {
     {"local", Method::local, Direct::gather, 1e9},
     {"global", Method::global, Direct::gather, 1e9},
@@ -165,7 +165,11 @@ TEST_CASE("in random closed rooms the mean radiosity is that of particles, by ev
         for (const Way& way : ways) {
             CAPTURE(way.name);
             const MeanOfRuns found = mean_of_runs(scene, way, 1u << 15);
-            const double noise = 5.0 * std::hypot(found.radiosity.standard_error, truth.standard_error);
+            // The bias of parts of 32 rays for each patch (docs/line_reuse.md).
+            const double bias = way.bytes_per_patch > 0.0
+                                    ? 0.0
+                                    : 0.03 / (32.0 * (1.0 - mean(scene.average_reflectance()))) * truth.mean;
+            const double noise = 5.0 * std::hypot(found.radiosity.standard_error, truth.standard_error) + bias;
             CHECK(found.radiosity.mean <= truth.mean + noise);
             CHECK(found.radiosity.mean >= truth.mean - noise - found.unsent);
         }

@@ -94,7 +94,6 @@ TEST_CASE("a cell that reflects all but 1e-4 keeps its light, with a table of pa
         // Particles: 100 of them for the cell, each with a path of 1e4 (1 +- 1) reflections.
         const double tolerance = options.method == Method::local ? 0.4 : 0.005;
         CHECK(power / area == doctest::Approx(emitted + rho * emitted / (1.0 - rho)).epsilon(tolerance));
-        CHECK((options.method == Method::local || solution.global_lines > 0));
     }
 }
 

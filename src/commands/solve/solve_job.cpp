@@ -13,7 +13,7 @@
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
 #include "radiosity/line_budget.h"
-#include "radiosity/reuse/counted_reuse.h"
+#include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/runs/replicates.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
@@ -94,11 +94,12 @@ std::string summary_text(const SolveSummary& s)
                    "surfaces; balance to %.0e\n",
                    mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
                    percent(balance.behind), balance.relative_error());
-    if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0)
+    if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 &&
+        lines < fewest_balanced_rays(s.scene))
         text +=
-            format("warning    so few lines per patch are not reused: particles carried the reflected light, with more "
-                   "noise; reuse begins at about %.1g lines, if --memory holds them\n",
-                   2.0 * fewest_lines_to_count(s.scene, GlobalLines(s.scene.bounds(), chords_of(s.options))));
+            format("warning    so few lines per patch are not reused: particles carried the light, with more noise; "
+                   "reuse begins at %s lines\n",
+                   grouped(fewest_balanced_rays(s.scene)).c_str());
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=

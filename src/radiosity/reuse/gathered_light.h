@@ -1,7 +1,10 @@
 #pragma once
 
+#include "parallel/blocks.h"
 #include "parallel/run_control.h"
-#include "radiosity/power_state.h"
+#include "radiosity/reuse/light_tree.h"
+#include "radiosity/reuse/surface_tree.h"
+#include "sampling/allotment.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
@@ -11,34 +14,70 @@
 
 namespace multipath {
 
-/// Where the light of the sources arrives first. If all of it was found, source power = sum of incident + escaped +
-/// behind.
-struct GatheredLight
+/// What the rays from a patch towards the lights found. Each has g, its true kernel over what the cluster that it was
+/// sent to is taken to give, and v, 1 if it is free and 0 if not.
+struct Sight
 {
-    std::vector<Rgb> incident; ///< [W] per patch
-    std::uint64_t lines = 0;   ///< rays cast
-    Rgb escaped;               ///< [W] left the scene
-    Rgb behind;                ///< [W] met a surface on a side that has no patch
+    double rays = 0.0;
+    double kernel = 0.0; ///< sum of g
+    double error = 0.0;  ///< sum of g - 1 of the rays to clusters whose irradiance is not exact
+    double square = 0.0; ///< sum of (g - 1)^2 of these
+    double free = 0.0;   ///< number of free rays
+    Rgb light;           ///< sum of g v c, c the colour of the light, of mean 1
+
+    static constexpr std::size_t numbers = 8;
 };
 
-/// The sources have sent their light, and the patches have it. What was not found, as the work was stopped, the sources
-/// keep.
-void receive(const GatheredLight& light, const Scene& scene, PowerState& state);
+/// Direct light, found from the receivers' ends. A patch sends rays to its lights in proportion to what these would
+/// give it, P in all, if nothing stood in between; it gets
+///
+///   P (1 + l mean of (g - 1)) sum of g v c / sum of g        (R5)
+///
+/// With l = 1 the approximations in P have no effect; but they are known better than the mean of few noisy g, so l is
+/// b^2 m / (b^2 m + variance of g) for m rays, with b = 0.03 the error of P to be expected. Where P is exact and
+/// nothing is in between, or everything, there is no noise.
+class GatheredLight
+{
+public:
+    GatheredLight(const Scene& scene, int threads);
+    GatheredLight(const GatheredLight&) = delete;
+    GatheredLight& operator=(const GatheredLight&) = delete;
 
-/// [1] Share of the source power that gathering with up to so many rays would gather; the rest it would shoot.
-double gathered_share(const Scene& scene, std::uint64_t rays);
+    /// [W/m^2] What the patch would get with nothing in between, about; the mean of the channels.
+    double unoccluded(std::uint32_t patch) const { return cuts_.irradiance(patch); }
+    double rays(std::uint32_t patch) const { return sights_[patch].rays; } ///< so far
 
-/// Direct light found from the receiver's end: exact but for the share of each light that each patch sees, which shadow
-/// rays tell. Takes the items from first_item on, one for each of up to `rays` rays. Lights for which there is less
-/// than a ray for every other patch are shot (S1). A sixteenth of the rays, or 32 if that is more, leave the other
-/// lights to tell what is lost: if none is, the patches together get just what is emitted. The sequence is the only
-/// source of chance: the result is right on the average over its randomisations, but for the bias of a ratio of two
-/// sums of a pair's few rays.
-GatheredLight gather_direct_light(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  std::uint64_t rays, const RunControl& run);
+    /// The blocks of patches in which `cast` works.
+    static Blocks blocks(std::uint32_t patches);
+
+    /// Casts the allotted rays of the blocks range.next ... range.end - 1, or of fewer if the run is stopped. Ray
+    /// number n takes the item first_item + n.
+    void cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, SharedRange& range,
+              const RunControl& run);
+
+    /// [W/m^2] Standard deviation of what one ray of each patch tells, from its own rays if they are many, or those
+    /// of the patches around it.
+    std::vector<double> deviations(const SurfaceTree& patches) const;
+
+    /// [W] per patch.
+    std::vector<Rgb> incident(const SurfaceTree& patches) const;
+
+    void visit(Archive& archive); ///< for a checkpoint
+
+private:
+    std::vector<RaySums> visible_shares(const SurfaceTree& patches, double enough) const;
+
+    const Scene& scene_;
+    const LightTree tree_;
+    const LightCuts cuts_;
+    std::vector<Sight> sights_; ///< per patch
+};
 
 /// [W/m^2] Radiosity of every patch if light were reflected only once: what the patch emits, and what it reflects of
-/// the light that comes straight from the sources. Found by gathering, for any method, without chance: always the same.
+/// the light that comes straight from the sources. For any method, without chance: always the same.
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads);
+
+/// Patches in a tree, for what their rays have in common.
+SurfaceTree tree_of_patches(const Scene& scene);
 
 } // namespace multipath

@@ -2,18 +2,17 @@
 
 #include "parallel/archive.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace multipath {
 
-/// Adds up what the shares of a run of `reuse` handed in: counts of lines, or the rows of pairs at which each of them
-/// looked closer. `parts`: those under way in each of them, the outermost first. Writes what is not the same in all
-/// shares; the whole is then the state of a run that did all of it alone. Throws ArchiveError for shares that are not
-/// all, once, of different stages, or with counts beyond the limit.
+/// Adds up what the shares of a run of `reuse` handed in: counts of lines or rays, rays to the lights, or the rows of
+/// pairs at which each of them looked closer. `parts`: those under way in each of them, the outermost first. Writes
+/// what is not the same in all shares; the whole is then the state of a run that did all of it alone. Throws
+/// ArchiveError for shares that are not all, once, or of different stages.
 void add_up_shares(const std::vector<Archive*>& shares, const std::vector<std::string>& parts, std::uint32_t patches,
-                   std::size_t byte_limit, int threads, Archive& sum);
+                   int threads, Archive& sum);
 
 } // namespace multipath

@@ -1,9 +1,8 @@
 #include "transport/exchange/line_counts.h"
 
 #include "parallel/blocks.h"
-#include "scene/input_error.h"
-#include "transport/depth_complexity.h"
 #include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -95,7 +94,6 @@ CountRows::CountRows(std::uint32_t rows, std::uint32_t columns)
 
 void CountRows::add(std::uint32_t row, std::uint32_t end)
 {
-    ++lines_;
     if (end == Segment::outside)
         ++escaped_[row];
     else if (end == Segment::behind)
@@ -141,7 +139,6 @@ void CountRows::add(const CountRows& others)
     sum.shrink_to_fit();
     row_begin_ = std::move(begin);
     entries_ = std::move(sum);
-    lines_ += others.lines_;
 }
 
 CountRow CountRows::row(std::uint32_t row) const
@@ -155,7 +152,6 @@ void CountRows::visit(Archive& archive)
     archive.growing_list<std::uint32_t>("entries", entries_);
     archive.list<std::uint64_t>("escaped", escaped_);
     archive.list<std::uint64_t>("behind", behind_);
-    archive.value<std::uint64_t>("lines", lines_);
     bool whole = row_begin_.front() == 0 && row_begin_.back() == entries_.size();
     for (std::size_t i = 0; i + 1 < row_begin_.size(); ++i)
         whole = whole && row_begin_[i] <= row_begin_[i + 1];
@@ -189,8 +185,7 @@ int bits_of_part(std::uint32_t patches)
 
 } // namespace
 
-LineCounts::LineCounts(std::uint32_t patches, std::size_t byte_limit)
-    : patches_(patches), byte_limit_(byte_limit), part_bits_(bits_of_part(patches))
+LineCounts::LineCounts(std::uint32_t patches) : patches_(patches), part_bits_(bits_of_part(patches))
 {
     const std::uint32_t rows = 1u << part_bits_;
     for (std::uint32_t first = 0; first < patches; first += rows)
@@ -250,9 +245,12 @@ void LineCounts::merge(int threads)
     parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) { parts_[p].counts.merge(); });
 }
 
-void LineCounts::add(const LineCounts& others, int threads)
+void LineCounts::add(LineCounts others, int threads)
 {
-    parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) { parts_[p].counts.add(others.parts_[p].counts); });
+    parallel_blocks(parts_.size(), threads, [&](std::uint64_t p) {
+        parts_[p].counts.add(others.parts_[p].counts);
+        others.parts_[p].counts = CountRows(0, 0);
+    });
 }
 
 void LineCounts::visit(Archive& archive)
@@ -263,14 +261,6 @@ void LineCounts::visit(Archive& archive)
     }
 }
 
-std::uint64_t LineCounts::line_ends() const
-{
-    std::uint64_t lines = 0;
-    for (const Part& part : parts_)
-        lines += part.counts.lines();
-    return lines;
-}
-
 std::size_t LineCounts::bytes() const
 {
     std::size_t bytes = 0;
@@ -279,70 +269,57 @@ std::size_t LineCounts::bytes() const
     return bytes;
 }
 
-bool LineCounts::full() const
-{
-    return bytes() > byte_limit_ - byte_limit_ / 8;
-}
-
 namespace {
 
-/// How many lines to cast before the next merge: notes must fit below the limit, and not take more than the rows do.
-std::uint64_t lines_of_round(const CountedLines& counted, std::uint64_t block_lines)
+constexpr std::uint64_t rays_per_block = 4096;
+
+/// Rays of several patches and what they join.
+struct CountedRays
 {
-    const double least = 32.0 * static_cast<double>(block_lines); // cast in a moment, noted in a few megabytes
-    if (counted.lines_cast == 0)
-        return static_cast<std::uint64_t>(least);
-    const auto ends = static_cast<double>(std::max<std::uint64_t>(counted.counts.line_ends(), 1));
-    const double bytes_per_line = sizeof(CountEntry) * ends / static_cast<double>(counted.lines_cast);
-    const auto bytes = static_cast<double>(counted.counts.bytes());
-    const double room = static_cast<double>(counted.counts.byte_limit()) - bytes;
-    return static_cast<std::uint64_t>(std::min(std::max(least, bytes / bytes_per_line), 1.0 + room / bytes_per_line));
-}
+    RayBlock rays;
+    std::vector<Segment> segments;
+
+    void trace(const Scene& scene, const Allotment& allotment, const Sequence& sequence, std::uint64_t first_item,
+               std::uint64_t first_ray, std::size_t count)
+    {
+        rays.items.resize(count);
+        rays.patches.resize(count);
+        sequence.generate(first_item + first_ray, rays.items);
+        std::uint32_t patch = allotment.patch_of(first_ray);
+        for (std::size_t k = 0; k < count; ++k) {
+            while (allotment.first_ray(patch + 1) <= first_ray + k)
+                ++patch;
+            rays.patches[k] = patch;
+        }
+        rays.trace(scene);
+        segments.clear();
+        for (std::size_t k = 0; k < count; ++k)
+            segments.push_back({rays.patches[k], rays.receivers[k]});
+    }
+};
 
 } // namespace
 
-CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
-                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run)
+Blocks ray_blocks(const Allotment& rays)
 {
-    CountedLines counted{LineCounts(scene.patch_count(), byte_limit), 0};
-    SharedRange range = SharedRange::of(lines, run.shard); // of lines, merged up to the next one
-    std::uint64_t round = 0;                               // lines that are noted before the next merge
-    std::uint64_t next_block = 0;                          // of the round
-    const Checkpoint::Part part(run.checkpoint, "line counts", [&](Archive& archive) {
-        counted.counts.merge(run.threads);
-        range.visit(archive);
-        archive.value<std::uint64_t>("round", round);
-        archive.value<std::uint64_t>("next block", next_block);
-        counted.counts.visit(archive);
-        counted.lines_cast = range.next - range.first;
-        if (range.all != lines || round > range.end - range.next)
-            throw ArchiveError("the state is damaged: no such lines");
-    });
-    const std::uint64_t block_lines = lines_per_block(crossings_per_line(scene, global_lines));
-    BlockBuffers<SegmentBlock> blocks(run.threads);
-    const auto wants_round = [&] { return range.next < range.end && !counted.counts.full(); };
-    while ((round > 0 || wants_round()) && !run.stopped()) {
-        if (round == 0)
-            round = std::min(range.end - range.next, lines_of_round(counted, block_lines));
-        const LineBlocks plan{scene, global_lines, sequence, first_item + range.next, {round, block_lines}};
-        const auto trace_block = [&](std::uint64_t number, int slot) {
-            SegmentBlock& block = blocks[slot];
-            block.trace(plan, number);
-            counted.counts.add(block.segments);
-        };
-        const auto report = [&](std::uint64_t, int slot) { run.count_lines(blocks[slot].lines.lines()); };
-        resumable_blocks(next_block, plan.lines.count(), run, trace_block, report);
-        counted.counts.merge(run.threads);
-        range.next += plan.lines.first(next_block);
-        counted.lines_cast = range.next - range.first;
-        round = next_block = 0;
+    return {rays.rays(), rays_per_block};
+}
+
+void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
+                SharedRange& range, const RunControl& run, LineCounts& counts)
+{
+    constexpr std::uint64_t blocks_per_merge = 256; // until they are merged, notes take 16 bytes a ray more
+    const Blocks blocks = ray_blocks(rays);
+    BlockBuffers<CountedRays> buffers(run.threads);
+    const auto trace = [&](std::uint64_t block, int slot) {
+        buffers[slot].trace(scene, rays, sequence, first_item, blocks.first(block), blocks.length(block));
+        counts.add(buffers[slot].segments);
+    };
+    const auto report = [&](std::uint64_t block, int) { run.count_lines(blocks.length(block)); };
+    while (range.next < range.end && !run.stopped()) {
+        resumable_blocks(range.next, std::min(range.end, range.next + blocks_per_merge), run, trace, report);
+        counts.merge(run.threads);
     }
-    if (!range.is_shard() || run.stopped())
-        return counted;
-    if (range.next < range.end)
-        throw InputError("the counts of this share of the lines fill the memory; expected more of it, or more shares");
-    run.checkpoint->hand_in();
-    return counted;
 }
 
 } // namespace multipath

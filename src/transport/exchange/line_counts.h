@@ -2,6 +2,7 @@
 
 #include "parallel/archive.h"
 #include "parallel/run_control.h"
+#include "sampling/allotment.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 #include "transport/lines/global_lines.h"
@@ -10,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -54,8 +54,7 @@ public:
     std::uint64_t escaped(std::uint32_t row) const { return escaped_[row]; }
     std::uint64_t behind(std::uint32_t row) const { return behind_[row]; }
 
-    std::uint64_t lines() const { return lines_; } ///< added so far, whatever they met
-    std::size_t bytes() const;                     ///< in use, with what waits
+    std::size_t bytes() const; ///< in use, with what waits
 
 private:
     std::uint32_t rows() const { return static_cast<std::uint32_t>(escaped_.size()); }
@@ -67,7 +66,6 @@ private:
     std::vector<std::uint64_t> escaped_; ///< per row
     std::vector<std::uint64_t> behind_;  ///< per row
     std::vector<std::uint64_t> waiting_; ///< row << column_bits_ | column
-    std::uint64_t lines_ = 0;
 };
 
 /// How often lines joined any two patches, escaped or met a surface from behind: for scenes with so many patches that
@@ -77,7 +75,7 @@ private:
 class LineCounts
 {
 public:
-    explicit LineCounts(std::uint32_t patches, std::size_t byte_limit = std::numeric_limits<std::size_t>::max());
+    explicit LineCounts(std::uint32_t patches);
 
     /// Notes each segment for both of its ends, 8 bytes each until merge() sorts them into the rows. Several threads
     /// may call it at the same time.
@@ -85,8 +83,8 @@ public:
 
     /// Takes in all that was added. What follows needs this first, and that no thread adds.
     void merge(int threads);
-    /// Both must be merged and of the same size.
-    void add(const LineCounts& others, int threads);
+    /// Both must be merged and of the same size. The memory of the others is given back on the way.
+    void add(LineCounts others, int threads);
     void visit(Archive& archive); ///< for a checkpoint
 
     std::uint32_t size() const { return patches_; }
@@ -94,10 +92,7 @@ public:
     std::uint64_t escaped(std::uint32_t patch) const { return part(patch).escaped(place(patch)); }
     std::uint64_t behind(std::uint32_t patch) const { return part(patch).behind(place(patch)); }
 
-    std::uint64_t line_ends() const; ///< counted at all patches together
     std::size_t bytes() const;
-    std::size_t byte_limit() const { return byte_limit_; }
-    bool full() const; ///< no room worth mentioning is left below the limit
 
 private:
     /// Consecutive patches; their number is a power of two.
@@ -119,21 +114,17 @@ private:
     void add(const LineEnd* first, const LineEnd* last, Part& part) const;
 
     std::uint32_t patches_;
-    std::size_t byte_limit_;
     int part_bits_;
     std::deque<Part> parts_;
 };
 
-/// Counts, and the global lines that were cast for them.
-struct CountedLines
-{
-    LineCounts counts; ///< merged
-    std::uint64_t lines_cast;
-};
+/// The blocks of rays in which `count_rays` works.
+Blocks ray_blocks(const Allotment& rays);
 
-/// Casts `lines` global lines, which take the items from first_item on; or the share of the run, for which the counts
-/// must not get full (InputError); or fewer: it ends when the counts are full, or stopped.
-CountedLines count_lines(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
-                         std::uint64_t first_item, std::uint64_t lines, std::size_t byte_limit, const RunControl& run);
+/// Casts the allotted rays, uniform on the patches and cosine-distributed (LocalRays), of the blocks range.next ...
+/// range.end - 1, or of fewer if the run is stopped, and adds what they join to the counts; merged afterwards. Ray
+/// number n takes the item first_item + n.
+void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
+                SharedRange& range, const RunControl& run, LineCounts& counts);
 
 } // namespace multipath

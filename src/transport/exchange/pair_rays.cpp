@@ -2,7 +2,9 @@
 
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
+#include "geometry/pi.h"
 #include "parallel/blocks.h"
+#include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "sampling/systematic_rounding.h"
 #include "sampling/warp.h"
@@ -13,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <vector>
 
@@ -34,22 +35,29 @@ double radius(const Surface& shape)
 } // namespace
 
 RayPair::RayPair(const Scene& scene, std::uint32_t one, std::uint32_t other)
+    : RayPair(scene, scene.patch(scene.area(one) <= scene.area(other) ? one : other),
+              scene.patch(scene.area(one) <= scene.area(other) ? other : one))
 {
-    const bool one_is_smaller = scene.area(one) <= scene.area(other);
-    const std::uint32_t from = one_is_smaller ? one : other;
-    const std::uint32_t to = one_is_smaller ? other : one;
-    from_ = scene.patch(from);
-    to_ = scene.patch(to);
+}
+
+RayPair::RayPair(const Scene& scene, const Patch& from, const Patch& to) : from_(from), to_(to)
+{
     from_normal_ = from_.shape.normal();
     to_normal_ = to_.shape.normal();
     to_front_ = dot(to_normal_, scene.surfaces()[to_.surface].normal()) > 0.0;
     near_ = length(to_.shape.centre() - from_.shape.centre()) < radius(from_.shape) + radius(to_.shape);
+    sampled_area_ = from_.shape.area() * (near_ ? 1.0 : to_.shape.area());
 }
 
 RayPair::Ray RayPair::ray(const Item& item) const
 {
     const Vec3 start = square_to_uniform_surface(from_.shape, item[0], item[1]);
     return near_ ? into_solid_angle(start, item[2], item[3]) : towards_point(start, item[2], item[3]);
+}
+
+double RayPair::mean_weight(double unoccluded) const
+{
+    return pi * unoccluded / sampled_area_;
 }
 
 RayPair::Ray RayPair::towards_point(Vec3 start, double u, double v) const
@@ -77,62 +85,6 @@ RayPair::Ray RayPair::into_solid_angle(Vec3 start, double u, double v) const
     const double split = first.solid_angle() / all;
     const Vec3 d = u < split ? first.direction(u / split, v) : second.direction((u - split) / (1.0 - split), v);
     return {{start, d}, all * std::max(0.0, dot(from_normal_, d))};
-}
-
-namespace {
-
-constexpr int depths_per_octave_bits = 4;
-
-/// Depths are told apart by the leading bits of a float: exponent and first part of the fraction.
-std::size_t depth_class(double depth)
-{
-    const auto single = static_cast<float>(depth);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &single, sizeof bits);
-    return bits >> (23 - depths_per_octave_bits);
-}
-
-double least_depth(std::size_t depth_class)
-{
-    const auto bits = static_cast<std::uint32_t>(depth_class << (23 - depths_per_octave_bits));
-    float depth = 0.0f;
-    std::memcpy(&depth, &bits, sizeof depth);
-    return static_cast<double>(depth);
-}
-
-} // namespace
-
-FillLevel::FillLevel() : by_depth_(std::size_t{1} << (8 + depths_per_octave_bits)) {}
-
-void FillLevel::add(double importance, double lines)
-{
-    Vessels& vessels = by_depth_[depth_class(lines / importance)];
-    vessels.importance += importance;
-    vessels.lines += lines;
-}
-
-void FillLevel::add(const FillLevel& others)
-{
-    for (std::size_t k = 0; k < by_depth_.size(); ++k) {
-        by_depth_[k].importance += others.by_depth_[k].importance;
-        by_depth_[k].lines += others.by_depth_[k].lines;
-    }
-}
-
-double FillLevel::level(double rays) const
-{
-    double importance = 0.0; // of the vessels that are reached
-    double lines = 0.0;
-    double level = 0.0;
-    for (std::size_t k = 0; k < by_depth_.size(); ++k) {
-        if (importance > 0.0 && level <= least_depth(k))
-            break;
-        importance += by_depth_[k].importance;
-        lines += by_depth_[k].lines;
-        if (importance > 0.0)
-            level = (rays + lines) / importance;
-    }
-    return level;
 }
 
 // A pair whose exchange is known with the variance s^2 / m after m rays adds s^2 / m (rho_i^2 B_j^2 / A_i + rho_j^2

@@ -23,9 +23,14 @@ public:
     };
 
     RayPair(const Scene& scene, std::uint32_t one, std::uint32_t other);
+    /// Either may be a part of its surface, or all of it. The rays leave the first, which should be the smaller one.
+    RayPair(const Scene& scene, const Patch& from, const Patch& to);
 
     /// Two numbers for each patch. Weights of near pairs are bounded, also when the patches touch.
     Ray ray(const Item& item) const;
+
+    /// Of all rays of a pair with this exchange without obstacles [m^2].
+    double mean_weight(double unoccluded) const;
 
     std::uint32_t from_surface() const { return from_.surface; }
     std::uint32_t to_surface() const { return to_.surface; }
@@ -40,6 +45,7 @@ private:
     bool to_front_;
     Vec3 from_normal_;
     Vec3 to_normal_;
+    double sampled_area_; ///< of which the rays are uniform, of one patch [m^2] or of both [m^4]
     bool near_;
 };
 
@@ -57,29 +63,5 @@ struct PairRays
 void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
                     double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
                     const PairRays& plan, const RunControl& run);
-
-/// Shares a number of rays among pairs that have had some lines already: like water poured into vessels of different
-/// depth, each gets what it lacks of level * importance, if anything.
-class FillLevel
-{
-public:
-    FillLevel();
-
-    /// A pair of this importance (> 0) that is as well known as by so many lines.
-    void add(double importance, double lines);
-    void add(const FillLevel& others);
-
-    /// The level to which the rays fill all vessels together, to a few percent.
-    double level(double rays) const;
-
-private:
-    struct Vessels
-    {
-        double importance = 0.0;
-        double lines = 0.0;
-    };
-
-    std::vector<Vessels> by_depth_; ///< by lines / importance, the level at which they begin to fill
-};
 
 } // namespace multipath

@@ -1,4 +1,4 @@
-#include "radiosity/reuse/gathered_light.h"
+#include "radiosity/reuse/balanced_reuse.h"
 
 #include "geometry/polygon.h"
 #include "radiosity/first_shot.h"
@@ -15,10 +15,26 @@ using namespace multipath;
 
 namespace {
 
-GatheredLight gathered(const Scene& scene, std::uint64_t rays, std::uint64_t seed = 1, const char* sequence = "random",
-                       int threads = 2)
+struct Gathered
 {
-    return gather_direct_light(scene, *make_sequence(sequence, seed), 0, rays, {threads});
+    std::vector<Rgb> incident; ///< [W] per patch
+    std::uint64_t lines;
+    Rgb escaped; ///< [W]
+    Rgb behind;
+    PowerState state;
+};
+
+Gathered gathered(const Scene& scene, const Sequence& sequence, const BalancedRays& rays, int threads = 2)
+{
+    PowerState state(scene);
+    const BalancedResult result = reuse_balanced(scene, sequence, rays, 1e9, {threads}, state);
+    return {state.incident, result.rays, state.escaped, state.behind, state};
+}
+
+Gathered gathered(const Scene& scene, std::uint64_t rays, std::uint64_t seed = 1, const char* sequence = "random",
+                  int threads = 2)
+{
+    return gathered(scene, *make_sequence(sequence, seed), {0, rays, true, false}, threads);
 }
 
 std::vector<Rgb> shot(const Scene& scene, std::uint64_t rays, std::uint64_t seed)
@@ -60,7 +76,8 @@ void check_same_mean(const Scene& scene, std::uint64_t gathering_rays, std::uint
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         if (received_by[i] > 1e-3)
             CHECK(estimate(difference[i]).agrees_with(0.0, 7.5));
-    CHECK(estimate(total).agrees_with(0.0, 4.0));
+    const Estimate all = estimate(total);
+    CHECK((all.agrees_with(0.0, 4.0) || std::abs(all.mean) < 1e-9 * scene.source_power().g));
 }
 
 /// A room with a lamp below the ceiling, in a tight frame that rises above it, and a box on the floor. The frame stands
@@ -105,7 +122,7 @@ TEST_CASE("a cube lit by its ceiling receives the textbook's form factors and, i
     for (const double patch_size : {0.1, 1.0}) {
         CAPTURE(patch_size);
         const Scene scene = builder.scene(patch_size);
-        const GatheredLight light = gathered(scene, 2 * scene.patch_count());
+        const Gathered light = gathered(scene, 2 * scene.patch_count());
         CHECK(received(scene, light.incident, 0) == doctest::Approx(2.0 * opposite_squares()).epsilon(1e-6));
         for (std::uint32_t wall = 2; wall < 6; ++wall)
             CHECK(received(scene, light.incident, wall) == doctest::Approx(2.0 * adjoining_squares()).epsilon(1e-5));
@@ -123,7 +140,7 @@ TEST_CASE("a lamp in the corner of the ceiling lights the walls that it touches 
     builder.room({0, 0, 0}, {1, 1, 1}, grey);
     builder.rectangle({0, 1, 0}, {0.25, 0, 0}, {0, 0, 0.25}, builder.grey(0.0, 1.0)); // on the ceiling, on top of it
     const Scene scene = builder.scene(0.1);
-    const GatheredLight light = gathered(scene, 4 * scene.patch_count());
+    const Gathered light = gathered(scene, 4 * scene.patch_count());
     const Surface lamp = scene.surfaces().back();
     for (std::uint32_t i = 0; i < scene.first_patch(6); ++i) {
         const Surface shape = scene.patch(i).shape;
@@ -145,8 +162,8 @@ TEST_CASE("a body that stands on a lamp gets the light under it")
     builder.room({0, 0, 0}, {3, 2, 3}, {builder.grey(0.5, 2.0), grey, grey, grey, grey, grey});
     builder.box({1.1, 0, 0.8}, {2.1, 0.7, 1.8}, grey);
     const Scene scene = builder.scene(0.3);
-    for (const std::uint64_t rays : {std::uint64_t{500}, std::uint64_t{1} << 15}) {
-        const GatheredLight light = gathered(scene, rays);
+    for (const std::uint64_t rays : {4 * std::uint64_t{scene.patch_count()}, std::uint64_t{1} << 15}) {
+        const Gathered light = gathered(scene, rays);
         double bottom = 0.0;
         double all = 0.0;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -168,24 +185,13 @@ TEST_CASE("gathered light that leaves the scene is told as escaped, and nothing 
     builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.0, 3.0)); // looks up
     builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.5, 0.0)); // looks down
     const Scene scene = builder.scene(0.1);
-    const GatheredLight light = gathered(scene, 1u << 14);
+    const Gathered light = gathered(scene, 1u << 14);
     CHECK(received(scene, light.incident, 1) == doctest::Approx(3.0 * opposite_squares()).epsilon(1e-4));
     CHECK(light.escaped.g == doctest::Approx(3.0 * (1.0 - opposite_squares())).epsilon(1e-4));
     CHECK(light.behind == Rgb{});
-    PowerState state(scene);
-    receive(light, scene, state);
-    CHECK(power_balance(scene, state).relative_error() < 1e-12);
-    CHECK(state.emitted.g == doctest::Approx(3.0).epsilon(1e-12));
-    CHECK(power_balance(scene, state).unshot.g == doctest::Approx(1.5 * opposite_squares()).epsilon(1e-4));
-
-    GatheredLight half = light; // the work was stopped
-    for (Rgb& incident : half.incident)
-        incident = 0.5 * incident;
-    half.escaped = 0.5 * half.escaped;
-    PowerState stopped(scene);
-    receive(half, scene, stopped);
-    CHECK(stopped.unshot[0].g == doctest::Approx(0.5 * 3.0 * scene.area(0)).epsilon(1e-9));
-    CHECK(power_balance(scene, stopped).relative_error() < 1e-12);
+    CHECK(power_balance(scene, light.state).relative_error() < 1e-12);
+    CHECK(light.state.emitted.g == doctest::Approx(3.0).epsilon(1e-12));
+    CHECK(power_balance(scene, light.state).unshot.g == doctest::Approx(1.5 * opposite_squares()).epsilon(1e-4));
 }
 
 TEST_CASE("behind obstacles, gathering gives what shooting gives" * doctest::test_suite("statistics"))
@@ -194,9 +200,9 @@ TEST_CASE("behind obstacles, gathering gives what shooting gives" * doctest::tes
     check_same_mean(scene, 1u << 16, 1u << 18);
 }
 
-// Few rays for a pair have a bias: points are likely, not sure, to have the density that they should have. Allowed is
-// half a percent of what a surface receives, and a percent inside the frame.
-TEST_CASE("with too few rays for all pairs, or for all lights, gathering is right to half a percent on the average" *
+// Clusters of lights are right to about 3 %, which many rays of a patch correct and few do not. Allowed is one percent
+// of what a surface receives.
+TEST_CASE("with few rays for each patch gathering is right to a percent on the average" *
           doctest::test_suite("statistics"))
 {
     SceneBuilder builder = framed_lamp();
@@ -208,37 +214,23 @@ TEST_CASE("with too few rays for all pairs, or for all lights, gathering is righ
     constexpr std::uint64_t many = 1u << 22;
     const std::vector<Rgb> truth = shot(scene, many, 1);
     const double power_per_ray = scene.source_power().g / many;
-    for (const std::uint32_t rays_per_patch : {8u, 2u, 1u}) { // 9 lights: with 2 and 1, some of them are shot
+    for (const std::uint32_t rays_per_patch : {16u, 8u, 2u}) {
         CAPTURE(rays_per_patch);
         std::vector<std::vector<double>> samples(surfaces);
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-            const GatheredLight light = gathered(scene, rays_per_patch * scene.patch_count(), seed);
+            const Gathered light = gathered(scene, rays_per_patch * scene.patch_count(), seed);
             for (std::uint32_t s = 0; s < surfaces; ++s)
                 samples[s].push_back(received(scene, light.incident, s));
         }
         for (std::uint32_t s = 0; s < surfaces; ++s) {
             const double expected = received(scene, truth, s);
-            const double bias = (s == 17 || s == 22 ? 0.01 : 0.005) * expected;
+            const double bias = 0.01 * expected;
             Estimate found = estimate(samples[s]);
             found.standard_error = std::hypot(found.standard_error, std::sqrt(expected * power_per_ray));
             CAPTURE(s);
             CHECK(std::abs(found.mean - expected) <= 4.0 * found.standard_error + bias);
         }
     }
-}
-
-// Nine equal lamps: each is gathered that gets a ray for every other patch.
-TEST_CASE("the share of the light that is gathered grows with the rays")
-{
-    SceneBuilder builder;
-    const std::uint32_t lamp = builder.grey(0.1, 3.0);
-    builder.room({0, 0, 0}, {2, 2, 2}, builder.grey(0.5, 0.0));
-    for (int k = 0; k < 9; ++k)
-        builder.rectangle({0.1 + 0.2 * k, 1.9, 1.0}, {0.1, 0, 0}, {0, 0, 0.1}, lamp);
-    const Scene scene = builder.scene(0.2);
-    CHECK(gathered_share(scene, 0) == 0.0);
-    CHECK(gathered_share(scene, scene.patch_count()) == doctest::Approx(2.0 / 9.0));
-    CHECK(gathered_share(scene, 5 * scene.patch_count()) == doctest::Approx(1.0));
 }
 
 // Backs receive, but only fronts emit: a sheet in the middle of a room, its front bright. The room's own patches all
@@ -250,7 +242,7 @@ TEST_CASE("of a two-sided scene only fronts emit")
     builder.room({0, 0, 0}, {1, 1, 1}, grey);
     builder.rectangle({0.3, 0.5, 0.3}, {0, 0, 0.4}, {0.4, 0, 0}, builder.grey(0.5, 1.0)); // shines up
     const Scene scene = builder.scene(0.1, true);
-    const GatheredLight light = gathered(scene, 1u << 14);
+    const Gathered light = gathered(scene, 1u << 14);
     CHECK(received(scene, light.incident, 0) == 0.0); // the floor
     CHECK(received(scene, light.incident, 1) > 0.5 * scene.source_power().g);
     CHECK(std::abs(light.escaped.g) < 1e-4 * scene.source_power().g);
@@ -259,7 +251,7 @@ TEST_CASE("of a two-sided scene only fronts emit")
     turned.box({0, 0, 0}, {1, 1, 1}, turned.grey(0.5, 0.0));
     turned.rectangle({0.3, 0.5, 0.3}, {0, 0, 0.4}, {0.4, 0, 0}, turned.grey(0.5, 1.0));
     CHECK(std::abs(gathered(turned.scene(0.1, true), 1u << 14).escaped.g) < 1e-4 * scene.source_power().g);
-    const GatheredLight lost = gathered(turned.scene(0.1), 1u << 14); // no patch looks at the sheet
+    const Gathered lost = gathered(turned.scene(0.1), 1u << 14); // no patch looks at the sheet
     CHECK(lost.behind.g == doctest::Approx(scene.source_power().g));
     CHECK(lost.escaped.g == 0.0);
 }
@@ -267,12 +259,12 @@ TEST_CASE("of a two-sided scene only fronts emit")
 TEST_CASE("gathered light is the same for any number of threads")
 {
     const Scene scene = framed_lamp().scene(0.1);
-    for (const std::uint64_t rays : {std::uint64_t{1} << 17, std::uint64_t{500}}) {
-        const GatheredLight one = gathered(scene, rays, 1, "sobol", 1);
-        CHECK(one.lines <= rays);
-        CHECK(one.lines + 1 >= rays);
+    for (const std::uint64_t rays : {std::uint64_t{1} << 17, 4 * std::uint64_t{scene.patch_count()}}) {
+        const Gathered one = gathered(scene, rays, 1, "sobol", 1);
+        CHECK(one.lines <= rays + 6); // of three rounds, each rounded twice
+        CHECK(one.lines + 6 >= rays);
         for (const int threads : {2, 7}) {
-            const GatheredLight many = gathered(scene, rays, 1, "sobol", threads);
+            const Gathered many = gathered(scene, rays, 1, "sobol", threads);
             CHECK(many.incident == one.incident);
             CHECK(many.escaped == one.escaped);
             CHECK(many.lines == one.lines);
@@ -331,7 +323,7 @@ TEST_CASE("every shadow ray takes an item of its own")
     const WatchedSequence sequence;
     constexpr std::uint64_t first = 1000;
     constexpr std::uint64_t rays = 20000;
-    const GatheredLight light = gather_direct_light(scene, sequence, first, rays, {1});
+    const Gathered light = gathered(scene, sequence, {first, rays, true, false}, 1);
     std::vector<std::uint64_t> taken = sequence.taken();
     std::sort(taken.begin(), taken.end());
     REQUIRE(taken.size() > rays / 2);

@@ -1,7 +1,6 @@
 #include "radiosity/runs/share_sum.h"
 
 #include "paused_work.h"
-#include "radiosity/reuse/counted_reuse.h"
 #include "radiosity/runs/replicates.h"
 #include "test_scenes.h"
 
@@ -59,7 +58,7 @@ SavedWork next_stage(const Scene& scene, const SolveOptions& options, const std:
     }
     SavedWork all{"", shares[0].parts};
     StateWriter sum([&](std::string_view bytes) { all.bytes += bytes; });
-    add_up_shares(archives, all.parts, scene.patch_count(), count_bytes(scene.patch_count(), options.memory), 1, sum);
+    add_up_shares(archives, all.parts, scene.patch_count(), 1, sum);
     readers[0]->copy_rest(sum);
     sum.finish();
     return all;
@@ -76,7 +75,7 @@ TEST_CASE("shares of a run add up to the bits of one run, after each stage that 
     options.lines = 40000;
     int stages = 2; // lines are counted, then pairs are looked at closer
     SUBCASE("with a table of pairs") {}
-    SUBCASE("with counts of the pairs that are joined only")
+    SUBCASE("with rays alone")
     {
         options.memory = 1e6;
         stages = 1;

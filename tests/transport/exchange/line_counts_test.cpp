@@ -3,6 +3,8 @@
 #include "paused_work.h"
 #include "sampling/random.h"
 #include "test_scenes.h"
+#include "transport/lines/global_lines.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -66,14 +68,45 @@ std::vector<Segment> segments_of(const Scene& scene, std::uint64_t first, std::u
     return segments;
 }
 
-CountedLines counted(const Scene& scene, std::uint64_t first, std::uint64_t lines, int threads,
-                     std::size_t byte_limit = std::size_t{1} << 30)
+LineCounts counted(const Scene& scene, std::uint64_t first, std::uint64_t lines, int threads)
 {
-    return count_lines(scene, GlobalLines(scene.bounds(), Chords::box), *make_sequence("sobol", 0), first, lines,
-                       byte_limit, {threads});
+    const std::vector<Segment> segments = segments_of(scene, first, lines);
+    LineCounts counts(scene.patch_count());
+    constexpr std::uint64_t segments_at_a_time = 1000;
+    const Blocks blocks = {segments.size(), segments_at_a_time};
+    parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
+        const auto begin = segments.begin() + static_cast<std::ptrdiff_t>(blocks.first(block));
+        counts.add(std::vector<Segment>(begin, begin + static_cast<std::ptrdiff_t>(blocks.length(block))));
+    });
+    counts.merge(threads);
+    return counts;
 }
 
-constexpr std::uint64_t lines = 1u << 18; // more than one round between merges
+constexpr std::uint64_t lines = 1u << 16;
+
+/// An uneven number of rays for each patch, none for some.
+Allotment some_rays(const Scene& scene)
+{
+    std::vector<double> expected;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        expected.push_back(i % 7 == 3 ? 0.0 : 100.3 + i % 5);
+    return {expected, 0.3};
+}
+
+/// Counts of the rays of some blocks, and how many blocks there were.
+struct RayCounts
+{
+    LineCounts counts;
+    SharedRange range;
+};
+
+RayCounts ray_counts(const Scene& scene, Shard shard, int threads, Checkpoint* checkpoint = nullptr)
+{
+    const Allotment rays = some_rays(scene);
+    RayCounts result{LineCounts(scene.patch_count()), SharedRange::of(ray_blocks(rays).count(), shard)};
+    count_rays(scene, rays, *make_sequence("sobol", 0), 1000, result.range, {threads, {}, checkpoint}, result.counts);
+    return result;
+}
 
 } // namespace
 
@@ -99,49 +132,57 @@ TEST_CASE("counts are those of a plain list of all segments, for any number of t
     REQUIRE(*std::max_element(expected.behind.begin(), expected.behind.end()) > 0);
     for (const int threads : {1, 2, 7}) {
         CAPTURE(threads);
-        const CountedLines result = counted(scene, 0, lines, threads);
-        CHECK(result.lines_cast == lines);
-        CHECK(contents(result.counts) == expected);
+        CHECK(contents(counted(scene, 0, lines, threads)) == expected);
     }
 }
 
 TEST_CASE("counts of parts of the lines add up to the counts of all")
 {
     const Scene scene = open_room(0.05);
-    LineCounts sum = counted(scene, lines / 3, lines - lines / 3, 2).counts;
-    sum.add(counted(scene, 0, lines / 3, 1).counts, 2);
-    const LineCounts all = counted(scene, 0, lines, 2).counts;
-    CHECK(contents(sum) == contents(all));
-    CHECK(sum.line_ends() == all.line_ends());
+    LineCounts sum = counted(scene, lines / 3, lines - lines / 3, 2);
+    sum.add(counted(scene, 0, lines / 3, 1), 2);
+    CHECK(contents(sum) == contents(counted(scene, 0, lines, 2)));
 }
 
-TEST_CASE("counting ends when the memory is full, at the same line for any number of threads")
-{
-    const Scene scene = open_room(0.01); // 25,000 patches: most pairs are new
-    constexpr std::size_t limit = 5u << 20;
-    const CountedLines one = counted(scene, 0, 1u << 22, 1, limit);
-    const CountedLines two = counted(scene, 0, 1u << 22, 2, limit);
-    CHECK(one.counts.full());
-    CHECK(one.lines_cast < 1u << 22);
-    CHECK(one.counts.bytes() <= limit);
-    CHECK(two.lines_cast == one.lines_cast);
-    CHECK(contents(two.counts) == contents(one.counts));
-    CHECK_FALSE(counted(scene, 0, 4096, 1).counts.full());
-}
-
-TEST_CASE("counting that is stopped has the counts of the lines that it tells")
+// The oracle: rays cast one by one.
+TEST_CASE("the rays of an allotment are counted at both ends, for any number of threads and shards")
 {
     const Scene scene = open_room(0.05);
-    for (const int pause : {0, 3, 10}) {
-        TestCheckpoint stop(pause);
-        const CountedLines part =
-            count_lines(scene, GlobalLines(scene.bounds(), Chords::box), *make_sequence("sobol", 0), 0, lines,
-                        std::size_t{1} << 30, {1, {}, &stop});
-        CAPTURE(part.lines_cast);
-        REQUIRE(part.lines_cast > 0);
-        REQUIRE(part.lines_cast < lines);
-        CHECK(contents(part.counts) == contents(counted(scene, 0, part.lines_cast, 1).counts));
+    const Allotment rays = some_rays(scene);
+    const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
+    LineCounts expected(scene.patch_count());
+    std::vector<Segment> segments;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        for (std::uint64_t ray = rays.first_ray(i); ray < rays.first_ray(i + 1); ++ray) {
+            const Line line = local_line(scene.patch(i), sequence->item(1000 + ray));
+            segments.push_back({i, receiver(scene, scene.surface_of(i), line)});
+        }
+    REQUIRE(segments.size() > 3 * 4096);
+    expected.add(segments);
+    expected.merge(1);
+    for (const int threads : {1, 2, 7}) {
+        CAPTURE(threads);
+        CHECK(contents(ray_counts(scene, {}, threads).counts) == contents(expected));
     }
+    LineCounts sum(scene.patch_count());
+    for (const std::uint64_t number : {2u, 0u, 1u})
+        sum.add(ray_counts(scene, {number, 3}, 2).counts, 1);
+    CHECK(contents(sum) == contents(expected));
+}
+
+TEST_CASE("counting that is stopped has the counts of the blocks that it tells")
+{
+    const Scene scene = open_room(0.05);
+    const std::uint64_t blocks = ray_blocks(some_rays(scene)).count();
+    TestCheckpoint stop(3);
+    RayCounts part = ray_counts(scene, {}, 1, &stop);
+    REQUIRE(part.range.next > 0);
+    REQUIRE(part.range.next < blocks);
+    SharedRange rest = part.range;
+    LineCounts counts(scene.patch_count());
+    count_rays(scene, some_rays(scene), *make_sequence("sobol", 0), 1000, rest, {2}, counts);
+    counts.add(std::move(part.counts), 1);
+    CHECK(contents(counts) == contents(ray_counts(scene, {}, 2).counts));
 }
 
 TEST_CASE("keys of any width are sorted, few and many")

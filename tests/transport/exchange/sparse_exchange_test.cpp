@@ -11,11 +11,30 @@ using namespace multipath;
 
 namespace {
 
-constexpr std::uint64_t lines = 1u << 20;
-
-CountedLines counted(const Scene& scene, const GlobalLines& global_lines, std::uint64_t lines_cast)
+/// Rays per patch, twice as many of every third.
+std::vector<double> rays_of_patches(const Scene& scene, double rays)
 {
-    return count_lines(scene, global_lines, *make_sequence("sobol", 0), 0, lines_cast, std::size_t{1} << 30, {2});
+    std::vector<double> result;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        result.push_back(i % 3 == 0 ? 2.0 * rays : rays);
+    return result;
+}
+
+struct Counted
+{
+    LineCounts counts;
+    std::vector<double> density; ///< [rays/m^2]
+};
+
+Counted counted(const Scene& scene, double rays_per_patch)
+{
+    const Allotment rays(rays_of_patches(scene, rays_per_patch), 0.5);
+    Counted result{LineCounts(scene.patch_count()), {}};
+    SharedRange range = SharedRange::of(ray_blocks(rays).count(), {});
+    count_rays(scene, rays, *make_sequence("sobol", 0), 0, range, {2}, result.counts);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        result.density.push_back(static_cast<double>(rays.rays_of(i)) / scene.area(i));
+    return result;
 }
 
 /// A room with a box in it and without one wall.
@@ -38,15 +57,12 @@ TEST_CASE(
     "the product with a counted exchange is symmetric, the same bits for any number of threads, and loses nothing")
 {
     const Scene scene = open_room();
-    const GlobalLines global_lines(scene.bounds(), Chords::box);
-    // With 2^20 lines thousands cross every patch; with 2^9 three do, and some have none.
-    for (const std::uint64_t lines_cast : {std::uint64_t{1} << 20, std::uint64_t{1} << 9})
-        for (const double unseen_lines : {0.0, 1.0}) {
-            CAPTURE(lines_cast);
-            CAPTURE(unseen_lines);
-            const LineCounts counts = counted(scene, global_lines, lines_cast).counts;
-            const double crossing_area = 1.0 / global_lines.expected_crossings(1.0, lines_cast);
-            const SparseExchange exchange(counts, scene.areas(), crossing_area, unseen_lines, 2);
+    for (const double rays : {1000.0, 0.6}) // of few, some patches have none
+        for (const double unseen_rays : {0.0, 1.0}) {
+            CAPTURE(rays);
+            CAPTURE(unseen_rays);
+            const Counted all = counted(scene, rays);
+            const SparseExchange exchange(all.counts, scene.areas(), all.density, unseen_rays, 2);
             std::vector<Rgb> x;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
                 x.push_back({1.0, std::sin(i), 1.0 / (1.0 + i)});
@@ -68,14 +84,12 @@ TEST_CASE(
         }
 }
 
-// The oracle is the count of each pair: with thousands of lines per patch the factors are 1 to a few percent.
-TEST_CASE("with many lines a counted exchange is what the lines counted, and they have seen nearly all of it")
+// The oracle is the count of each pair: with thousands of rays per patch the factors are 1 to a few percent.
+TEST_CASE("with many rays a counted exchange is what the rays counted, and they have seen nearly all of it")
 {
     const Scene scene = open_room();
-    const GlobalLines global_lines(scene.bounds(), Chords::box);
-    const LineCounts counts = counted(scene, global_lines, lines).counts;
-    const double crossing_area = 1.0 / global_lines.expected_crossings(1.0, lines);
-    const SparseExchange exchange(counts, scene.areas(), crossing_area, 0.0, 2);
+    const Counted all = counted(scene, 3000.0);
+    const SparseExchange exchange(all.counts, scene.areas(), all.density, 0.0, 2);
     CHECK(exchange.unseen_share() < 1e-3);
     double escaping = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -83,26 +97,24 @@ TEST_CASE("with many lines a counted exchange is what the lines counted, and the
         escaping += exchange.escaping(i);
     }
     CHECK(escaping ==
-          doctest::Approx(1.0).epsilon(0.005)); // area of the wall; a million lines, a third of them through it
+          doctest::Approx(1.0).epsilon(0.005)); // area of the wall; a million rays, a fifth of them through it
     std::vector<Rgb> one(scene.patch_count());
     for (const std::uint32_t j : {0u, 77u, 301u}) {
         one[j] = {1.0, 1.0, 1.0};
         const std::vector<Rgb> column = exchange.apply(one, 2);
         one[j] = {};
-        for (const CountEntry& entry : counts.row(j)) {
-            const double expected = crossing_area * static_cast<double>(entry.count);
+        for (const CountEntry& entry : all.counts.row(j)) {
+            const double expected = static_cast<double>(entry.count) / (all.density[j] + all.density[entry.patch]);
             CHECK(column[entry.patch].g == doctest::Approx(expected).epsilon(0.1).scale(1e-4 * scene.area(j)));
         }
     }
 }
 
-TEST_CASE("patches that few lines join only with each other still exchange light with all others")
+TEST_CASE("patches that few rays join only with each other still exchange light with all others")
 {
     const Scene scene = open_room();
-    const GlobalLines global_lines(scene.bounds(), Chords::box);
-    const LineCounts counts = counted(scene, global_lines, 64).counts;
-    const double crossing_area = 1.0 / global_lines.expected_crossings(1.0, 64);
-    const SparseExchange exchange(counts, scene.areas(), crossing_area, 1.0, 2);
+    const Counted few = counted(scene, 0.3);
+    const SparseExchange exchange(few.counts, scene.areas(), few.density, 1.0, 2);
     CHECK(exchange.unseen_share() > 0.3);
     std::vector<Rgb> one(scene.patch_count());
     one[5] = {1.0, 1.0, 1.0};

@@ -1,0 +1,469 @@
+// A patch of area A that reflects the share rho adds rho^2 s^2 / (A m) to the error (1), up to a factor that all
+// patches share, if the mean of m rays tells what power it gets, and each ray alone a power with standard deviation A
+// s: the variance of its radiosity is rho^2 s^2 / m, and it counts by its area. So for a given number of rays in all
+// the sum is smallest with m in proportion to rho s sqrt(A) (Neyman 1934), and not to A, as global lines have it.
+
+#include "radiosity/reuse/balanced_reuse.h"
+
+#include "radiosity/reuse/exchange_solver.h"
+#include "radiosity/reuse/gathered_light.h"
+#include "sampling/allotment.h"
+#include "sampling/random.h"
+#include "transport/exchange/line_counts.h"
+#include "transport/exchange/sparse_exchange.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+using Field = std::vector<Rgb>;
+
+constexpr std::uint64_t rounds = 3;
+
+/// How many rays have been cast when each round ends. So many that most patches have an opinion, and not more: in large
+/// runs the first rounds are small.
+std::array<std::uint64_t, rounds> ends_of_rounds(std::uint64_t rays, std::uint64_t patches)
+{
+    const std::uint64_t first = std::max(std::min(rays / 10, 16 * patches), std::min(rays / 2, 2 * patches));
+    const std::uint64_t second = std::max(first, std::min(3 * (rays / 10), 64 * patches));
+    return {first, second, rays};
+}
+
+/// Numbers for each patch, of the rays to the lights and of those over the hemisphere.
+struct BothKinds
+{
+    std::vector<double> light;
+    std::vector<double> hemisphere;
+
+    explicit BothKinds(std::uint32_t patches = 0) : light(patches), hemisphere(patches) {}
+};
+
+/// How many rays, on the average, each patch gets so that all get `budget`: `least` at least, and then by importance
+/// and what they had before.
+BothKinds shared_out(double budget, const BothKinds& importance, const BothKinds& had, const BothKinds& least)
+{
+    const std::size_t n = importance.light.size();
+    FillLevel fill;
+    double given = 0.0;
+    const auto for_all = [&](const auto& take) {
+        for (std::size_t i = 0; i < n; ++i) {
+            take(importance.light[i], had.light[i], least.light[i], i, true);
+            take(importance.hemisphere[i], had.hemisphere[i], least.hemisphere[i], i, false);
+        }
+    };
+    for_all([&](double wants, double has, double gets, std::size_t, bool) {
+        given += gets;
+        if (wants > 0.0)
+            fill.add(wants, has + gets);
+    });
+    const double rest = std::max(0.0, budget - given);
+    const double level = fill.level(rest);
+    BothKinds result = least;
+    double more = 0.0;
+    const auto lacks = [&](double wants, double has, double gets) { return std::max(0.0, level * wants - has - gets); };
+    for_all([&](double wants, double has, double gets, std::size_t, bool) { more += lacks(wants, has, gets); });
+    const double scale = more > 0.0 ? rest / more : 0.0; // the level is right to a few percent
+    for_all([&](double wants, double has, double gets, std::size_t i, bool light) {
+        (light ? result.light : result.hemisphere)[i] += scale * lacks(wants, has, gets);
+    });
+    return result;
+}
+
+/// Makes what is received and what is lost add up to what is emitted [W], in one channel. What is lost, the rays of the
+/// sources tell; where none was, the power received is scaled.
+void close_balance(double emitted, double received, double& scale, double& escaped, double& behind)
+{
+    const double lost = escaped + behind;
+    const double missing = emitted - received;
+    if (lost > 0.0 && missing > 0.0) {
+        escaped *= missing / lost;
+        behind *= missing / lost;
+        scale = 1.0;
+    } else {
+        escaped = behind = 0.0;
+        scale = received > 0.0 ? emitted / received : 0.0;
+    }
+}
+
+/// Rays dealt out, and the part of them that this run casts.
+struct Cast
+{
+    std::uint64_t first_item = 0;
+    Allotment allotment;
+    SharedRange range; ///< of blocks
+
+    explicit Cast(std::uint32_t patches) : allotment(patches) {}
+
+    void visit(Archive& archive, std::string_view name)
+    {
+        const Archive::Inner inner(archive, std::string(name));
+        archive.value<std::uint64_t>("first item", first_item);
+        allotment.visit(archive);
+        range.visit(archive);
+    }
+};
+
+class BalancedReuse
+{
+public:
+    BalancedReuse(const Scene& scene, const Sequence& sequence, const BalancedRays& rays, double memory,
+                  const RunControl& run, PowerState& state)
+        : scene_(scene),
+          sequence_(sequence),
+          rays_(rays),
+          memory_(memory),
+          run_(run),
+          state_(state),
+          n_(scene.patch_count()),
+          rho_(reflectances(scene)),
+          patches_(tree_of_patches(scene)),
+          ends_(ends_of_rounds(rays.rays, n_)),
+          next_item_(rays.first_item),
+          to_lights_(n_),
+          hemisphere_(n_),
+          expected_(n_),
+          rays_of_counts_(n_),
+          counts_(n_),
+          fresh_(n_),
+          source_(n_),
+          guess_(n_)
+    {
+        if (rays.direct)
+            light_.emplace(scene, run.threads);
+    }
+
+    BalancedResult solve()
+    {
+        const Checkpoint::Part part(run_.checkpoint, "balanced reuse", [this](Archive& archive) { visit(archive); });
+        for (bool planned = part.resumed(); part_ < parts_; planned = false) {
+            if (!planned)
+                plan();
+            cast();
+            if (run_.stopped())
+                return stopped();
+            if (hemisphere_.range.is_shard()) {
+                run_.checkpoint->hand_in();
+                return stopped();
+            }
+            end_of_round();
+        }
+        return {next_item_ - rays_.first_item, true};
+    }
+
+private:
+    void visit(Archive& archive)
+    {
+        fresh_.merge(run_.threads);
+        archive.value<std::uint64_t>("round", round_);
+        archive.value<std::uint64_t>("part", part_);
+        archive.value<std::uint64_t>("parts", parts_);
+        archive.value<std::uint64_t>("next item", next_item_);
+        to_lights_.visit(archive, "to lights");
+        hemisphere_.visit(archive, "hemisphere");
+        archive.list<double>("expected", expected_);
+        archive.list<double>("rays of counts", rays_of_counts_);
+        archive.list<double>("source", source_);
+        archive.list<double>("first guess", guess_);
+        std::vector<Sight> none;
+        if (light_)
+            light_->visit(archive);
+        else
+            archive.growing_list<double>("sights", none);
+        {
+            const Archive::Inner inner(archive, "counts");
+            counts_.visit(archive);
+        }
+        const Archive::Inner inner(archive, "fresh counts");
+        fresh_.visit(archive);
+        if (round_ >= rounds || part_ >= parts_ || to_lights_.range.all != light_blocks() ||
+            hemisphere_.range.all != ray_blocks(hemisphere_.allotment).count())
+            throw ArchiveError("the state is damaged: no such rays");
+    }
+
+    bool is_last() const { return round_ + 1 == rounds; }
+    std::uint64_t light_blocks() const { return GatheredLight::blocks(n_).count(); }
+
+    /// Deals out the rays of the next round, or of the next part of the last one.
+    void plan()
+    {
+        BothKinds expected(n_);
+        if (part_ == 0) {
+            const auto cast_before = static_cast<double>(next_item_ - rays_.first_item);
+            expected = expected_rays(std::max(0.0, static_cast<double>(ends_[round_]) - cast_before));
+            if (is_last())
+                cut_into_parts(expected.hemisphere);
+            expected_ = expected.hemisphere;
+        }
+        expected.hemisphere = expected_;
+        for (double& rays : expected.hemisphere)
+            rays /= static_cast<double>(parts_);
+        const Shard shard = is_last() ? run_.shard : Shard{}; // each shard does the first rounds, which are small
+        to_lights_.first_item = next_item_;
+        to_lights_.allotment = Allotment(expected.light, offset());
+        to_lights_.range = SharedRange::of(light_blocks(), shard);
+        next_item_ += to_lights_.allotment.rays();
+        hemisphere_.first_item = next_item_;
+        hemisphere_.allotment = Allotment(expected.hemisphere, offset());
+        hemisphere_.range = SharedRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
+        next_item_ += hemisphere_.allotment.rays();
+    }
+
+    double offset() const { return bits_to_unit(bits_from(sequence_.item(next_item_))); }
+
+    BothKinds expected_rays(double budget) const
+    {
+        BothKinds had(n_);
+        BothKinds least(n_);
+        BothKinds importance(n_);
+        const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
+        const std::vector<double> light =
+            round_ > 0 && light_ ? light_->deviations(patches_) : std::vector<double>(n_, 1.0);
+        const double source = mean(scene_.source_power());
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            constexpr double dark = 0.01;     // what black patches receive is wanted too, if not as precisely
+            constexpr double exponent = 0.35; // of the area, while nothing is known of the light
+            const double worth =
+                round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i)) : std::pow(scene_.area(i), exponent);
+            const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
+            // A ray over the hemisphere counts for the patch that it meets, too.
+            constexpr double counts_twice = 0.7;
+            importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(counts_twice) * hemisphere[i] : 0.0;
+            importance.light[i] = sees_light ? worth * light[i] : 0.0;
+            had.hemisphere[i] = rays_of_counts_[i];
+            had.light[i] = light_ ? light_->rays(i) : 0.0;
+            if (round_ == 0) {
+                least.hemisphere[i] = rays_.indirect ? 1.0 : 0.0;
+                least.light[i] = sees_light ? 1.0 : 0.0;
+            }
+            constexpr double to_see_losses = 1.0 / 32.0; // of the rays, from the sources
+            if (light_)
+                least.hemisphere[i] = std::max(least.hemisphere[i], to_see_losses * budget * scene_.area(i) *
+                                                                        mean(scene_.emittance(i)) / source);
+        }
+        return shared_out(budget, importance, had, least);
+    }
+
+    /// [W/m^2] Of what single rays over the hemisphere of each patch find, by the light that is known so far.
+    std::vector<double> hemisphere_deviations() const
+    {
+        constexpr double enough = 32.0;
+        const std::vector<double> density = densities();
+        std::vector<RaySums> found(n_);
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            RaySums& sums = found[i];
+            const std::uint64_t lost = counts_.escaped(i) + counts_.behind(i);
+            sums.weight = lost > 0 ? static_cast<double>(lost) / density[i] : 0.0;
+            for (const CountEntry& entry : counts_.row(i)) {
+                const double weight = static_cast<double>(entry.count) / (density[i] + density[entry.patch]);
+                const double light = mean(guess_[entry.patch]);
+                sums.weight += weight;
+                sums.value += weight * light;
+                sums.square += weight * light * light;
+            }
+            sums.rays = rays_of_counts_[i];
+            const double scale = sums.weight > 0.0 ? sums.rays / sums.weight : 0.0;
+            sums.weight *= scale;
+            sums.value *= scale;
+            sums.square *= scale;
+        }
+        std::vector<double> result;
+        result.reserve(n_);
+        for (const RaySums& sums : pooled(patches_, found, enough))
+            result.push_back(sums.standard_deviation());
+        return result;
+    }
+
+    std::vector<double> densities() const
+    {
+        std::vector<double> result(n_);
+        for (std::uint32_t i = 0; i < n_; ++i)
+            result[i] = rays_of_counts_[i] / scene_.area(i);
+        return result;
+    }
+
+    void cut_into_parts(const std::vector<double>& hemisphere)
+    {
+        constexpr double bytes_per_ray = 2.0 * sizeof(CountEntry); // noted at both ends
+        double rays = 0.0;
+        for (std::uint32_t i = 0; i < n_; ++i)
+            rays += hemisphere[i] + rays_of_counts_[i];
+        // The solution is not linear in the counts: with so few rays its bias is about 0.1 % / (1 - R_ave).
+        constexpr double least_rays_per_patch = 32.0;
+        const double bytes = std::max(memory_, least_rays_per_patch * bytes_per_ray * n_);
+        parts_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(bytes_per_ray * rays / bytes)));
+        if (parts_ > 1 && run_.is_shard())
+            throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
+                             "shared; expected more --memory, or no --shard");
+    }
+
+    void cast()
+    {
+        if (light_)
+            light_->cast(to_lights_.allotment, sequence_, to_lights_.first_item, to_lights_.range, run_);
+        if (run_.stopped())
+            return;
+        count_rays(scene_, hemisphere_.allotment, sequence_, hemisphere_.first_item, hemisphere_.range, run_, fresh_);
+    }
+
+    /// Puts the fresh counts to the others. Those of an earlier part have been solved for and are forgotten.
+    void take_fresh_counts()
+    {
+        const Blocks blocks = ray_blocks(hemisphere_.allotment);
+        const std::uint64_t first = blocks.first(hemisphere_.range.first);
+        const std::uint64_t end = blocks.first(hemisphere_.range.next);
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            const auto cast_before = [&](std::uint64_t ray) { return std::clamp(ray, first, end); };
+            rays_of_counts_[i] += static_cast<double>(cast_before(hemisphere_.allotment.first_ray(i + 1)) -
+                                                      cast_before(hemisphere_.allotment.first_ray(i)));
+        }
+        counts_.add(std::move(fresh_), run_.threads);
+        fresh_ = LineCounts(n_);
+    }
+
+    void end_of_round()
+    {
+        take_fresh_counts();
+        if (!is_last()) {
+            if (rays_.indirect)
+                guess_ = rough_radiosity();
+            ++round_;
+            return;
+        }
+        solve_part();
+        if (++part_ < parts_) {
+            counts_ = LineCounts(n_);
+            std::fill(rays_of_counts_.begin(), rays_of_counts_.end(), 0.0);
+        }
+    }
+
+    BalancedResult stopped()
+    {
+        BalancedResult result{next_item_ - rays_.first_item, false};
+        if (run_.is_shard() || round_ == 0 || part_ > 0)
+            return result;
+        take_fresh_counts();
+        parts_ = 1;
+        solve_part();
+        result.solved = true;
+        return result;
+    }
+
+    Field rough_radiosity() const
+    {
+        constexpr double tolerance = 1e-2;
+        constexpr int most_steps = 8;
+        constexpr double leak = 1e-3;
+        PowerState state = state_;
+        receive_light(state);
+        const Field source = unshot_radiosity(scene_, state);
+        const SparseExchange exchange(counts_, scene_.areas(), densities(), 0.0, run_.threads, leak);
+        return solve_exchange(exchange, rho_, source, round_ == 0 ? source : guess_, tolerance, most_steps,
+                              run_.threads)
+            .radiosity;
+    }
+
+    /// (R1) with the present counts, and its share of the light.
+    void solve_part()
+    {
+        if (part_ == 0) {
+            receive_light(state_);
+            source_ = unshot_radiosity(scene_, state_);
+        }
+        if (!rays_.indirect)
+            return;
+        const auto solved = [&](double unseen_rays) {
+            const SparseExchange exchange(counts_, scene_.areas(), densities(), unseen_rays, run_.threads);
+            const ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
+            if (solution.converged)
+                distribute(scene_, exchange, solution.radiosity, 1.0 / static_cast<double>(parts_), run_.threads,
+                           state_);
+            return solution.converged;
+        };
+        // White patches that the rays join only with each other keep their light for ever: no solution exists.
+        if (!solved(0.0) && !solved(1.0))
+            throw no_solution(scene_);
+    }
+
+    /// The sources have sent their light, and the patches have it.
+    void receive_light(PowerState& state) const
+    {
+        if (!light_)
+            return;
+        Field incident = light_->incident(patches_);
+        Rgb received;
+        Rgb escaped;
+        Rgb behind;
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            received += incident[i];
+            if (rays_of_counts_[i] > 0.0) {
+                const Rgb power = (scene_.area(i) / rays_of_counts_[i]) * scene_.emittance(i);
+                escaped += static_cast<double>(counts_.escaped(i)) * power;
+                behind += static_cast<double>(counts_.behind(i)) * power;
+            }
+        }
+        const Rgb source = scene_.source_power();
+        Rgb scale;
+        close_balance(source.r, received.r, scale.r, escaped.r, behind.r);
+        close_balance(source.g, received.g, scale.g, escaped.g, behind.g);
+        close_balance(source.b, received.b, scale.b, escaped.b, behind.b);
+        Rgb found = escaped + behind;
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            incident[i] = scale * incident[i];
+            found += incident[i];
+            state.incident[i] += incident[i];
+            state.unshot[i] = rho_[i] * incident[i];
+        }
+        state.escaped += escaped;
+        state.behind += behind;
+        state.emitted += found - source; // rounding errors
+    }
+
+    const Scene& scene_;
+    const Sequence& sequence_;
+    const BalancedRays rays_;
+    const double memory_;
+    const RunControl& run_;
+    PowerState& state_;
+    const std::uint32_t n_; ///< patches
+    const Field rho_;
+    const SurfaceTree patches_;
+    const std::array<std::uint64_t, rounds> ends_;
+    std::optional<GatheredLight> light_; ///< none if direct light has been sent before
+
+    std::uint64_t round_ = 0;
+    std::uint64_t part_ = 0; ///< of the last round
+    std::uint64_t parts_ = 1;
+    std::uint64_t next_item_; ///< of the sequence
+    Cast to_lights_;
+    Cast hemisphere_;
+    std::vector<double> expected_;       ///< rays over the hemispheres in all parts of the last round
+    std::vector<double> rays_of_counts_; ///< that left each patch
+    LineCounts counts_;
+    LineCounts fresh_; ///< of the round under way
+    Field source_;     ///< [W/m^2] when direct light has arrived
+    Field guess_;      ///< [W/m^2] radiosity
+};
+
+} // namespace
+
+std::uint64_t fewest_balanced_rays(const Scene& scene)
+{
+    return std::uint64_t{4} * scene.patch_count();
+}
+
+BalancedResult reuse_balanced(const Scene& scene, const Sequence& sequence, const BalancedRays& rays, double memory,
+                              const RunControl& run, PowerState& state)
+{
+    return BalancedReuse(scene, sequence, rays, memory, run, state).solve();
+}
+
+} // namespace multipath

@@ -1,0 +1,315 @@
+#include "radiosity/reuse/light_tree.h"
+
+#include "geometry/intersector/shared_planes.h"
+#include "geometry/pi.h"
+#include "geometry/polygon.h"
+#include "parallel/blocks.h"
+#include "transport/exchange/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+std::vector<std::uint32_t> emitting_surfaces(const Scene& scene)
+{
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t k = 0; k < scene.surfaces().size(); ++k)
+        if (mean(scene.emittance(scene.first_patch(k))) > 0.0)
+            result.push_back(k);
+    return result;
+}
+
+LightTree::Cluster cluster_of(const FlatPiece& piece, double emittance)
+{
+    LightTree::Cluster result;
+    const Vec3 n = piece.normal;
+    result.centre = piece.centre;
+    result.radius = piece.radius;
+    result.bounds = piece.surface.bounds();
+    result.area = piece.area;
+    result.power = piece.area * emittance;
+    result.area_vector = piece.area * n;
+    result.second_moment = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z};
+    for (double& moment : result.second_moment)
+        moment *= piece.area;
+    return result;
+}
+
+/// Of two; their radius is left to the caller.
+LightTree::Cluster sum_of(const LightTree::Cluster& a, const LightTree::Cluster& b)
+{
+    LightTree::Cluster result;
+    result.area = a.area + b.area;
+    result.power = a.power + b.power;
+    result.centre = (1.0 / result.power) * (a.power * a.centre + b.power * b.centre);
+    result.bounds = a.bounds;
+    result.bounds.include(b.bounds);
+    result.area_vector = a.area_vector + b.area_vector;
+    for (std::size_t m = 0; m < result.second_moment.size(); ++m)
+        result.second_moment[m] = a.second_moment[m] + b.second_moment[m];
+    constexpr double least = 1.0 / 3.0; // of a thousand round lamps not all parts can be told apart
+    result.coherence = std::max(least, length(result.area_vector) / result.area);
+    return result;
+}
+
+} // namespace
+
+double LightTree::Cluster::projected_area(Vec3 d) const
+{
+    // With the cosine c of each surface: (sum of A c + sqrt(sum of A * sum of A c^2)) / 2, by Cauchy and Schwarz.
+    const std::array<double, 6>& m = second_moment;
+    const double square = m[0] * d.x * d.x + m[1] * d.y * d.y + m[2] * d.z * d.z +
+                          2.0 * (m[3] * d.x * d.y + m[4] * d.x * d.z + m[5] * d.y * d.z);
+    return std::max(0.0, 0.5 * (dot(area_vector, d) + std::sqrt(std::max(0.0, area * square))));
+}
+
+LightTree::LightTree(const Scene& scene)
+    : lights_(emitting_surfaces(scene)),
+      tree_(
+          static_cast<std::uint32_t>(lights_.size()), [&](std::uint32_t k) { return scene.surfaces()[lights_[k]]; },
+          scene.bounds().diagonal(), 1)
+{
+    const std::vector<SurfaceTree::Node>& nodes = tree_.nodes();
+    for (std::uint32_t place = 0; place < lights_.size(); ++place)
+        pieces_.push_back(piece_of(scene.surfaces()[lights_[tree_.surface(place)]]));
+    if (empty())
+        return;
+    clusters_.resize(nodes.size());
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+        const std::uint32_t begin = nodes[k].begin;
+        if (nodes[k].is_leaf()) {
+            const std::uint32_t surface = lights_[tree_.surface(begin)];
+            clusters_[k] = cluster_of(pieces_[begin], mean(scene.emittance(scene.first_patch(surface))));
+            continue;
+        }
+        clusters_[k] = sum_of(clusters_[nodes[k].first_child], clusters_[nodes[k].first_child + 1]);
+        for (std::uint32_t place = begin; place < nodes[k].end; ++place)
+            clusters_[k].radius = std::max(clusters_[k].radius,
+                                           length(pieces_[place].centre - clusters_[k].centre) + pieces_[place].radius);
+    }
+}
+
+std::uint32_t LightTree::choose(std::uint32_t node, double x) const
+{
+    constexpr double below_one = 0x1.fffffffffffffp-1;
+    while (!is_leaf(node)) {
+        const std::uint32_t child = first_child(node);
+        const double share = clusters_[child].power / clusters_[node].power;
+        node = x < share ? child : child + 1;
+        x = std::min(x < share ? x / share : (x - share) / (1.0 - share), below_one);
+    }
+    return node;
+}
+
+namespace {
+
+/// [m^2] Of a light in the plane of the patch: its part that lies on the patch, if the two are in contact.
+double contact_area(const Scene& scene, std::uint32_t patch, std::uint32_t light, double touching)
+{
+    const Surface shape = scene.patch(patch).shape;
+    double area = 0.0;
+    const std::uint32_t first = scene.first_patch(light);
+    for (std::uint32_t j = first; j < first + scene.tessellation(light).cell_count(); ++j) {
+        const double overlap = exchange_area(shape, scene.patch(j).shape, touching);
+        if (overlap > 0.0 && in_contact(scene, patch, j))
+            area += overlap;
+    }
+    return area;
+}
+
+/// How far the bounds reach above the plane of the patch, and below.
+HeightRange heights_above(const FlatPiece& patch, const Bounds& bounds)
+{
+    const Vec3 n = patch.normal;
+    const Vec3 half = 0.5 * bounds.size();
+    const double middle = dot(n, bounds.centre() - patch.centre);
+    const double extent = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+    return {middle - extent, middle + extent};
+}
+
+/// The height of a centre above a plane; of what the plane cuts, at least about that of the centre of the part above.
+double seen_above(double height, HeightRange range)
+{
+    return range.low < 0.0 ? std::max(height, 0.25 * range.high) : height;
+}
+
+/// Cuts of consecutive patches.
+struct BlockOfCuts
+{
+    std::vector<SeenCluster> clusters;
+    std::vector<std::size_t> count;
+    std::vector<double> irradiance;
+    std::vector<LightCuts::Contact> contacts;
+};
+
+class CutFinder
+{
+public:
+    CutFinder(const Scene& scene, const LightTree& tree, double angle)
+        : scene_(scene), tree_(tree), angle_(angle), touching_(coplanar_distance * scene.bounds().diagonal())
+    {
+    }
+
+    void find(std::uint32_t patch, BlockOfCuts& block, std::vector<std::uint32_t>& stack) const
+    {
+        const FlatPiece receiver = piece_of(scene_.patch(patch).shape);
+        const std::size_t before = block.clusters.size();
+        double sum = 0.0;
+        Rgb contact;
+        stack.assign(tree_.empty() ? 0 : 1, 0);
+        while (!stack.empty()) {
+            const std::uint32_t node = stack.back();
+            stack.pop_back();
+            const LightTree::Cluster& light = tree_.cluster(node);
+            const Vec3 d = light.centre - receiver.centre;
+            const HeightRange above = heights_above(receiver, light.bounds);
+            if (above.high < -touching_)
+                continue;
+            const bool leaf = tree_.is_leaf(node);
+            double irradiance = 0.0;
+            if (!leaf && LightCuts::is_near(light, receiver, angle_ * light.coherence)) {
+                stack.push_back(tree_.first_child(node) + 1);
+                stack.push_back(tree_.first_child(node));
+                continue;
+            }
+            if (leaf) {
+                irradiance = leaf_irradiance(patch, receiver, node, above, contact);
+            } else if (above.high > touching_) {
+                const double distance = length(d);
+                const double rise = seen_above(dot(receiver.normal, d), above);
+                const double facing = light.projected_area((-1.0 / distance) * d);
+                irradiance = rise * facing / (pi * distance * distance * distance) * light.power / light.area;
+            }
+            if (!(irradiance > 0.0))
+                continue;
+            block.clusters.push_back({node, static_cast<float>(irradiance)});
+            sum += static_cast<double>(block.clusters.back().irradiance);
+        }
+        block.count.push_back(block.clusters.size() - before);
+        block.irradiance.push_back(sum);
+        if (mean(contact) > 0.0)
+            block.contacts.push_back({patch, contact});
+    }
+
+private:
+    /// [W/m^2] From a single light, right to a few parts in 10^4.
+    double leaf_irradiance(std::uint32_t patch, const FlatPiece& receiver, std::uint32_t leaf, HeightRange above,
+                           Rgb& contact) const
+    {
+        const FlatPiece& light = tree_.piece(leaf);
+        const std::uint32_t surface = tree_.surface(leaf);
+        if (scene_.surface_of(patch) == surface)
+            return 0.0;
+        const Vec3 d = light.centre - receiver.centre;
+        const double reach = -dot(light.normal, d);
+        // No corner is farther from the centre, along any direction, than by two thirds of both edges.
+        const double extent = (std::abs(dot(light.normal, receiver.surface.edge_u)) +
+                               std::abs(dot(light.normal, receiver.surface.edge_v))) /
+                              1.5;
+        if (reach + extent < -touching_)
+            return 0.0;
+        const double emittance = tree_.cluster(leaf).power / light.area;
+        constexpr double far = 0.3;
+        const bool is_far = !LightCuts::is_near(tree_.cluster(leaf), receiver, far);
+        if (is_far && above.low > 0.0 && reach > extent)
+            return exchange_by_points(receiver, light, length(d)) / receiver.area * emittance;
+        const bool opposite = dot(receiver.normal, light.normal) < -1.0 + 1e-9;
+        if (opposite && heights(polygon_of(receiver.surface), light.centre, light.normal).within(touching_)) {
+            const double area = contact_area(scene_, patch, surface, touching_);
+            if (area > 0.0)
+                contact += area * scene_.emittance(scene_.first_patch(surface));
+            return 0.0;
+        }
+        return exchange_area(receiver, light, touching_) / receiver.area * emittance;
+    }
+
+    /// [m^2] Of two pieces that see all of each other, from a distance.
+    static double exchange_by_points(const FlatPiece& a, const FlatPiece& b, double distance)
+    {
+        constexpr double very_far = 0.02;
+        if (a.radius + b.radius < very_far * distance)
+            return a.area * b.area * kernel(a, a.centre, b, b.centre);
+        const GaussPoints from = gauss_points(a.surface);
+        const GaussPoints to = gauss_points(b.surface);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < from.count; ++i)
+            for (std::size_t j = 0; j < to.count; ++j)
+                sum += kernel(a, from.at[i], b, to.at[j]);
+        return a.area * b.area * sum / static_cast<double>(from.count * to.count);
+    }
+
+    static double kernel(const FlatPiece& a, Vec3 x, const FlatPiece& b, Vec3 y)
+    {
+        const Vec3 d = y - x;
+        const double square = dot(d, d);
+        return std::max(0.0, dot(a.normal, d)) * std::max(0.0, -dot(b.normal, d)) / (pi * square * square);
+    }
+
+    /// Points of equal weight; the mean over them is right for polynomials of degree 3 in each coordinate of a
+    /// parallelogram, and of degree 2 on a triangle.
+    struct GaussPoints
+    {
+        std::array<Vec3, 4> at;
+        std::size_t count;
+    };
+
+    static GaussPoints gauss_points(const Surface& s)
+    {
+        if (s.shape == Shape::triangle) {
+            constexpr double near = 1.0 / 6.0;
+            constexpr double far = 2.0 / 3.0;
+            return {{s.at(near, near), s.at(far, near), s.at(near, far), {}}, 3};
+        }
+        constexpr double low = 0.21132486540518713; // (1 - 1 / sqrt(3)) / 2
+        constexpr double high = 1.0 - low;
+        return {{s.at(low, low), s.at(high, low), s.at(low, high), s.at(high, high)}, 4};
+    }
+
+    const Scene& scene_;
+    const LightTree& tree_;
+    const double angle_;
+    const double touching_;
+};
+
+} // namespace
+
+bool LightCuts::is_near(const LightTree::Cluster& light, const FlatPiece& patch, double angle)
+{
+    const double size = light.radius + patch.radius;
+    const Vec3 d = light.centre - patch.centre;
+    return size * size >= angle * angle * dot(d, d);
+}
+
+LightCuts::LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads) : first_{0}
+{
+    constexpr std::uint32_t patches_at_a_time = 512;
+    const Blocks patches = {scene.patch_count(), patches_at_a_time};
+    const CutFinder finder(scene, tree, angle);
+    struct Buffer
+    {
+        BlockOfCuts cuts;
+        std::vector<std::uint32_t> stack;
+    };
+    BlockBuffers<Buffer> buffers(threads);
+    first_.reserve(scene.patch_count() + std::size_t{1});
+    irradiance_.reserve(scene.patch_count());
+    const auto find = [&](std::uint64_t number, int slot) {
+        buffers[slot].cuts = {};
+        for (std::uint64_t i = patches.first(number); i < patches.first(number + 1); ++i)
+            finder.find(static_cast<std::uint32_t>(i), buffers[slot].cuts, buffers[slot].stack);
+    };
+    const auto append = [&](std::uint64_t, int slot) {
+        const BlockOfCuts& block = buffers[slot].cuts;
+        clusters_.insert(clusters_.end(), block.clusters.begin(), block.clusters.end());
+        irradiance_.insert(irradiance_.end(), block.irradiance.begin(), block.irradiance.end());
+        contacts_.insert(contacts_.end(), block.contacts.begin(), block.contacts.end());
+        for (const std::size_t count : block.count)
+            first_.push_back(first_.back() + count);
+    };
+    ordered_blocks(patches.count(), threads, find, append);
+}
+
+} // namespace multipath

@@ -1,0 +1,132 @@
+#include "radiosity/reuse/surface_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace multipath {
+
+RaySums& RaySums::operator+=(const RaySums& other)
+{
+    rays += other.rays;
+    weight += other.weight;
+    value += other.value;
+    square += other.square;
+    return *this;
+}
+
+double RaySums::standard_deviation() const
+{
+    if (!(weight > 0.0))
+        return 0.0;
+    const double mean = value / weight;
+    return std::sqrt(std::max(0.0, square / weight - mean * mean));
+}
+
+namespace {
+
+constexpr std::size_t dimensions = 6;
+
+/// A surface as a point in space and direction.
+struct Place
+{
+    std::array<float, dimensions> at;
+    std::uint32_t surface;
+};
+
+std::vector<Place> places(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal)
+{
+    constexpr double turn = 0.05; // of the diagonal, for a normal
+    std::vector<Place> result;
+    result.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Surface surface = shape(i);
+        const Vec3 centre = surface.centre();
+        const Vec3 normal = turn * diagonal * surface.normal();
+        Place place{{}, i};
+        std::size_t d = 0;
+        for (const double x : {centre.x, centre.y, centre.z, normal.x, normal.y, normal.z})
+            place.at[d++] = static_cast<float>(x);
+        result.push_back(place);
+    }
+    return result;
+}
+
+/// Splits first ... last - 1 in the middle of their longest extent, or into halves where that would leave hardly any on
+/// one side. Returns the first of the second part.
+Place* split(Place* first, Place* last)
+{
+    std::array<float, dimensions> low = first->at;
+    std::array<float, dimensions> high = first->at;
+    for (const Place* p = first; p != last; ++p)
+        for (std::size_t d = 0; d < dimensions; ++d) {
+            low[d] = std::min(low[d], p->at[d]);
+            high[d] = std::max(high[d], p->at[d]);
+        }
+    std::size_t longest = 0;
+    for (std::size_t d = 1; d < dimensions; ++d)
+        if (high[d] - low[d] > high[longest] - low[longest])
+            longest = d;
+    const float middle = 0.5f * (low[longest] + high[longest]);
+    Place* cut = std::partition(first, last, [&](const Place& p) { return p.at[longest] < middle; });
+    const std::ptrdiff_t few = (last - first) / 64;
+    if (cut - first > few && last - cut > few)
+        return cut;
+    cut = first + (last - first) / 2;
+    std::nth_element(first, cut, last, [&](const Place& a, const Place& b) {
+        return a.at[longest] < b.at[longest] || (a.at[longest] == b.at[longest] && a.surface < b.surface);
+    });
+    return cut;
+}
+
+} // namespace
+
+SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal,
+                         std::uint32_t most_of_leaf)
+{
+    std::vector<Place> placed = places(count, shape, diagonal);
+    nodes_.push_back({0, count, 0, 0});
+    for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+        const Node node = nodes_[k];
+        if (node.end - node.begin <= most_of_leaf) {
+            // Split leaves any order, which is not the same with every standard library.
+            std::sort(placed.begin() + node.begin, placed.begin() + node.end,
+                      [](const Place& a, const Place& b) { return a.surface < b.surface; });
+            continue;
+        }
+        nodes_[k].first_child = static_cast<std::uint32_t>(nodes_.size());
+        const Place* const middle = split(placed.data() + node.begin, placed.data() + node.end);
+        const auto cut = static_cast<std::uint32_t>(middle - placed.data());
+        nodes_.push_back({node.begin, cut, k, 0});
+        nodes_.push_back({cut, node.end, k, 0});
+    }
+    order_.reserve(placed.size());
+    for (const Place& place : placed)
+        order_.push_back(place.surface);
+}
+
+std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough)
+{
+    const std::vector<SurfaceTree::Node>& nodes = tree.nodes();
+    std::vector<RaySums> sums(nodes.size());
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+        if (nodes[k].is_leaf())
+            for (std::uint32_t p = nodes[k].begin; p < nodes[k].end; ++p)
+                sums[k] += own[tree.surface(p)];
+        if (k > 0)
+            sums[nodes[k].parent] += sums[k];
+    }
+    std::vector<RaySums> result(own.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        if (k > 0 && sums[k].rays < enough)
+            sums[k] = sums[nodes[k].parent];
+        if (nodes[k].is_leaf())
+            for (std::uint32_t p = nodes[k].begin; p < nodes[k].end; ++p) {
+                const RaySums& alone = own[tree.surface(p)];
+                result[tree.surface(p)] = alone.rays < enough ? sums[k] : alone;
+            }
+    }
+    return result;
+}
+
+} // namespace multipath

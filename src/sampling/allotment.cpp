@@ -1,0 +1,92 @@
+#include "sampling/allotment.h"
+
+#include "sampling/systematic_rounding.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace multipath {
+
+namespace {
+
+constexpr int depths_per_octave_bits = 4;
+
+/// Depths are told apart by the leading bits of a float: exponent and first part of the fraction.
+std::size_t depth_class(double depth)
+{
+    const auto single = static_cast<float>(depth);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &single, sizeof bits);
+    return bits >> (23 - depths_per_octave_bits);
+}
+
+double least_depth(std::size_t depth_class)
+{
+    const auto bits = static_cast<std::uint32_t>(depth_class << (23 - depths_per_octave_bits));
+    float depth = 0.0f;
+    std::memcpy(&depth, &bits, sizeof depth);
+    return static_cast<double>(depth);
+}
+
+} // namespace
+
+FillLevel::FillLevel() : by_depth_(std::size_t{1} << (8 + depths_per_octave_bits)) {}
+
+void FillLevel::add(double importance, double lines)
+{
+    Vessels& vessels = by_depth_[depth_class(lines / importance)];
+    vessels.importance += importance;
+    vessels.lines += lines;
+}
+
+void FillLevel::add(const FillLevel& others)
+{
+    for (std::size_t k = 0; k < by_depth_.size(); ++k) {
+        by_depth_[k].importance += others.by_depth_[k].importance;
+        by_depth_[k].lines += others.by_depth_[k].lines;
+    }
+}
+
+double FillLevel::level(double rays) const
+{
+    double importance = 0.0; // of the vessels that are reached
+    double lines = 0.0;
+    double level = 0.0;
+    for (std::size_t k = 0; k < by_depth_.size(); ++k) {
+        if (importance > 0.0 && level <= least_depth(k))
+            break;
+        importance += by_depth_[k].importance;
+        lines += by_depth_[k].lines;
+        if (importance > 0.0)
+            level = (rays + lines) / importance;
+    }
+    return level;
+}
+
+Allotment::Allotment(const std::vector<double>& expected, double offset) : first_ray_{0}
+{
+    first_ray_.reserve(expected.size() + 1);
+    SystematicRounding rounding(offset);
+    double sum = offset;
+    for (const double rays : expected) {
+        sum += rays;
+        rounding.up_to(sum);
+        first_ray_.push_back(rounding.given());
+    }
+}
+
+std::uint32_t Allotment::patch_of(std::uint64_t ray) const
+{
+    const auto after = std::upper_bound(first_ray_.begin(), first_ray_.end(), ray);
+    return static_cast<std::uint32_t>(after - first_ray_.begin() - 1);
+}
+
+void Allotment::visit(Archive& archive)
+{
+    archive.list<std::uint64_t>("first rays", first_ray_);
+    if (first_ray_.front() != 0 || !std::is_sorted(first_ray_.begin(), first_ray_.end()))
+        throw ArchiveError("the state is damaged: no such rays");
+}
+
+} // namespace multipath
