@@ -112,7 +112,7 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
 {
     constexpr double pairs_per_line = 20.0;
     constexpr double lines_per_light_pair = 4.0;
-    constexpr double few_pairs = 5e6; // made in a tenth of a second, whatever the lines
+    constexpr double few_pairs = 1e7; // made in a fifth of a second, whatever the lines
     constexpr double few_light_pairs = 1e5;
     const auto n = static_cast<double>(scene.patch_count());
     double emitters = 0.0;
