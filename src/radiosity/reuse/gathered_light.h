@@ -24,18 +24,16 @@ struct Sight
     double square = 0.0; ///< sum of (g - 1)^2 of these
     double free = 0.0;   ///< number of free rays
     Rgb light;           ///< sum of g v c, c the colour of the light, of mean 1
-
-    static constexpr std::size_t numbers = 8;
 };
 
 /// Direct light, found from the receivers' ends. A patch sends rays to its lights in proportion to what these would
 /// give it, P in all, if nothing stood in between; it gets
 ///
-///   P (1 + l mean of (g - 1)) sum of g v c / sum of g        (R5)
+///   P (1 + e) sum of g v c / sum of g        (R5)
 ///
-/// With l = 1 the approximations in P have no effect; but they are known better than the mean of few noisy g, so l is
-/// b^2 m / (b^2 m + variance of g) for m rays, with b = 0.03 the error of P to be expected. Where P is exact and
-/// nothing is in between, or everything, there is no noise.
+/// e is the mean of g - 1: with it the approximations in P have no effect. It is taken in two steps, from the patches
+/// around and from the patch itself, each only as far as it is known better than its usual size, b = 0.1 and 0.03: of m
+/// rays b^2 m / (b^2 m + variance of g). Where P is exact and nothing is in between, or everything, there is no noise.
 class GatheredLight
 {
 public:

@@ -161,12 +161,6 @@ void CountRows::visit(Archive& archive)
         throw ArchiveError("the state is damaged: no such rows of counts");
 }
 
-std::size_t CountRows::bytes() const
-{
-    return entries_.capacity() * sizeof(CountEntry) + waiting_.capacity() * sizeof(std::uint64_t) +
-           rows() * (sizeof(std::size_t) + 2 * sizeof(std::uint64_t));
-}
-
 // The patches are dealt out to some hundred parts. A thread sorts the ends of its lines by parts and hands each part
 // what belongs to it; a part that is just busy is visited later. Which thread comes first changes nothing: counts are
 // integers, and rows are sorted.
@@ -259,14 +253,6 @@ void LineCounts::visit(Archive& archive)
         const Archive::Inner inner(archive, "part " + std::to_string(p));
         parts_[p].counts.visit(archive);
     }
-}
-
-std::size_t LineCounts::bytes() const
-{
-    std::size_t bytes = 0;
-    for (const Part& part : parts_)
-        bytes += part.counts.bytes();
-    return bytes;
 }
 
 namespace {

@@ -54,8 +54,6 @@ public:
     std::uint64_t escaped(std::uint32_t row) const { return escaped_[row]; }
     std::uint64_t behind(std::uint32_t row) const { return behind_[row]; }
 
-    std::size_t bytes() const; ///< in use, with what waits
-
 private:
     std::uint32_t rows() const { return static_cast<std::uint32_t>(escaped_.size()); }
 
@@ -91,8 +89,6 @@ public:
     CountRow row(std::uint32_t patch) const { return part(patch).row(place(patch)); }
     std::uint64_t escaped(std::uint32_t patch) const { return part(patch).escaped(place(patch)); }
     std::uint64_t behind(std::uint32_t patch) const { return part(patch).behind(place(patch)); }
-
-    std::size_t bytes() const;
 
 private:
     /// Consecutive patches; their number is a power of two.
