@@ -4,7 +4,9 @@
 // So Gauss' theorem in the rectangle of (s, t) leaves integrals of ln r from a corner to an edge, which are
 // elementary, and the integral of h^2 / r^2. The latter is not, but it vanishes where edges meet, where ln r is
 // singular; with s = h sinh(x) / sin(alpha) it becomes an integral over x of the angle that an edge subtends, which is
-// smooth. Parallel edges are elementary altogether, perpendicular ones contribute nothing.
+// smooth. Parallel edges are elementary altogether, perpendicular ones contribute nothing. Of edges that are nearly
+// parallel, as rounded coordinates make them, the feet are too far away to keep the digits: there the integrals of ln r
+// from the points of one edge to the other are summed up by Gauss' rule.
 
 #include "geometry/form_factor/contour_integral.h"
 
@@ -68,7 +70,7 @@ double parallel_term(double u, double h)
 }
 
 /// Integral of ln r over two parallel edges.
-double parallel_edges(const Edge& a, const Edge& b, double cosine)
+double parallel_edges(const Edge& a, const Edge& b, double cosine, double)
 {
     const Vec3 to = b.from - a.from;
     const double begin = dot(to, a.direction);
@@ -160,13 +162,57 @@ double skew_edges(const Edge& a, const Edge& b, double cosine, double squared_si
     return 0.5 * (border - a.length * b.length + apart_term(e));
 }
 
+/// Where on the line of an edge, at a complex place, the integral of ln r to another edge is singular.
+struct Singularity
+{
+    double place; ///< from the beginning of the edge
+    double height;
+};
+
+using Singularities = std::array<Singularity, 3>;
+
+Singularity singularity_at(Vec3 point, const Edge& edge)
+{
+    const Vec3 to = point - edge.from;
+    const double place = dot(to, edge.direction);
+    return {place, length(to - place * edge.direction)};
+}
+
+double integral_to_edge(const Edge& a, double begin, double end, const Edge& b, const Singularities& singularities)
+{
+    const double middle = 0.5 * (begin + end);
+    const double half = 0.5 * (end - begin);
+    constexpr double negligible = 1e-10;
+    constexpr double away = 2.0; // half intervals: ten nodes err by 1e-11
+    for (const Singularity& at : singularities)
+        if (half > negligible * a.length && std::hypot(at.place - middle, at.height) < away * half)
+            return integral_to_edge(a, begin, middle, b, singularities) +
+                   integral_to_edge(a, middle, end, b, singularities);
+    double sum = 0.0;
+    for (const GaussNode& node : half_gauss_10)
+        for (const double s : {middle - half * node.place, middle + half * node.place})
+            sum += node.weight * point_to_edge(a.from + s * a.direction, b);
+    return half * sum;
+}
+
+/// Integral of ln r over two edges that are nearly parallel.
+double nearly_parallel_edges(const Edge& a, const Edge& b, double cosine, double squared_sine)
+{
+    const Vec3 to = b.from - a.from;
+    const double foot = (dot(to, a.direction) - cosine * dot(to, b.direction)) / squared_sine;
+    const double h = std::abs(dot(to, cross(a.direction, b.direction))) / squared_sine;
+    return integral_to_edge(
+        a, 0.0, a.length, b,
+        {singularity_at(b.from, a), singularity_at(b.from + b.length * b.direction, a), Singularity{foot, h}});
+}
+
 } // namespace
 
 double contour_integral(const FlatPolygon& a, const FlatPolygon& b)
 {
     constexpr double perpendicular = 1e-12;
-    // At smaller angles the feet of the common perpendicular are too far away to keep the digits.
-    constexpr double parallel = 1e-6;
+    constexpr double parallel = 1e-9;
+    constexpr double nearly_parallel = 1e-3;
     const Edges a_edges = edges_of(a);
     const Edges b_edges = edges_of(b);
     double sum = 0.0;
@@ -179,8 +225,10 @@ double contour_integral(const FlatPolygon& a, const FlatPolygon& b)
                 continue;
             const Vec3 turn = cross(e.direction, f.direction);
             const double squared_sine = dot(turn, turn);
-            sum += cosine * (squared_sine < parallel * parallel ? parallel_edges(e, f, cosine)
-                                                                : skew_edges(e, f, cosine, squared_sine));
+            const auto integral = squared_sine < parallel * parallel                 ? parallel_edges
+                                  : squared_sine < nearly_parallel * nearly_parallel ? nearly_parallel_edges
+                                                                                     : skew_edges;
+            sum += cosine * integral(e, f, cosine, squared_sine);
         }
     return sum / (2.0 * pi);
 }

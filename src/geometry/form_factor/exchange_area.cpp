@@ -182,15 +182,33 @@ namespace {
 
 // Distances of the centres, in radii of the larger piece, from which on a rule errs by less than 1e-5 (root mean square
 // over the pairs of a furnished room): nearest the contour integral, then points, then the expansion about the centres.
-// Each costs five to ten times as much as the next.
+// Each costs five to ten times as much as the next. Points of the smaller piece alone do from fewer of its radii on.
 constexpr double far_radii = 18.0;
 constexpr double points_radii = 4.5;
+constexpr double views_radii = 3.0;
 
 bool apart_by(double radii, const FlatPiece& a, const FlatPiece& b)
 {
     const Vec3 d = b.centre - a.centre;
     const double distance = radii * std::max(a.radius, b.radius);
     return dot(d, d) > distance * distance;
+}
+
+/// Of a piece that is small from where the other is, if it lies wholly in front of it: Lambert's formula at points of
+/// the small one.
+bool exchange_by_views(const FlatPiece& small, const FlatPolygon& small_polygon, const FlatPiece& other,
+                       const FlatPolygon& other_polygon, double touching, double& exchange)
+{
+    if (heights(small_polygon, other.centre, other.normal).low < 0.0 ||
+        distance(small.centre, other_polygon) < views_radii * small.radius)
+        return false;
+    const FlatPolygon seen = part_in_front(other_polygon, small.centre, small.normal, touching);
+    const PiecePoints points = points_of(small, 0.0);
+    exchange = 0.0;
+    for (std::size_t k = 0; k < points.size && !seen.empty(); ++k)
+        exchange += small.area * points.weight[k] *
+                    irradiance_from(seen, {points.x[k], points.y[k], points.z[k]}, small.normal);
+    return true;
 }
 
 /// An order of pieces, so that a pair is computed one way round whichever is named first.
@@ -254,11 +272,16 @@ double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
         const bool in_one_plane = a_heights.within(touching) || b_heights.within(touching);
         return face_to_face && in_one_plane ? overlap(a, a_polygon, b, b_polygon) : 0.0;
     }
-    if (a_heights.low < -touching || b_heights.low < -touching)
-        return exchange_of_parts(a, a_polygon, b, b_polygon, touching);
-    if (apart_by(far_radii, a, b))
+    const bool wholly = a_heights.low >= -touching && b_heights.low >= -touching;
+    if (wholly && apart_by(far_radii, a, b))
         return exchange_of_far(a, b);
-    return apart_by(points_radii, a, b) ? exchange_by_points(a, b) : contour_integral(a_polygon, b_polygon);
+    if (wholly && apart_by(points_radii, a, b))
+        return exchange_by_points(a, b);
+    double exchange = 0.0;
+    if (a.radius < b.radius ? exchange_by_views(a, a_polygon, b, b_polygon, touching, exchange)
+                            : exchange_by_views(b, b_polygon, a, a_polygon, touching, exchange))
+        return exchange;
+    return wholly ? contour_integral(a_polygon, b_polygon) : exchange_of_parts(a, a_polygon, b, b_polygon, touching);
 }
 
 } // namespace

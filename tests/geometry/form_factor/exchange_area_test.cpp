@@ -1,5 +1,6 @@
 #include "geometry/form_factor/exchange_area.h"
 
+#include "geometry/form_factor/contour_integral.h"
 #include "geometry/pi.h"
 #include "geometry/random_surfaces.h"
 #include "geometry/surface_pieces.h"
@@ -253,6 +254,28 @@ TEST_CASE("in closed convex rooms every patch exchanges its whole area")
         CHECK(worst_row_sum(walls, 1) < 1e-8);
         CHECK(worst_row_sum(walls, 5) < 1e-5);
     }
+}
+
+// From three of its radii on, a small piece is asked at a few points, by Lambert's formula.
+TEST_CASE("a small piece near a large one, or behind a part of it, gets what the contour integral says")
+{
+    const Surface wall = rectangle({0, -1, -1}, {0, 2, 0}, {0, 0, 2}); // faces x > 0
+    for (const double size : {0.1, 0.02})
+        for (const double radii : {2.9, 3.1, 4.0, 6.0, 20.0})
+            for (const double turn : {0.0, 0.7, 1.5, 2.2}) { // from 1.57 on the horizon cuts the wall
+                CAPTURE(size);
+                CAPTURE(radii);
+                CAPTURE(turn);
+                const double x = radii * size * std::sqrt(0.5);
+                const Vec3 across = {std::sin(turn), std::cos(turn), 0.0};
+                const Surface speck = rectangle(Vec3{x, 0.9, 0.0} - 0.5 * size * across, {0, 0, size}, size * across);
+                if (heights(polygon_of(speck), {}, wall.normal()).low < 0.0)
+                    continue;
+                const FlatPolygon seen = part_in_front(polygon_of(wall), speck.centre(), speck.normal(), 1e-9);
+                const double expected = seen.empty() ? 0.0 : contour_integral(polygon_of(speck), seen);
+                CHECK(exchange_area(wall, speck, 1e-9) == doctest::Approx(expected).epsilon(1e-5));
+                CHECK(exchange_area(speck, wall, 1e-9) == exchange_area(wall, speck, 1e-9));
+            }
 }
 
 } // namespace exchange_area_test
