@@ -32,14 +32,10 @@ bool may_part(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
     return !level(normal, a.normal) && !level(normal, b.normal);
 }
 
-bool reaches_into(const Bounds& box, const Surface& surface)
+bool overlap(const Bounds& a, const Bounds& b)
 {
-    Bounds own;
-    const FlatPolygon polygon = polygon_of(surface);
-    for (std::size_t k = 0; k < polygon.size; ++k)
-        own.include(polygon.corners[k]);
-    return own.low.x <= box.high.x && own.high.x >= box.low.x && own.low.y <= box.high.y && own.high.y >= box.low.y &&
-           own.low.z <= box.high.z && own.high.z >= box.low.z;
+    return a.low.x <= b.high.x && a.high.x >= b.low.x && a.low.y <= b.high.y && a.high.y >= b.low.y &&
+           a.low.z <= b.high.z && a.high.z >= b.low.z;
 }
 
 } // namespace
@@ -80,8 +76,13 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals,
         const Vec3 normal = normals[surface];
         const bool is_level = std::all_of(points.begin(), points.end(),
                                           [&](const OpenPoint& point) { return level(normal, point.normal); });
-        if (!is_level && reaches_into(box, scene.surfaces()[surface]))
-            near_->push_back({surface, normal});
+        if (is_level)
+            continue;
+        Bounds own = scene.surfaces()[surface].bounds();
+        if (overlap(own, box)) {
+            const double play = rounding * scene.bounds().diagonal();
+            near_->push_back({surface, normal, {own.low - Vec3{play, play, play}, own.high + Vec3{play, play, play}}});
+        }
     }
 }
 
@@ -90,8 +91,11 @@ bool Surroundings::part(const OpenPoint& a, const OpenPoint& b) const
     if (!near_)
         return parted(scene_, a, b);
     const Line line = sight(a, b);
+    Bounds box;
+    box.include(line.origin);
+    box.include(line.origin + line.direction);
     return std::any_of(near_->begin(), near_->end(), [&](const Near& near) {
-        return may_part(near.normal, a, b) && scene_.intersector().meets(line, near.surface);
+        return overlap(box, near.box) && may_part(near.normal, a, b) && scene_.intersector().meets(line, near.surface);
     });
 }
 

@@ -46,6 +46,7 @@ private:
     {
         std::uint32_t surface;
         Vec3 normal;
+        Bounds box;
     };
 
     const Scene& scene_;

@@ -12,16 +12,8 @@ namespace multipath {
 
 namespace {
 
-/// Number of sample points along an edge: 8 (64 points fill one word), or fewer where there are many patches, to bound
-/// the time. The smaller the patches, the less is seen of it.
-std::uint32_t samples_along_for(std::uint64_t patches)
-{
-    constexpr std::uint64_t most_points = 1u << 21; // of all patches
-    std::uint32_t along = 8;
-    while (along > 1 && patches * along * along > most_points)
-        along /= 2;
-    return along;
-}
+constexpr std::uint32_t most_along = 8;         // 64 points fill one word
+constexpr std::uint64_t most_points = 1u << 21; // of all patches, about: to bound the time
 
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
 {
@@ -64,16 +56,26 @@ std::uint64_t open_points(const Scene& scene, std::uint32_t patch, std::uint32_t
 VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads)
     : scene_(scene),
       values_(values),
-      samples_along_(samples_along_for(scene.patch_count())),
+      points_per_area_(scene.patch_count() <= most_points / (most_along * most_along)
+                           ? std::numeric_limits<double>::infinity()
+                           : static_cast<double>(most_points) / scene.total_area()),
       open_(scene.patch_count(), 1)
 {
-    if (samples_along_ == 1) // a single point would make a patch open or covered as a whole
-        return;
     constexpr std::uint32_t patches_at_a_time = 64;
     parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i)
-            open_[i] = open_points(scene, i, samples_along_);
+            if (const std::uint32_t along = samples_along(i); along > 1) // one would make it open or covered as a whole
+                open_[i] = open_points(scene, i, along);
     });
+}
+
+std::uint32_t VisiblePatches::samples_along(std::uint32_t patch) const
+{
+    const double points = points_per_area_ * scene_.area(patch);
+    std::uint32_t along = most_along;
+    while (along > 1 && along * along > points)
+        along /= 2;
+    return along;
 }
 
 double VisiblePatches::open_share(std::uint32_t patch) const
@@ -81,7 +83,8 @@ double VisiblePatches::open_share(std::uint32_t patch) const
     double count = 0.0;
     for (std::uint64_t points = open_[patch]; points != 0; points &= points - 1)
         count += 1.0;
-    return count / (samples_along_ * samples_along_);
+    const std::uint32_t along = samples_along(patch);
+    return count / (along * along);
 }
 
 Rgb VisiblePatches::value(std::uint32_t patch) const
@@ -95,8 +98,9 @@ std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 co
     const Surface shape = scene_.patch(patch).shape;
     double nearest = std::numeric_limits<double>::infinity();
     std::optional<Vec3> result;
-    for (std::uint32_t n = 0; n < samples_along_ * samples_along_; ++n) {
-        const Vec3 point = sample_point(shape, samples_along_, n);
+    const std::uint32_t along = samples_along(patch);
+    for (std::uint32_t n = 0; n < along * along; ++n) {
+        const Vec3 point = sample_point(shape, along, n);
         const double distance = length(point - corner);
         if ((open_[patch] >> n & 1u) != 0 && distance < nearest) {
             nearest = distance;

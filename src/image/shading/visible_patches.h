@@ -11,8 +11,8 @@
 namespace multipath {
 
 /// The visible parts of the patches, without those on which furniture stands. The covered part of a patch is dark, so
-/// that the value on its open part is larger than its mean. In scenes of half a million patches and more all count as
-/// open, to save time.
+/// that the value on its open part is larger than its mean. Of very many patches the small ones count as open, to save
+/// time.
 class VisiblePatches
 {
 public:
@@ -29,9 +29,11 @@ public:
     std::optional<Vec3> open_point_near(std::uint32_t patch, Vec3 corner) const;
 
 private:
+    std::uint32_t samples_along(std::uint32_t patch) const; ///< an edge of it
+
     const Scene& scene_;
     const std::vector<Rgb>& values_;
-    std::uint32_t samples_along_;     ///< an edge of a patch
+    double points_per_area_;          ///< [1/m^2] at most
     std::vector<std::uint64_t> open_; ///< per patch: a bit for each of its sampled points
 };
 
