@@ -1,6 +1,7 @@
 #include "cli/files/standard_streams.h"
 #include "cli/options/usage_error.h"
 #include "commands/commands.h"
+#include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
@@ -96,7 +97,7 @@ CommandTable solve_table()
 int run_solve(const CommandLine& line)
 {
     require_one_on_standard_output(line);
-    const SolveJob job = read_solve_job(line);
+    SolveJob job = read_solve_job(line);
     const StateOptions state = read_state_options(line);
     require_outputs_of_share(line, job, state);
     std::vector<std::string> inputs = {scene_path(line)};
@@ -106,13 +107,15 @@ int run_solve(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs);
 
     const Scene scene = read_scene(line, thread_count(line));
+    settle_lines(scene, job.line, job.options);
     require_no_input(outputs, scene.file().material_files);
     require_results_possible(job, scene, outputs);
+    require_memory_for_reuse(job.line, job.options, scene);
     if (!job.quiet) {
         print_what_was_read(scene.file());
         warn_of_line_count(job.options);
     }
-    const RunDescription description = description_of(line, scene, state.shard);
+    const RunDescription description = description_of(job.line, scene, state.shard);
     StateKeeper keeper(state, has_kind(outputs, FormatKind::state), description);
     if (!state.from.empty())
         resume(state, description, job, keeper);

@@ -2,6 +2,7 @@
 
 #include "export/csv_text.h"
 #include "parallel/blocks.h"
+#include "parallel/memory.h"
 
 #include <algorithm>
 #include <array>
@@ -74,14 +75,22 @@ std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, c
     std::string table = comment_lines(comments);
     table += std::string(header) + (standard_error.empty() ? "\n" : ",error_r,error_g,error_b\n");
     BlockBuffers<std::string> parts(threads);
-    const std::uint64_t count = scene.patch_count();
-    ordered_blocks((count + patches_at_a_time - 1) / patches_at_a_time, threads,
-                   [&](std::uint64_t block, int slot) {
-                       const std::uint64_t first = block * patches_at_a_time;
-                       parts[slot] = rows(scene, radiosity, standard_error, static_cast<std::uint32_t>(first),
-                                          static_cast<std::uint32_t>(std::min(count, first + patches_at_a_time)));
-                   },
-                   [&](std::uint64_t, int slot) { table += parts[slot]; });
+    const Blocks blocks = {scene.patch_count(), patches_at_a_time};
+    ordered_blocks(
+        blocks.count(), threads,
+        [&](std::uint64_t block, int slot) {
+            parts[slot] = rows(scene, radiosity, standard_error, static_cast<std::uint32_t>(blocks.first(block)),
+                               static_cast<std::uint32_t>(blocks.first(block + 1)));
+        },
+        [&](std::uint64_t block, int slot) {
+            const std::size_t needed = table.size() + parts[slot].size();
+            if (needed > table.capacity()) { // what is to come is about as long as what is there
+                const double blocks_left = static_cast<double>(blocks.count() - block) / static_cast<double>(block + 1);
+                table.reserve(needed + static_cast<std::size_t>(1.1 * blocks_left * static_cast<double>(needed)));
+                ask_for_huge_pages(table.data(), table.capacity());
+            }
+            table += parts[slot];
+        });
     return table;
 }
 

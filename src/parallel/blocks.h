@@ -31,6 +31,34 @@ void parallel_blocks(std::uint64_t block_count, int threads, const std::function
 void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
                      const std::function<void(std::uint32_t first, std::uint32_t end)>& work);
 
+/// Runs work(i) for i = 0 ... count - 1, in any order.
+template <class Work>
+void parallel_numbers(std::size_t count, int threads, const Work& work)
+{
+    parallel_ranges(static_cast<std::uint32_t>(count), 1024, threads, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i)
+            work(i);
+    });
+}
+
+/// The sum of term(i): the same bits for any number of threads.
+template <class Value, class Term>
+Value parallel_sum(std::size_t count, int threads, const Term& term)
+{
+    const Blocks blocks = {count, 1024};
+    std::vector<Value> sums(static_cast<std::size_t>(blocks.count()));
+    parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
+        Value sum{};
+        for (std::uint64_t i = blocks.first(block); i < blocks.first(block + 1); ++i)
+            sum += term(static_cast<std::size_t>(i));
+        sums[static_cast<std::size_t>(block)] = sum;
+    });
+    Value all{};
+    for (const Value& sum : sums)
+        all += sum;
+    return all;
+}
+
 /// Runs produce(block, slot) on up to `threads` threads, and consume(block, slot) one block at a time in order of the
 /// block number, while later blocks are being produced. `slot` (0 ... slot_count(threads) - 1) names the buffer that
 /// the block may use until it is consumed. With one thread everything runs on the caller, in order.

@@ -109,4 +109,13 @@ std::vector<Value> with_room(std::size_t count)
     return room;
 }
 
+/// So many new elements in huge pages.
+template <class Value>
+std::vector<Value> large_vector(std::size_t count)
+{
+    std::vector<Value> elements = with_room<Value>(count);
+    elements.resize(count);
+    return elements;
+}
+
 } // namespace multipath

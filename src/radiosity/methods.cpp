@@ -73,9 +73,9 @@ void reuse_rays(Run& run)
         return;
     }
     const BalancedRays rays{run.first_local_item(), left, gathers(run), true};
-    const BalancedResult result =
-        reuse_balanced(run.scene, *run.sequence, rays, bytes_for_pairs(run.options.memory, run.scene),
-                       run.control(1, 1, run.shard), run.state); // (R1) (R4) (R5)
+    const BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays,
+                                                 run.options.memory, run.control(1, 1, run.shard),
+                                                 run.state); // (R1) (R4) (R5)
     run.solution.local_lines += result.rays;
     run.solved = result.solved;
 }
@@ -132,6 +132,22 @@ void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation&
         affordable_patch_rays(scene) == 1.0 &&
         pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
         preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
+    else
+        preparation.lights = std::make_shared<const SceneLights>(scene, options.threads);
+}
+
+std::uint64_t no_lines(const Scene&)
+{
+    return 0;
+}
+
+/// A pair of the table that no line has met is taken for free or hidden by what is around: replicates with few lines
+/// all err in the same way.
+std::uint64_t lines_to_trust_reuse(const Scene& scene)
+{
+    constexpr std::uint64_t with_table = 64;
+    constexpr std::uint64_t without = 8;
+    return table_pays(scene, with_table * scene.patch_count()) ? with_table : without;
 }
 
 // The table
@@ -156,25 +172,26 @@ FirstShot shots_of_reuse(const SolveOptions& options)
 constexpr MethodInfo table[] = {
     {"local",
      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
-     "estimator", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_local, nullptr, nullptr, "local"},
+     "estimator", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_local, nullptr, nullptr, "local"},
     {"global",
      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
      "each other along a line exchanges power.",
-     "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, 0, stages_of_walk,
-     nullptr, nullptr, "global"},
+     "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, no_lines,
+     stages_of_walk, nullptr, nullptr, "global"},
     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",
      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-     Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, plain_shot, "first-shot global"},
+     Shards::averaged, any_lines, no_lines, stages_of_walk, prepare_ratio, plain_shot, "first-shot global"},
     {"extended",
      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
      "lines. For lamps that light little of the room directly.",
      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-     Shards::averaged, any_lines, 0, stages_of_walk, prepare_ratio, extended_shots, "first-shot extended:PASS global"},
+     Shards::averaged, any_lines, no_lines, stages_of_walk, prepare_ratio, extended_shots,
+     "first-shot extended:PASS global"},
     {"reuse",
      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
      "ratio chords direct power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
-     Shards::added, 0xffffffffu, 64, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}};
+     Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {

@@ -34,8 +34,8 @@ struct MethodInfo
     std::string_view options;
     Chords chords; ///< from which global lines are drawn unless the user says otherwise
     Shards shards;
-    std::uint64_t most_lines;      ///< of one run
-    std::uint64_t lines_per_patch; ///< of each replicate, before their scatter tells the error (see lines_for_error)
+    std::uint64_t most_lines;                       ///< of one run
+    std::uint64_t (*lines_per_patch)(const Scene&); ///< of each replicate, before their scatter tells the error
     std::vector<Stage> (*stages)(const Run&);
     void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr; ///< may be null
     FirstShot (*first_shot)(const SolveOptions&) = nullptr;                     ///< null: none

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parallel/run_control.h"
+#include "radiosity/reuse/gathered_light.h"
 #include "radiosity/solution.h"
 #include "radiosity/solve_options.h"
 #include "transport/exchange/unoccluded_exchange.h"
@@ -18,7 +19,8 @@ using ProgressCallback = std::function<void(double done)>;
 struct Preparation
 {
     std::optional<double> ratio;                          ///< N_l / N_g of the methods that have one
-    std::shared_ptr<const UnoccludedExchange> unoccluded; ///< of `reuse`, if there is memory for a table of all pairs
+    std::shared_ptr<const UnoccludedExchange> unoccluded; ///< of `reuse` with a table of all pairs
+    std::shared_ptr<const SceneLights> lights;            ///< of `reuse` without
 };
 
 /// Throws InputError if light is trapped among surfaces that reflect all of it.

@@ -1,5 +1,6 @@
 #include "sampling/allotment.h"
 
+#include "parallel/memory.h"
 #include "sampling/systematic_rounding.h"
 
 #include <algorithm>
@@ -64,9 +65,10 @@ double FillLevel::level(double rays) const
     return level;
 }
 
-Allotment::Allotment(const std::vector<double>& expected, double offset) : first_ray_{0}
+Allotment::Allotment(const std::vector<double>& expected, double offset)
+    : first_ray_(with_room<std::uint64_t>(expected.size() + 1))
 {
-    first_ray_.reserve(expected.size() + 1);
+    first_ray_.push_back(0);
     SystematicRounding rounding(offset);
     double sum = offset;
     for (const double rays : expected) {

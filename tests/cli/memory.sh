@@ -43,6 +43,13 @@ later_page() {
 }
 check "and so it is when states are rendered or merged" later_page
 
+reuse() {
+    ends 1 solve "$scene" --patches 300k --memory 200MB -o room.csv && lines_are err 1 &&
+        says err "line reuse of 298,374 patches needs about" && says err "--memory allows 200 MB" || return
+    ends 0 solve "$scene" --patches 300k --memory 200MB --lines 2^18 -o room.csv --quiet # not reused
+}
+check "line reuse that does not fit is refused" reuse
+
 file() { ends 1 check "$scene" --memory 1kB && lines_are err 1 && says err "reading it needs about"; }
 check "a file that does not fit is refused" file
 
@@ -76,5 +83,7 @@ if (ulimit -v 300000 && "$program" --version >/dev/null 2>&1); then
     check "a run keeps to its estimate without pairs" within 250000 --patches 400k --memory 190MB -o a.csv -o a.png -o a.glb
     check "hundreds and thousands of copies of a face take no more than the scene" copies
     check "and the pairs of reuse to the limit" within 250000 --patches 8000 --memory 200MB -o b.csv
+    counts() { (ulimit -v 180000 && ends 0 solve "$scene" --patches 100k --lines 2^24 --memory 120MB --threads 1 --quiet -o c.csv); }
+    check "and the counts of many lines, in parts" counts
 fi
 finish

@@ -222,5 +222,13 @@ few_lines() {
 }
 check "an error from few lines per patch is not trusted" few_lines
 
+usual_lines() {
+    ends 0 solve "$scene" --patches 50000 --method local -o usual.csv && ! grep -q "per patch" err &&
+        grep -q "^# command: .* --lines 2^21 " usual.csv || return
+    ends 0 solve "$scene" --patches 50000 --method local --lines 2^19 -o few.csv && says err "11 lines per patch" && says err "2^21 gives" || return
+    ends 0 solve "$scene" --patches 400 --method local -o small.csv && grep -q "^# command: .* --lines 2^20 " small.csv
+}
+check "large scenes get more lines, and few are told" usual_lines
+
 check "a gathered picture is the same for any number of threads, and unlike an interpolated one" gathered
 finish

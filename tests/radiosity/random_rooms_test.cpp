@@ -2,6 +2,7 @@
 // no method may make light or lose it, whichever way its result is found.
 
 #include "radiosity/memory_estimate.h"
+#include "radiosity/reuse/line_reuse.h"
 #include "radiosity/solve.h"
 #include "sampling/random.h"
 #include "statistics.h"
@@ -71,20 +72,19 @@ struct Way
     std::string name;
     Method method;
     Direct direct;
-    double bytes_per_patch; ///< of memory beyond what every run needs; a table of all pairs takes more
+    enum Memory { plenty, too_little_for_table, least } memory;
 };
 
-/// With 1200 bytes per patch or less there is no table of pairs.
 const std::vector<Way> ways = {
-    {"local", Method::local, Direct::gather, 1e9},
-    {"global", Method::global, Direct::gather, 1e9},
-    {"first shot", Method::first_shot, Direct::gather, 1e9},
-    {"extended", Method::extended, Direct::gather, 1e9},
-    {"table", Method::reuse, Direct::gather, 1e9},
-    {"table after shots", Method::reuse, Direct::shoot, 1e9},
-    {"counts", Method::reuse, Direct::gather, 1200},
-    {"counts after shots", Method::reuse, Direct::shoot, 1200},
-    {"counts with the least memory", Method::reuse, Direct::gather, 0},
+    {"local", Method::local, Direct::gather, Way::plenty},
+    {"global", Method::global, Direct::gather, Way::plenty},
+    {"first shot", Method::first_shot, Direct::gather, Way::plenty},
+    {"extended", Method::extended, Direct::gather, Way::plenty},
+    {"table", Method::reuse, Direct::gather, Way::plenty},
+    {"table after shots", Method::reuse, Direct::shoot, Way::plenty},
+    {"counts", Method::reuse, Direct::gather, Way::too_little_for_table},
+    {"counts after shots", Method::reuse, Direct::shoot, Way::too_little_for_table},
+    {"counts with the least memory", Method::reuse, Direct::gather, Way::least},
 };
 
 SolveOptions options_of(const Scene& scene, const Way& way, std::uint64_t lines, std::uint64_t seed)
@@ -96,8 +96,9 @@ SolveOptions options_of(const Scene& scene, const Way& way, std::uint64_t lines,
     options.lines = lines;
     options.seed = seed;
     options.threads = 2;
-    options.memory = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) +
-                     way.bytes_per_patch * scene.patch_count();
+    if (way.memory != Way::plenty)
+        options.memory = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) +
+                         (way.memory == Way::least ? 0.0 : 0.999 * reuse_bytes(scene));
     return options;
 }
 
@@ -165,10 +166,9 @@ TEST_CASE("in random closed rooms the mean radiosity is that of particles, by ev
         for (const Way& way : ways) {
             CAPTURE(way.name);
             const MeanOfRuns found = mean_of_runs(scene, way, 1u << 15);
-            // The bias of parts of 32 rays for each patch (docs/line_reuse.md).
-            const double bias = way.bytes_per_patch > 0.0
-                                    ? 0.0
-                                    : 0.03 / (32.0 * (1.0 - mean(scene.average_reflectance()))) * truth.mean;
+            // The bias of parts of 24 rays for each patch (docs/line_reuse.md).
+            const double bias =
+                way.memory != Way::least ? 0.0 : 0.03 / (24.0 * (1.0 - mean(scene.average_reflectance()))) * truth.mean;
             const double noise = 5.0 * std::hypot(found.radiosity.standard_error, truth.standard_error) + bias;
             CHECK(found.radiosity.mean <= truth.mean + noise);
             CHECK(found.radiosity.mean >= truth.mean - noise - found.unsent);

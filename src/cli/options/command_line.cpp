@@ -205,7 +205,8 @@ std::string CommandLine::text(std::string_view name) const
 {
     if (has(name))
         return given_.find(name)->second.back();
-    return default_text(name);
+    const auto settled = settled_.find(name);
+    return settled != settled_.end() ? settled->second : default_text(name);
 }
 
 std::string CommandLine::default_text(std::string_view name) const

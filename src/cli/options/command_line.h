@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace multipath {
@@ -107,6 +108,9 @@ public:
     /// The value given, else the default, else "".
     std::string text(std::string_view name) const;
 
+    /// What stands for the default where the option was not given: one that depends on what was read since.
+    void settle_default(std::string_view name, std::string text) { settled_[std::string(name)] = std::move(text); }
+
     /// The row whose name is the value of the option. Throws UsageError for a value that no row has.
     template <typename Rows>
     auto choice(std::string_view name, const Rows& rows) const
@@ -127,6 +131,7 @@ public:
 private:
     CommandTable table_;
     std::map<std::string, std::vector<std::string>, std::less<>> given_; ///< by long name; a flag has the value ""
+    std::map<std::string, std::string, std::less<>> settled_;            ///< defaults by long name
     std::vector<std::string> operands_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "cli/options/number_text.h"
 #include "radiosity/memory_estimate.h"
+#include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/solve_options.h"
 #include "scene/input_error.h"
@@ -98,6 +99,17 @@ void require_memory_for_picture(const CommandLine& line, int width, int height, 
     const double bytes_per_pixel = gathers ? 220.0 : 40.0;
     require(line, bytes_per_pixel * width * height, format("--size: a picture of %d x %d pixels needs", width, height),
             "a smaller one");
+}
+
+void require_memory_for_reuse(const CommandLine& line, const SolveOptions& options, const Scene& scene)
+{
+    if (options.method != Method::reuse || options.lines < fewest_balanced_rays(scene))
+        return;
+    const double with_table =
+        run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) + reuse_bytes(scene);
+    require(line, std::min(with_table, least_balanced_bytes(scene)),
+            scene.path() + ": line reuse of " + grouped(scene.patch_count()) + " patches needs",
+            "fewer patches: a larger --patch-size, or --method local");
 }
 
 int reuse_runs_at_a_time(const CommandLine& line, const Scene& scene, int threads)

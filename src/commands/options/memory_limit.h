@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
+#include "radiosity/solve_options.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 
@@ -18,6 +19,7 @@ Option memory_option();
 void require_memory_for_file(const CommandLine& line, const std::string& path);
 void require_memory_for_patches(const CommandLine& line, const SceneFile& file, double patches);
 void require_memory_for_page(const CommandLine& line, const Scene& scene);
+void require_memory_for_reuse(const CommandLine& line, const SolveOptions& options, const Scene& scene);
 void require_memory_for_picture(const CommandLine& line, int width, int height, bool gathers);
 
 /// How many runs of the method `reuse` may go on at a time on a scene: one at least, `threads` at most.

@@ -101,8 +101,9 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
 OptionGroup solve_method_group()
 {
     return method_option_group(
-        {"lines", 'n', "N", "2^20",
-         "Total number of lines, local and global. Global lines that miss the scene's bounding box are free."},
+        {"lines", 'n', "N", "auto",
+         "Total number of lines, local and global; auto takes 2^20, or the power of two that gives each patch 24. "
+         "Global lines that miss the scene's bounding box are free."},
         true);
 }
 
@@ -138,10 +139,28 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
     options.sequence = line.text("sequence");
     options.line_order = line.choice("line-order", line_order_choices).value;
     options.pairing = line.choice("pairing", pairing_choices).value;
-    options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
+    if (line_count != "lines" || line.text("lines") != "auto") // settle_lines() knows the scene
+        options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
     if (line.has("chords"))
         options.chords = line.choice("chords", chords_choices).value;
     return options;
+}
+
+std::string usual_lines(const Scene& scene)
+{
+    constexpr std::uint64_t lines_per_patch = 24;
+    int power = 20;
+    while ((std::uint64_t{1} << power) < lines_per_patch * scene.patch_count())
+        ++power;
+    return "2^" + std::to_string(power);
+}
+
+void settle_lines(const Scene& scene, CommandLine& line, SolveOptions& options)
+{
+    if (line.text("lines") != "auto")
+        return;
+    line.settle_default("lines", usual_lines(scene));
+    options.lines = read_count("--lines", usual_lines(scene), 1, most_lines);
 }
 
 void require_options_with_effect(const CommandLine& line)

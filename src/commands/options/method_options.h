@@ -24,6 +24,12 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
 /// The same without method, sequence, pairing, line order, chords and number of lines.
 SolveOptions read_settings(const CommandLine& line);
 
+/// What `--lines auto` means for the scene, "2^21": 2^20, or the power of two that gives each patch 24.
+std::string usual_lines(const Scene& scene);
+
+/// Puts it into its place.
+void settle_lines(const Scene& scene, CommandLine& line, SolveOptions& options);
+
 // What the words of --chords, --pairing and --line-order stand for.
 inline constexpr std::array<NamedValue<Chords>, 2> chords_choices = {
     {{"sphere", Chords::sphere}, {"box", Chords::box}}};

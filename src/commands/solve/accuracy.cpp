@@ -52,7 +52,7 @@ Accuracy read_accuracy(const CommandLine& line)
     }
     if (line.has("time"))
         accuracy.seconds = read_seconds("--time", line.text("time"));
-    if (accuracy.in_rounds() && line.has("lines"))
+    if (accuracy.in_rounds() && line.has("lines") && line.text("lines") != "auto")
         accuracy.most_lines = read_count("--lines", line.text("lines"), 1);
     accuracy.replicates = accuracy.in_rounds() && !line.has("replicates")
                               ? replicates_of_rounds

@@ -87,8 +87,9 @@ std::string summary_text(const SolveSummary& s)
                            : "");
     const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
     if (s.solution.relative_standard_error && lines < lines_for_error(s.scene, s.options.method, s.solution.replicates))
-        text += "warning    with fewer than 64 lines per patch in each replicate the error may be several times larger "
-                "than this; more lines or fewer replicates help\n";
+        text += format("warning    with fewer than %d lines per patch in each replicate the error may be several times "
+                       "larger than this; more lines or fewer replicates help\n",
+                       static_cast<int>(s.options.method->lines_per_patch(s.scene)));
     text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) W/m^2\n", mean(b), b.r, b.g, b.b);
     text += format("power      emitted %.6g W: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
                    "surfaces; balance to %.0e\n",
@@ -100,6 +101,11 @@ std::string summary_text(const SolveSummary& s)
             format("warning    so few lines per patch are not reused: particles carried the light, with more noise; "
                    "reuse begins at %s lines\n",
                    grouped(fewest_balanced_rays(s.scene)).c_str());
+    else if (constexpr std::uint64_t few = 16; lines < few * s.scene.patch_count())
+        text +=
+            format("warning    %.2g lines per patch are few, and neighbours differ by chance; --lines %s gives each "
+                   "24 or more\n",
+                   static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str());
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=

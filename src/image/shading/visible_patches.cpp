@@ -12,7 +12,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t most_along = 8;         // 64 points fill one word
+constexpr std::uint64_t most_along = 8;         // 64 points fill one word
 constexpr std::uint64_t most_points = 1u << 21; // of all patches, about: to bound the time
 
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
@@ -72,7 +72,7 @@ VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& value
 std::uint32_t VisiblePatches::samples_along(std::uint32_t patch) const
 {
     const double points = points_per_area_ * scene_.area(patch);
-    std::uint32_t along = most_along;
+    auto along = static_cast<std::uint32_t>(most_along);
     while (along > 1 && along * along > points)
         along /= 2;
     return along;

@@ -5,8 +5,9 @@
 
 #include "radiosity/reuse/balanced_reuse.h"
 
+#include "parallel/memory.h"
+#include "radiosity/memory_estimate.h"
 #include "radiosity/reuse/exchange_solver.h"
-#include "radiosity/reuse/gathered_light.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "transport/exchange/line_counts.h"
@@ -38,13 +39,26 @@ std::array<std::uint64_t, rounds> ends_of_rounds(std::uint64_t rays, std::uint64
     return {first, second, rays};
 }
 
+constexpr double bytes_per_ray = 10.0; // noted at both ends, and some of them again until they are sorted
+// The solution is not linear in the counts: with so few rays its bias is about 0.1 % / (1 - R_ave).
+constexpr double least_rays_at_once = 24.0; // per patch
+
+/// Of a run with so many rays. Measured, not derived.
+double bytes_without_counts(const Scene& scene, double rays)
+{
+    constexpr double bytes_per_patch = 540.0;
+    constexpr double bytes_of_buffers = 20.0; // for each of the first million rays
+    return run_bytes(static_cast<double>(scene.surfaces().size()), 0.0) + bytes_per_patch * scene.patch_count() +
+           bytes_of_buffers * std::min(rays, 1e6);
+}
+
 /// Numbers for each patch, of the rays to the lights and of those over the hemisphere.
 struct BothKinds
 {
     std::vector<double> light;
     std::vector<double> hemisphere;
 
-    explicit BothKinds(std::uint32_t patches = 0) : light(patches), hemisphere(patches) {}
+    explicit BothKinds(std::uint32_t patches) : light(large_vector<double>(patches)), hemisphere(light) {}
 };
 
 /// How many rays, on the average, each patch gets so that all get `budget`: `least` at least, and then by importance
@@ -115,8 +129,8 @@ struct Cast
 class BalancedReuse
 {
 public:
-    BalancedReuse(const Scene& scene, const Sequence& sequence, const BalancedRays& rays, double memory,
-                  const RunControl& run, PowerState& state)
+    BalancedReuse(const Scene& scene, const SceneLights& lights, const Sequence& sequence, const BalancedRays& rays,
+                  double memory, const RunControl& run, PowerState& state)
         : scene_(scene),
           sequence_(sequence),
           rays_(rays),
@@ -125,20 +139,20 @@ public:
           state_(state),
           n_(scene.patch_count()),
           rho_(reflectances(scene)),
-          patches_(tree_of_patches(scene)),
+          patches_(lights.patches()),
           ends_(ends_of_rounds(rays.rays, n_)),
           next_item_(rays.first_item),
           to_lights_(n_),
           hemisphere_(n_),
-          expected_(n_),
-          rays_of_counts_(n_),
+          expected_(large_vector<double>(n_)),
+          rays_of_counts_(large_vector<double>(n_)),
           counts_(n_),
           fresh_(n_),
-          source_(n_),
-          guess_(n_)
+          source_(large_vector<Rgb>(n_)),
+          guess_(large_vector<Rgb>(n_))
     {
         if (rays.direct)
-            light_.emplace(scene, run.threads);
+            light_.emplace(scene, lights);
     }
 
     BalancedResult solve()
@@ -208,16 +222,16 @@ private:
             rays /= static_cast<double>(parts_);
         const Shard shard = is_last() ? run_.shard : Shard{}; // each shard does the first rounds, which are small
         to_lights_.first_item = next_item_;
-        to_lights_.allotment = Allotment(expected.light, offset());
+        const double offset = bits_to_unit(bits_from(sequence_.item(next_item_)));
+        to_lights_.allotment = Allotment(expected.light, offset);
         to_lights_.range = SharedRange::of(light_blocks(), shard);
         next_item_ += to_lights_.allotment.rays();
         hemisphere_.first_item = next_item_;
-        hemisphere_.allotment = Allotment(expected.hemisphere, offset());
+        constexpr double below_one = 0x1.fffffffffffffp-1; // together they are as many as planned
+        hemisphere_.allotment = Allotment(expected.hemisphere, std::min(1.0 - offset, below_one));
         hemisphere_.range = SharedRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
         next_item_ += hemisphere_.allotment.rays();
     }
-
-    double offset() const { return bits_to_unit(bits_from(sequence_.item(next_item_))); }
 
     BothKinds expected_rays(double budget) const
     {
@@ -225,10 +239,10 @@ private:
         BothKinds least(n_);
         BothKinds importance(n_);
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
-        const std::vector<double> light =
-            round_ > 0 && light_ ? light_->deviations(patches_) : std::vector<double>(n_, 1.0);
+        const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.source_power());
-        for (std::uint32_t i = 0; i < n_; ++i) {
+        parallel_numbers(n_, run_.threads, [&](std::size_t number) {
+            const auto i = static_cast<std::uint32_t>(number);
             constexpr double dark = 0.01;     // what black patches receive is wanted too, if not as precisely
             constexpr double exponent = 0.35; // of the area, while nothing is known of the light
             const double worth =
@@ -248,7 +262,7 @@ private:
             if (light_)
                 least.hemisphere[i] = std::max(least.hemisphere[i], to_see_losses * budget * scene_.area(i) *
                                                                         mean(scene_.emittance(i)) / source);
-        }
+        });
         return shared_out(budget, importance, had, least);
     }
 
@@ -257,34 +271,31 @@ private:
     {
         constexpr double enough = 32.0;
         const std::vector<double> density = densities();
-        std::vector<RaySums> found(n_);
-        for (std::uint32_t i = 0; i < n_; ++i) {
+        std::vector<RaySums> found = large_vector<RaySums>(n_);
+        parallel_numbers(n_, run_.threads, [&](std::size_t number) {
+            const auto i = static_cast<std::uint32_t>(number);
             RaySums& sums = found[i];
-            const std::uint64_t lost = counts_.escaped(i) + counts_.behind(i);
-            sums.weight = lost > 0 ? static_cast<double>(lost) / density[i] : 0.0;
-            for (const CountEntry& entry : counts_.row(i)) {
-                const double weight = static_cast<double>(entry.count) / (density[i] + density[entry.patch]);
-                const double light = mean(guess_[entry.patch]);
+            for_row(i, density, [&](double weight, std::uint32_t j) {
+                const double light = j != nothing ? mean(guess_[j]) : 0.0;
                 sums.weight += weight;
                 sums.value += weight * light;
                 sums.square += weight * light * light;
-            }
+            });
             sums.rays = rays_of_counts_[i];
             const double scale = sums.weight > 0.0 ? sums.rays / sums.weight : 0.0;
             sums.weight *= scale;
             sums.value *= scale;
             sums.square *= scale;
-        }
-        std::vector<double> result;
-        result.reserve(n_);
-        for (const RaySums& sums : pooled(patches_, found, enough))
-            result.push_back(sums.standard_deviation());
+        });
+        found = pooled(patches_, found, enough);
+        std::vector<double> result = large_vector<double>(n_);
+        parallel_numbers(n_, run_.threads, [&](std::size_t i) { result[i] = found[i].standard_deviation(); });
         return result;
     }
 
     std::vector<double> densities() const
     {
-        std::vector<double> result(n_);
+        std::vector<double> result = large_vector<double>(n_);
         for (std::uint32_t i = 0; i < n_; ++i)
             result[i] = rays_of_counts_[i] / scene_.area(i);
         return result;
@@ -292,13 +303,11 @@ private:
 
     void cut_into_parts(const std::vector<double>& hemisphere)
     {
-        constexpr double bytes_per_ray = 2.0 * sizeof(CountEntry); // noted at both ends
         double rays = 0.0;
         for (std::uint32_t i = 0; i < n_; ++i)
             rays += hemisphere[i] + rays_of_counts_[i];
-        // The solution is not linear in the counts: with so few rays its bias is about 0.1 % / (1 - R_ave).
-        constexpr double least_rays_per_patch = 32.0;
-        const double bytes = std::max(memory_, least_rays_per_patch * bytes_per_ray * n_);
+        const double left = memory_ - bytes_without_counts(scene_, rays) - (light_ ? light_->cluster_bytes() : 0.0);
+        const double bytes = std::max(left, least_rays_at_once * bytes_per_ray * n_);
         parts_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(bytes_per_ray * rays / bytes)));
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
@@ -357,19 +366,44 @@ private:
         return result;
     }
 
+    /// Some bounces, with rows as they were counted: good enough to know where more rays are worth it.
     Field rough_radiosity() const
     {
-        constexpr double tolerance = 1e-2;
-        constexpr int most_steps = 8;
-        constexpr double leak = 1e-3;
+        constexpr int bounces = 3;
         PowerState state = state_;
         receive_light(state);
         const Field source = unshot_radiosity(scene_, state);
-        const SparseExchange exchange(counts_, scene_.areas(), densities(), 0.0, run_.threads, leak);
-        return solve_exchange(exchange, rho_, source, round_ == 0 ? source : guess_, tolerance, most_steps,
-                              run_.threads)
-            .radiosity;
+        const std::vector<double> density = densities();
+        Field radiosity = round_ == 0 ? source : guess_;
+        Field next = large_vector<Rgb>(n_);
+        for (int k = 0; k < bounces; ++k) {
+            parallel_numbers(n_, run_.threads, [&](std::size_t number) {
+                const auto i = static_cast<std::uint32_t>(number);
+                Rgb found;
+                double weight = 0.0;
+                for_row(i, density, [&](double w, std::uint32_t j) {
+                    weight += w;
+                    if (j != nothing)
+                        found += w * radiosity[j];
+                });
+                next[i] = source[i] + (weight > 0.0 ? 1.0 / weight : 0.0) * (rho_[i] * found);
+            });
+            radiosity.swap(next);
+        }
+        return radiosity;
     }
+
+    /// Calls take(weight, patch) for what the rays of patch i found: other patches, or nothing.
+    template <class Take>
+    void for_row(std::uint32_t i, const std::vector<double>& density, const Take& take) const
+    {
+        const std::uint64_t lost = counts_.escaped(i) + counts_.behind(i);
+        if (lost > 0)
+            take(static_cast<double>(lost) / density[i], nothing);
+        for (const std::uint32_t j : counts_.row(i))
+            take(1.0 / (density[i] + density[j]), j);
+    }
+    static constexpr std::uint32_t nothing = Scene::no_patch;
 
     /// (R1) with the present counts, and its share of the light.
     void solve_part()
@@ -398,7 +432,7 @@ private:
     {
         if (!light_)
             return;
-        Field incident = light_->incident(patches_);
+        Field incident = light_->incident();
         Rgb received;
         Rgb escaped;
         Rgb behind;
@@ -435,7 +469,7 @@ private:
     PowerState& state_;
     const std::uint32_t n_; ///< patches
     const Field rho_;
-    const SurfaceTree patches_;
+    const SurfaceTree& patches_;
     const std::array<std::uint64_t, rounds> ends_;
     std::optional<GatheredLight> light_; ///< none if direct light has been sent before
 
@@ -460,10 +494,16 @@ std::uint64_t fewest_balanced_rays(const Scene& scene)
     return std::uint64_t{4} * scene.patch_count();
 }
 
-BalancedResult reuse_balanced(const Scene& scene, const Sequence& sequence, const BalancedRays& rays, double memory,
-                              const RunControl& run, PowerState& state)
+double least_balanced_bytes(const Scene& scene)
 {
-    return BalancedReuse(scene, sequence, rays, memory, run, state).solve();
+    const double rays = least_rays_at_once * scene.patch_count();
+    return bytes_without_counts(scene, rays) + bytes_per_ray * rays;
+}
+
+BalancedResult reuse_balanced(const Scene& scene, const SceneLights& lights, const Sequence& sequence,
+                              const BalancedRays& rays, double memory, const RunControl& run, PowerState& state)
+{
+    return BalancedReuse(scene, lights, sequence, rays, memory, run, state).solve();
 }
 
 } // namespace multipath

@@ -7,6 +7,7 @@
 
 #include "radiosity/reuse/exchange_solver.h"
 
+#include "parallel/blocks.h"
 #include "parallel/memory.h"
 #include "transport/exchange/conjugate_gradients.h"
 
@@ -26,14 +27,6 @@ Rgb root(Rgb a)
     return {std::sqrt(a.r), std::sqrt(a.g), std::sqrt(a.b)};
 }
 
-Field scaled(const Field& factor, const Field& x)
-{
-    Field y(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-        y[i] = factor[i] * x[i];
-    return y;
-}
-
 } // namespace
 
 ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
@@ -41,8 +34,8 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
                                 int most_steps, int threads)
 {
     const std::uint32_t n = exchange.size();
-    Field rho_root(n);
-    Field inverse_diagonal(n);
+    Field rho_root = large_vector<Rgb>(n);
+    Field inverse_diagonal = large_vector<Rgb>(n);
     bool positive = true;
     for (std::uint32_t i = 0; i < n; ++i) {
         rho_root[i] = root(reflectance[i]);
@@ -51,29 +44,38 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
         positive = positive && at_most({}, diagonal);
         inverse_diagonal[i] = quotient({1.0, 1.0, 1.0}, diagonal);
     }
-    const auto bounce = [&](const Field& radiosity) { return scaled(rho_root, exchange.apply(radiosity, threads)); };
-    const auto matrix = [&](const Field& y) {
-        Field image = bounce(scaled(rho_root, y));
-        for (std::uint32_t i = 0; i < n; ++i)
-            image[i] = exchange.row_area(i) * y[i] - image[i];
-        return image;
+    Field reflected = large_vector<Rgb>(n);
+    const auto matrix = [&](const Field& y, Field& image) {
+        parallel_numbers(n, threads, [&](std::size_t i) { reflected[i] = rho_root[i] * y[i]; });
+        exchange.multiply(reflected, threads, image);
+        parallel_numbers(n, threads, [&](std::size_t i) {
+            image[i] = exchange.row_area(static_cast<std::uint32_t>(i)) * y[i] - rho_root[i] * image[i];
+        });
     };
-    const auto precondition = [&](const Field& residual) { return scaled(inverse_diagonal, residual); };
+    const auto precondition = [&](std::size_t i, Rgb residual) { return inverse_diagonal[i] * residual; };
 
-    const Field right = bounce(source);
-    const Rgb wanted = tolerance * tolerance * dot(right, precondition(right));
-    Field y(n);
+    Field residual = large_vector<Rgb>(n);
+    exchange.multiply(source, threads, residual);
+    const Rgb norm = parallel_sum<Rgb>(n, threads, [&](std::size_t i) {
+        residual[i] = rho_root[i] * residual[i];
+        return residual[i] * precondition(i, residual[i]);
+    });
+    const Rgb wanted = tolerance * tolerance * norm;
+    Field y = std::move(first_guess);
     for (std::uint32_t i = 0; i < n; ++i)
-        y[i] = quotient(first_guess[i] - source[i], rho_root[i]);
-    Field residual = right;
-    const Field reflected = bounce(scaled(rho_root, y));
+        y[i] = quotient(y[i] - source[i], rho_root[i]);
+    Field image = large_vector<Rgb>(n);
+    matrix(y, image);
     for (std::uint32_t i = 0; i < n; ++i)
-        residual[i] = right[i] - exchange.row_area(i) * y[i] + reflected[i];
-    const auto done = [&](const Field&, Rgb norm) { return at_most(norm, wanted); };
-    ExchangeSolution solution{
-        source, positive && conjugate_gradients(matrix, precondition, std::move(residual), most_steps, done, y)};
+        residual[i] = residual[i] - image[i];
+    Field().swap(image);
+    const auto done = [&](const Field&, Rgb left) { return at_most(left, wanted); };
+    ExchangeSolution solution;
+    solution.converged =
+        positive && conjugate_gradients(matrix, precondition, std::move(residual), most_steps, done, threads, y);
     for (std::uint32_t i = 0; i < n; ++i)
-        solution.radiosity[i] += rho_root[i] * y[i];
+        y[i] = source[i] + rho_root[i] * y[i];
+    solution.radiosity = std::move(y);
     return solution;
 }
 
@@ -93,7 +95,7 @@ InputError no_solution(const Scene& scene)
 
 std::vector<Rgb> reflectances(const Scene& scene)
 {
-    std::vector<Rgb> rho(scene.patch_count());
+    std::vector<Rgb> rho = large_vector<Rgb>(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         rho[i] = scene.reflectance(i);
     return rho;

@@ -3,6 +3,7 @@
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/pi.h"
+#include "parallel/memory.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "transport/exchange/pair_rays.h"
@@ -148,8 +149,38 @@ double variance(const RaySums& sums)
 
 } // namespace
 
-GatheredLight::GatheredLight(const Scene& scene, int threads)
-    : scene_(scene), tree_(scene), cuts_(scene, tree_, cluster_angle, threads), sights_(scene.patch_count())
+const LightTree& SceneLights::tree() const
+{
+    cuts();
+    return *tree_;
+}
+
+const LightCuts& SceneLights::cuts() const
+{
+    std::call_once(lights_found_, [this] {
+        tree_.emplace(scene_);
+        cuts_.emplace(scene_, *tree_, cluster_angle, threads_);
+    });
+    return *cuts_;
+}
+
+const SurfaceTree& SceneLights::patches() const
+{
+    std::call_once(patches_found_, [this] {
+        constexpr std::uint32_t patches_of_leaf = 8;
+        patches_.emplace(
+            scene_.patch_count(), [&](std::uint32_t i) { return scene_.patch(i).shape; }, scene_.bounds().diagonal(),
+            patches_of_leaf);
+    });
+    return *patches_;
+}
+
+GatheredLight::GatheredLight(const Scene& scene, const SceneLights& lights)
+    : scene_(scene),
+      tree_(lights.tree()),
+      cuts_(lights.cuts()),
+      patches_(lights.patches()),
+      sights_(scene.patch_count())
 {
 }
 
@@ -191,48 +222,39 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
     resumable_blocks(range.next, range.end, run, look, report);
 }
 
-std::vector<RaySums> GatheredLight::visible_shares(const SurfaceTree& patches, double enough) const
+std::vector<RaySums> GatheredLight::visible_shares(double enough) const
 {
-    std::vector<RaySums> free;
-    free.reserve(sights_.size());
+    std::vector<RaySums> free = with_room<RaySums>(sights_.size());
     for (const Sight& sight : sights_)
         free.push_back({sight.rays, sight.rays, sight.free, sight.free});
-    return pooled(patches, free, enough);
+    return pooled(patches_, free, enough);
 }
 
-std::vector<double> GatheredLight::deviations(const SurfaceTree& patches) const
+std::vector<double> GatheredLight::deviations() const
 {
-    // That all rays of a patch agree does not prove that one more would; that those around it do makes it likely.
+    // That all rays of some patches agree does not prove that one more would.
     constexpr double few = 16.0;
-    constexpr double many = 256.0;
-    constexpr double doubt = 0.2;
-    constexpr double prior = 1.0;
-    constexpr double least_variance = 0.0005;
-    const std::vector<RaySums> here = visible_shares(patches, few);
-    const std::vector<RaySums> around = visible_shares(patches, many);
-    std::vector<double> result;
-    result.reserve(sights_.size());
+    constexpr double least_variance = 0.002;
+    const std::vector<RaySums> free = visible_shares(few);
+    std::vector<double> result = with_room<double>(sights_.size());
     for (std::uint32_t i = 0; i < sights_.size(); ++i) {
-        const double expected = (around[i].value + doubt) / (around[i].weight + 2.0 * doubt);
-        const double p = (here[i].value + prior * expected) / (here[i].weight + prior);
+        const double p = free[i].weight > 0.0 ? free[i].value / free[i].weight : 0.5;
         result.push_back(cuts_.irradiance(i) * std::sqrt(p * (1.0 - p) + least_variance));
     }
     return result;
 }
 
-std::vector<Rgb> GatheredLight::incident(const SurfaceTree& patches) const
+std::vector<Rgb> GatheredLight::incident() const
 {
-    const std::vector<RaySums> shares = visible_shares(patches, 16.0);
-    std::vector<RaySums> errors; // of the unoccluded light
-    errors.reserve(sights_.size());
+    const std::vector<RaySums> shares = visible_shares(16.0);
+    std::vector<RaySums> errors = with_room<RaySums>(sights_.size()); // of the unoccluded light
     for (const Sight& sight : sights_)
         errors.push_back({sight.rays, sight.rays, sight.error, sight.square});
-    const std::vector<RaySums> around = pooled(patches, errors, 1024.0);
+    const std::vector<RaySums> around = pooled(patches_, errors, 1024.0);
     constexpr double error_around = 0.1; // typical ones, as a share
     constexpr double error_alone = 0.03;
     const Rgb power = scene_.source_power();
-    std::vector<Rgb> result;
-    result.reserve(sights_.size());
+    std::vector<Rgb> result = with_room<Rgb>(sights_.size());
     for (std::uint32_t i = 0; i < sights_.size(); ++i) {
         const Sight& sight = sights_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
@@ -257,25 +279,18 @@ void GatheredLight::visit(Archive& archive)
     archive.list<double>("sights", sights_);
 }
 
-SurfaceTree tree_of_patches(const Scene& scene)
-{
-    constexpr std::uint32_t patches_of_leaf = 8;
-    return {scene.patch_count(), [&](std::uint32_t i) { return scene.patch(i).shape; }, scene.bounds().diagonal(),
-            patches_of_leaf};
-}
-
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
 {
     const std::uint32_t n = scene.patch_count();
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
-    const SurfaceTree patches = tree_of_patches(scene);
-    GatheredLight light(scene, threads);
+    const SceneLights lights(scene, threads);
+    GatheredLight light(scene, lights);
     // Shadows are smooth to the eye; of very many patches it sees several as one.
     const double rays = std::clamp(64.0 * n, 262144.0, std::max(4194304.0, 4.0 * n));
     std::uint64_t item = 0;
     std::vector<double> expected(n);
     for (const double share : {0.25, 0.75}) {
-        std::vector<double> importance = share == 0.25 ? std::vector<double>(n, 1.0) : light.deviations(patches);
+        std::vector<double> importance = share == 0.25 ? std::vector<double>(n, 1.0) : light.deviations();
         double sum = 0.0;
         for (std::uint32_t i = 0; i < n; ++i) {
             importance[i] *= light.unoccluded(i) > 0.0 ? std::sqrt(scene.area(i)) : 0.0;
@@ -288,9 +303,8 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
         light.cast(allotment, *sequence, item, range, {threads});
         item += allotment.rays();
     }
-    const std::vector<Rgb> incident = light.incident(patches);
-    std::vector<Rgb> result;
-    result.reserve(n);
+    const std::vector<Rgb> incident = light.incident();
+    std::vector<Rgb> result = with_room<Rgb>(n);
     for (std::uint32_t i = 0; i < n; ++i)
         result.push_back(scene.emittance(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]));
     return result;

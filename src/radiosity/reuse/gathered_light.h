@@ -10,9 +10,32 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace multipath {
+
+/// The lights of a scene as its patches see them, and its patches in a tree, for what their rays have in common: the
+/// same for all runs. Found when first asked for. Safe to share between threads; the scene must outlive it.
+class SceneLights
+{
+public:
+    SceneLights(const Scene& scene, int threads) : scene_(scene), threads_(threads) {}
+
+    const LightTree& tree() const;
+    const LightCuts& cuts() const;
+    const SurfaceTree& patches() const;
+
+private:
+    const Scene& scene_;
+    int threads_;
+    mutable std::once_flag lights_found_;
+    mutable std::once_flag patches_found_;
+    mutable std::optional<LightTree> tree_;
+    mutable std::optional<LightCuts> cuts_;
+    mutable std::optional<SurfaceTree> patches_;
+};
 
 /// What the rays from a patch towards the lights found. Each has g, its true kernel over what the cluster that it was
 /// sent to is taken to give, and v, 1 if it is free and 0 if not.
@@ -37,12 +60,14 @@ struct Sight
 class GatheredLight
 {
 public:
-    GatheredLight(const Scene& scene, int threads);
+    /// Refers to the lights.
+    GatheredLight(const Scene& scene, const SceneLights& lights);
     GatheredLight(const GatheredLight&) = delete;
     GatheredLight& operator=(const GatheredLight&) = delete;
 
     /// [W/m^2] What the patch would get with nothing in between, about; the mean of the channels.
     double unoccluded(std::uint32_t patch) const { return cuts_.irradiance(patch); }
+    double cluster_bytes() const { return cuts_.bytes(); }                 ///< of memory
     double rays(std::uint32_t patch) const { return sights_[patch].rays; } ///< so far
 
     /// The blocks of patches in which `cast` works.
@@ -55,27 +80,25 @@ public:
 
     /// [W/m^2] Standard deviation of what one ray of each patch tells, from its own rays if they are many, or those
     /// of the patches around it.
-    std::vector<double> deviations(const SurfaceTree& patches) const;
+    std::vector<double> deviations() const;
 
     /// [W] per patch.
-    std::vector<Rgb> incident(const SurfaceTree& patches) const;
+    std::vector<Rgb> incident() const;
 
     void visit(Archive& archive); ///< for a checkpoint
 
 private:
-    std::vector<RaySums> visible_shares(const SurfaceTree& patches, double enough) const;
+    std::vector<RaySums> visible_shares(double enough) const;
 
     const Scene& scene_;
-    const LightTree tree_;
-    const LightCuts cuts_;
+    const LightTree& tree_;
+    const LightCuts& cuts_;
+    const SurfaceTree& patches_;
     std::vector<Sight> sights_; ///< per patch
 };
 
 /// [W/m^2] Radiosity of every patch if light were reflected only once: what the patch emits, and what it reflects of
 /// the light that comes straight from the sources. For any method, without chance: always the same.
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads);
-
-/// Patches in a tree, for what their rays have in common.
-SurfaceTree tree_of_patches(const Scene& scene);
 
 } // namespace multipath

@@ -176,7 +176,7 @@ public:
                 continue;
             }
             if (leaf) {
-                irradiance = leaf_irradiance(patch, receiver, node, above, contact);
+                irradiance = leaf_irradiance(patch, receiver, node, contact);
             } else if (above.high > touching_) {
                 const double distance = length(d);
                 const double rise = seen_above(dot(receiver.normal, d), above);
@@ -196,8 +196,7 @@ public:
 
 private:
     /// [W/m^2] From a single light, right to a few parts in 10^4.
-    double leaf_irradiance(std::uint32_t patch, const FlatPiece& receiver, std::uint32_t leaf, HeightRange above,
-                           Rgb& contact) const
+    double leaf_irradiance(std::uint32_t patch, const FlatPiece& receiver, std::uint32_t leaf, Rgb& contact) const
     {
         const FlatPiece& light = tree_.piece(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
@@ -212,10 +211,6 @@ private:
         if (reach + extent < -touching_)
             return 0.0;
         const double emittance = tree_.cluster(leaf).power / light.area;
-        constexpr double far = 0.3;
-        const bool is_far = !LightCuts::is_near(tree_.cluster(leaf), receiver, far);
-        if (is_far && above.low > 0.0 && reach > extent)
-            return exchange_by_points(receiver, light, length(d)) / receiver.area * emittance;
         const bool opposite = dot(receiver.normal, light.normal) < -1.0 + 1e-9;
         if (opposite && heights(polygon_of(receiver.surface), light.centre, light.normal).within(touching_)) {
             const double area = contact_area(scene_, patch, surface, touching_);
@@ -224,48 +219,6 @@ private:
             return 0.0;
         }
         return exchange_area(receiver, light, touching_) / receiver.area * emittance;
-    }
-
-    /// [m^2] Of two pieces that see all of each other, from a distance.
-    static double exchange_by_points(const FlatPiece& a, const FlatPiece& b, double distance)
-    {
-        constexpr double very_far = 0.02;
-        if (a.radius + b.radius < very_far * distance)
-            return a.area * b.area * kernel(a, a.centre, b, b.centre);
-        const GaussPoints from = gauss_points(a.surface);
-        const GaussPoints to = gauss_points(b.surface);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < from.count; ++i)
-            for (std::size_t j = 0; j < to.count; ++j)
-                sum += kernel(a, from.at[i], b, to.at[j]);
-        return a.area * b.area * sum / static_cast<double>(from.count * to.count);
-    }
-
-    static double kernel(const FlatPiece& a, Vec3 x, const FlatPiece& b, Vec3 y)
-    {
-        const Vec3 d = y - x;
-        const double square = dot(d, d);
-        return std::max(0.0, dot(a.normal, d)) * std::max(0.0, -dot(b.normal, d)) / (pi * square * square);
-    }
-
-    /// Points of equal weight; the mean over them is right for polynomials of degree 3 in each coordinate of a
-    /// parallelogram, and of degree 2 on a triangle.
-    struct GaussPoints
-    {
-        std::array<Vec3, 4> at;
-        std::size_t count;
-    };
-
-    static GaussPoints gauss_points(const Surface& s)
-    {
-        if (s.shape == Shape::triangle) {
-            constexpr double near = 1.0 / 6.0;
-            constexpr double far = 2.0 / 3.0;
-            return {{s.at(near, near), s.at(far, near), s.at(near, far), {}}, 3};
-        }
-        constexpr double low = 0.21132486540518713; // (1 - 1 / sqrt(3)) / 2
-        constexpr double high = 1.0 - low;
-        return {{s.at(low, low), s.at(high, low), s.at(low, high), s.at(high, high)}, 4};
     }
 
     const Scene& scene_;

@@ -72,6 +72,7 @@ public:
     const SeenCluster* begin(std::uint32_t patch) const { return clusters_.data() + first_[patch]; }
     const SeenCluster* end(std::uint32_t patch) const { return clusters_.data() + first_[patch + 1]; }
     double irradiance(std::uint32_t patch) const { return irradiance_[patch]; } ///< [W/m^2] the sum of its clusters
+    double bytes() const { return static_cast<double>(clusters_.capacity() * sizeof(SeenCluster)); }
 
     /// Light [W] from a surface that touches the patch face to face, which no ray can ask for.
     struct Contact

@@ -1,5 +1,7 @@
 #include "radiosity/reuse/surface_tree.h"
 
+#include "parallel/memory.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,8 +39,7 @@ struct Place
 std::vector<Place> places(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal)
 {
     constexpr double turn = 0.05; // of the diagonal, for a normal
-    std::vector<Place> result;
-    result.reserve(count);
+    std::vector<Place> result = with_room<Place>(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const Surface surface = shape(i);
         const Vec3 centre = surface.centre();
@@ -100,7 +101,7 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
         nodes_.push_back({node.begin, cut, k, 0});
         nodes_.push_back({cut, node.end, k, 0});
     }
-    order_.reserve(placed.size());
+    order_ = with_room<std::uint32_t>(placed.size());
     for (const Place& place : placed)
         order_.push_back(place.surface);
 }
@@ -108,7 +109,7 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
 std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough)
 {
     const std::vector<SurfaceTree::Node>& nodes = tree.nodes();
-    std::vector<RaySums> sums(nodes.size());
+    std::vector<RaySums> sums = large_vector<RaySums>(nodes.size());
     for (std::size_t k = nodes.size(); k-- > 0;) {
         if (nodes[k].is_leaf())
             for (std::uint32_t p = nodes[k].begin; p < nodes[k].end; ++p)
@@ -116,7 +117,7 @@ std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>&
         if (k > 0)
             sums[nodes[k].parent] += sums[k];
     }
-    std::vector<RaySums> result(own.size());
+    std::vector<RaySums> result = large_vector<RaySums>(own.size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         if (k > 0 && sums[k].rays < enough)
             sums[k] = sums[nodes[k].parent];

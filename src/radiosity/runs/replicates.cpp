@@ -160,7 +160,7 @@ SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uin
 
 std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
 {
-    return method->lines_per_patch * scene.patch_count() * static_cast<std::uint64_t>(replicates);
+    return method->lines_per_patch(scene) * scene.patch_count() * static_cast<std::uint64_t>(replicates);
 }
 
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,

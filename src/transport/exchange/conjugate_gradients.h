@@ -1,5 +1,7 @@
 #pragma once
 
+#include "parallel/blocks.h"
+#include "parallel/memory.h"
 #include "scene/rgb.h"
 
 #include <cstddef>
@@ -41,31 +43,35 @@ Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
     return sum;
 }
 
-/// Moves x towards the solution of matrix(x) = b, where matrix is symmetric and positive definite, and `residual` is b
-/// - matrix(x). precondition(r): about the inverse of the matrix times r. Ends at done(r, r . precondition(r)), or
-/// after most_steps. True if it was done, and the matrix not found to be indefinite.
+/// Moves x towards the solution of A x = b, where A is symmetric and positive definite, and `residual` is b - A x.
+/// matrix(x, y) sets y to A x; precondition(i, r_i) is about r_i / A_ii. Ends at done(residual, sum over i of r_i
+/// precondition(i, r_i)), or after most_steps. True if it was done, and the matrix not found to be indefinite.
 template <class Value, class Matrix, class Precondition, class Done>
 bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition, std::vector<Value> residual,
-                         int most_steps, const Done& done, std::vector<Value>& x)
+                         int most_steps, const Done& done, int threads, std::vector<Value>& x)
 {
-    std::vector<Value> preconditioned = precondition(residual);
-    std::vector<Value> direction = preconditioned;
-    Value norm = dot(residual, preconditioned);
+    const std::size_t n = x.size();
+    const auto sum = [&](const auto& term) { return parallel_sum<Value>(n, threads, term); };
+    std::vector<Value> direction = large_vector<Value>(n);
+    Value norm = sum([&](std::size_t i) {
+        direction[i] = precondition(i, residual[i]);
+        return residual[i] * direction[i];
+    });
+    std::vector<Value> image = large_vector<Value>(n);
     bool positive = true;
     for (int step = 0; step < most_steps && positive && !done(residual, norm); ++step) {
-        const std::vector<Value> image = matrix(direction);
-        const Value curvature = dot(direction, image);
+        matrix(direction, image);
+        const Value curvature = sum([&](std::size_t i) { return direction[i] * image[i]; });
         positive = at_most(Value{}, curvature);
         const Value length = quotient(norm, curvature);
-        for (std::size_t i = 0; i < x.size(); ++i) {
+        const Value next = sum([&](std::size_t i) {
             x[i] += length * direction[i];
             residual[i] = residual[i] - length * image[i];
-        }
-        preconditioned = precondition(residual);
-        const Value next = dot(residual, preconditioned);
+            return residual[i] * precondition(i, residual[i]);
+        });
         const Value turn = quotient(next, norm);
-        for (std::size_t i = 0; i < x.size(); ++i)
-            direction[i] = preconditioned[i] + turn * direction[i];
+        parallel_numbers(n, threads,
+                         [&](std::size_t i) { direction[i] = precondition(i, residual[i]) + turn * direction[i]; });
         norm = next;
     }
     return positive && done(residual, norm);

@@ -18,7 +18,7 @@ DenseExchange::DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses loss
         self_exchange_[i] -= sums[i] + losses_.escaping[i] + losses_.behind[i];
 }
 
-std::vector<Rgb> DenseExchange::apply(const std::vector<Rgb>& x, int threads) const
+void DenseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const
 {
     const std::uint32_t n = size();
     std::vector<std::vector<double>> channels(3, std::vector<double>(n));
@@ -28,10 +28,8 @@ std::vector<Rgb> DenseExchange::apply(const std::vector<Rgb>& x, int threads) co
         channels[2][i] = x[i].b;
     }
     const std::vector<std::vector<double>> products = symmetric_product(pairs_, channels, threads);
-    std::vector<Rgb> y(n);
     for (std::uint32_t i = 0; i < n; ++i)
         y[i] = Rgb{products[0][i], products[1][i], products[2][i]} + self_exchange_[i] * x[i];
-    return y;
 }
 
 // Least squares with constraints (R3): to minimise the sum of d_ij^2 / var_ij over all pairs, where sum over j of (G_ij
@@ -52,20 +50,15 @@ Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vect
     constexpr int most_steps = 40;
     constexpr double tolerance = 1e-4; // of the residual; far finer than what the variances are known to
     const double wanted = tolerance * tolerance * dot(right, right);
-    const auto times = [&](const Vector& x) {
-        Vector image = symmetric_product(matrix, {x}, threads)[0];
+    const auto times = [&](const Vector& x, Vector& image) {
+        image = symmetric_product(matrix, {x}, threads)[0];
         for (std::size_t i = 0; i < x.size(); ++i)
             image[i] += diagonal[i] * x[i];
-        return image;
     };
-    const auto by_diagonal = [&](Vector x) {
-        for (std::size_t i = 0; i < x.size(); ++i)
-            x[i] = x[i] / diagonal[i];
-        return x;
-    };
+    const auto by_diagonal = [&](std::size_t i, double x) { return x / diagonal[i]; };
     const auto done = [&](const Vector& residual, double) { return dot(residual, residual) <= wanted; };
     Vector x(right.size(), 0.0);
-    conjugate_gradients(times, by_diagonal, right, most_steps, done, x);
+    conjugate_gradients(times, by_diagonal, right, most_steps, done, threads, x);
     return x;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parallel/memory.h"
 #include "scene/rgb.h"
 
 #include <cstdint>
@@ -16,8 +17,15 @@ public:
 
     virtual std::uint32_t size() const = 0;
 
-    /// Sum over j of G_ij x_j for every patch i; power [W] for a radiosity x.
-    virtual std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const = 0;
+    /// y_i = sum over j of G_ij x_j for every patch i; power [W] for a radiosity x.
+    virtual void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const = 0;
+
+    std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const
+    {
+        std::vector<Rgb> y = large_vector<Rgb>(size());
+        multiply(x, threads, y);
+        return y;
+    }
 
     /// [m^2] G_ii; not zero only where rounding or noise is put into it.
     virtual double self_exchange(std::uint32_t patch) const = 0;

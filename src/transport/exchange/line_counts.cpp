@@ -67,20 +67,6 @@ int bits_for(std::uint64_t count)
     return bits;
 }
 
-/// Calls take(entry) for the sum of two rows, in order.
-template <class Take>
-void for_sum(CountRow a, CountRow b, const Take& take)
-{
-    while (a.first != a.last && b.first != b.last) {
-        if (a.first->patch == b.first->patch)
-            take(CountEntry{a.first->patch, (a.first++)->count + (b.first++)->count});
-        else
-            take(a.first->patch < b.first->patch ? *a.first++ : *b.first++);
-    }
-    std::for_each(a.first, a.last, take);
-    std::for_each(b.first, b.last, take);
-}
-
 } // namespace
 
 CountRows::CountRows(std::uint32_t rows, std::uint32_t columns)
@@ -107,18 +93,14 @@ void CountRows::merge()
     if (waiting_.empty())
         return;
     CountRows fresh(rows(), 0);
-    fresh.entries_.reserve(waiting_.size());
+    fresh.reached_.reserve(waiting_.size());
     sort_keys(waiting_, row_bits_ + column_bits_);
     const std::uint64_t column_mask = (std::uint64_t{1} << column_bits_) - 1;
-    for (std::size_t k = 0; k < waiting_.size(); ++k) {
-        if (k > 0 && waiting_[k] == waiting_[k - 1]) {
-            ++fresh.entries_.back().count;
-            continue;
-        }
-        fresh.entries_.push_back({static_cast<std::uint32_t>(waiting_[k] & column_mask), 1});
-        fresh.row_begin_[(waiting_[k] >> column_bits_) + 1] = fresh.entries_.size();
+    for (const std::uint64_t key : waiting_) {
+        fresh.reached_.push_back(static_cast<std::uint32_t>(key & column_mask));
+        fresh.row_begin_[(key >> column_bits_) + 1] = fresh.reached_.size();
     }
-    for (std::uint32_t i = 0; i < rows(); ++i) // rows without an entry begin where the one before ends
+    for (std::uint32_t i = 0; i < rows(); ++i) // rows without a line begin where the one before ends
         fresh.row_begin_[i + 1] = std::max(fresh.row_begin_[i + 1], fresh.row_begin_[i]);
     std::vector<std::uint64_t>().swap(waiting_); // gives its memory back
     add(fresh);
@@ -128,35 +110,36 @@ void CountRows::add(const CountRows& others)
 {
     std::vector<std::size_t> begin = {0};
     begin.reserve(row_begin_.size());
-    std::vector<CountEntry> sum;
-    sum.reserve(entries_.size() + others.entries_.size());
+    std::vector<std::uint32_t> sum(reached_.size() + others.reached_.size());
     for (std::uint32_t i = 0; i < rows(); ++i) {
-        for_sum(row(i), others.row(i), [&](CountEntry entry) { sum.push_back(entry); });
-        begin.push_back(sum.size());
+        const CountRow a = row(i);
+        const CountRow b = others.row(i);
+        const auto end =
+            std::merge(a.first, a.last, b.first, b.last, sum.begin() + static_cast<std::ptrdiff_t>(begin.back()));
+        begin.push_back(static_cast<std::size_t>(end - sum.begin()));
         escaped_[i] += others.escaped_[i];
         behind_[i] += others.behind_[i];
     }
-    sum.shrink_to_fit();
     row_begin_ = std::move(begin);
-    entries_ = std::move(sum);
+    reached_ = std::move(sum);
 }
 
 CountRow CountRows::row(std::uint32_t row) const
 {
-    return {entries_.data() + row_begin_[row], entries_.data() + row_begin_[row + 1]};
+    return {reached_.data() + row_begin_[row], reached_.data() + row_begin_[row + 1]};
 }
 
 void CountRows::visit(Archive& archive)
 {
     archive.list<std::uint64_t>("row begin", row_begin_);
-    archive.growing_list<std::uint32_t>("entries", entries_);
+    archive.growing_list<std::uint32_t>("reached", reached_);
     archive.list<std::uint64_t>("escaped", escaped_);
     archive.list<std::uint64_t>("behind", behind_);
-    bool whole = row_begin_.front() == 0 && row_begin_.back() == entries_.size();
+    bool whole = row_begin_.front() == 0 && row_begin_.back() == reached_.size();
     for (std::size_t i = 0; i + 1 < row_begin_.size(); ++i)
         whole = whole && row_begin_[i] <= row_begin_[i + 1];
-    for (const CountEntry& entry : entries_)
-        whole = whole && entry.patch >> column_bits_ == 0;
+    for (const std::uint32_t patch : reached_)
+        whole = whole && patch >> column_bits_ == 0;
     if (!whole)
         throw ArchiveError("the state is damaged: no such rows of counts");
 }
@@ -294,7 +277,9 @@ Blocks ray_blocks(const Allotment& rays)
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
                 SharedRange& range, const RunControl& run, LineCounts& counts)
 {
-    constexpr std::uint64_t blocks_per_merge = 256; // until they are merged, notes take 16 bytes a ray more
+    // Until they are merged, notes take 16 bytes a ray more; each time all that was there before is copied.
+    constexpr std::uint64_t fewest_blocks_per_merge = 256;
+    constexpr std::uint64_t merges_per_doubling = 8;
     const Blocks blocks = ray_blocks(rays);
     BlockBuffers<CountedRays> buffers(run.threads);
     const auto trace = [&](std::uint64_t block, int slot) {
@@ -303,7 +288,8 @@ void count_rays(const Scene& scene, const Allotment& rays, const Sequence& seque
     };
     const auto report = [&](std::uint64_t block, int) { run.count_lines(blocks.length(block)); };
     while (range.next < range.end && !run.stopped()) {
-        resumable_blocks(range.next, std::min(range.end, range.next + blocks_per_merge), run, trace, report);
+        const std::uint64_t wait = std::max(fewest_blocks_per_merge, (range.next - range.first) / merges_per_doubling);
+        resumable_blocks(range.next, std::min(range.end, range.next + wait), run, trace, report);
         counts.merge(run.threads);
     }
 }

@@ -19,25 +19,18 @@ namespace multipath {
 /// Sorts numbers below 2^bits; time grows like count * bits. Radix sort, with a second list of the same length.
 void sort_keys(std::vector<std::uint64_t>& keys, int bits);
 
-/// How many lines left one patch and reached another.
-struct CountEntry
-{
-    std::uint32_t patch; ///< the one reached
-    std::uint32_t count;
-};
-
-/// The patches that the lines from one patch reached, in order of their numbers.
+/// The patches that the lines from one patch reached, in order of their numbers, each as often as it was reached.
 struct CountRow
 {
-    const CountEntry* first;
-    const CountEntry* last;
+    const std::uint32_t* first;
+    const std::uint32_t* last;
 
-    const CountEntry* begin() const { return first; }
-    const CountEntry* end() const { return last; }
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
 };
 
-/// Counts of the lines from a few patches, the rows, to all patches, the columns; only counts that are not zero take
-/// memory. New lines wait in a list, 8 bytes each like a count, until they are sorted and merged.
+/// Counts of the lines from a few patches, the rows, to all patches, the columns: 4 bytes for each line. New lines wait
+/// in a list, 8 bytes each, until they are sorted and merged.
 class CountRows
 {
 public:
@@ -60,7 +53,7 @@ private:
     int row_bits_;
     int column_bits_;
     std::vector<std::size_t> row_begin_; ///< one more than rows
-    std::vector<CountEntry> entries_;
+    std::vector<std::uint32_t> reached_; ///< row after row
     std::vector<std::uint64_t> escaped_; ///< per row
     std::vector<std::uint64_t> behind_;  ///< per row
     std::vector<std::uint64_t> waiting_; ///< row << column_bits_ | column
@@ -75,8 +68,7 @@ class LineCounts
 public:
     explicit LineCounts(std::uint32_t patches);
 
-    /// Notes each segment for both of its ends, 8 bytes each until merge() sorts them into the rows. Several threads
-    /// may call it at the same time.
+    /// Notes each segment for both of its ends. Several threads may call it at the same time.
     void add(const std::vector<Segment>& segments);
 
     /// Takes in all that was added. What follows needs this first, and that no thread adds.

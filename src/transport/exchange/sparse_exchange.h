@@ -3,6 +3,7 @@
 #include "transport/exchange/exchange.h"
 #include "transport/exchange/line_counts.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace multipath {
@@ -16,41 +17,47 @@ namespace multipath {
 ///    Sinkhorn and Knopp (1967). The factors take out the noise of how many rays of others happened to meet each patch.
 ///    No row gets more than its area.
 /// 2. What a row still lacks, s_i, is exchange that no ray has shown. It is spread over all patches that lack some:
-///    s_i s_j / sum of s. With tens of rays per patch this is a small part of the whole, see unseen_share().
+///    s_i s_j / sum of s. With tens of rays per patch this is a small part of the whole, see unseen_share(). What only
+///    rounding makes it lack, a patch exchanges with itself, so that no light gets into closed spaces.
 class SparseExchange : public Exchange
 {
 public:
     /// Refers to the counts, which must be merged. `area` [m^2] and `density` [rays/m^2] per patch, of the rays that
     /// left it. `unseen_rays`: how many rays per patch to take as not seen, over those that were counted. With more
     /// than none, light can get from every patch to every other, however few rays there are, at the price of a bias.
-    /// `small_leak` [1]: by how much of all area the rows may differ from it after step 1.
-    SparseExchange(const LineCounts& counts, const std::vector<double>& area, std::vector<double> density,
-                   double unseen_rays, int threads, double small_leak = 1e-7);
+    SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& density,
+                   double unseen_rays, int threads);
 
     std::uint32_t size() const override { return counts_.size(); }
-    std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const override;
+    void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
     double self_exchange(std::uint32_t patch) const override;
-    double escaping(std::uint32_t patch) const override;
-    double behind(std::uint32_t patch) const override;
+    double escaping(std::uint32_t patch) const override { return lost(patch, counts_.escaped(patch)); }
+    double behind(std::uint32_t patch) const override { return lost(patch, counts_.behind(patch)); }
     double row_area(std::uint32_t patch) const override { return area_[patch]; }
 
     /// [1] Share of all exchange that no ray has shown: how far the result rests on step 2.
     double unseen_share() const;
 
 private:
-    /// Sums of all rows for the present factors, without what is not seen.
-    std::vector<double> row_sums(bool limited, int threads) const;
-    double factor(std::uint32_t i, std::uint32_t j) const;
-    double counted(std::uint32_t i, const CountEntry& entry) const; ///< [m^2] C_ij / (d_i + d_j)
+    /// Single precision serves as well and is half to read: the exchange is symmetric in any case, and adds up to the
+    /// areas by step 2.
+    struct Factors
+    {
+        float density; ///< [rays per unit_] d
+        float scale;   ///< x
+    };
+
     double lost(std::uint32_t patch, std::uint64_t rays) const;
+    double row_sum(std::uint32_t i) const;
+    void balance(const std::vector<double>& wanted, int threads);
 
     const LineCounts& counts_;
     std::vector<double> area_;
-    std::vector<double> density_; ///< [rays/m^2] d
-    std::vector<double> scale_;   ///< x
-    std::vector<double> limit_;   ///< at most 1: keeps the rows from more than their areas
-    std::vector<double> unseen_;  ///< [m^2] s
-    double unseen_sum_ = 0.0;     ///< [m^2]
+    double unit_ = 0.0; ///< [m^2] of all patches: in single precision, numbers must not be too large or small
+    std::vector<Factors> factors_;
+    std::vector<double> own_;    ///< [m^2] what rounding makes the row lack
+    std::vector<double> unseen_; ///< [m^2] s
+    double unseen_sum_ = 0.0;    ///< [m^2]
 };
 
 } // namespace multipath

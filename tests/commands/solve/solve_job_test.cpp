@@ -21,6 +21,7 @@ std::string summary_of(double unshot, double behind, double rho = 0.5)
     const SolveOptions options;
     const auto grey = [](double power) { return Rgb{power, power, power}; };
     Solution solution;
+    solution.global_lines = 1000;
     solution.radiosity.resize(scene.patch_count(), grey(1.0 / 6.0));
     solution.unshot.resize(scene.patch_count(), grey(unshot / 6.0));
     solution.balance.emitted = solution.balance.source = grey(1.0);

@@ -19,7 +19,8 @@ namespace {
 std::vector<Rgb> solved(const Scene& scene, std::uint64_t rays, std::uint64_t seed, bool indirect = true)
 {
     PowerState state(scene);
-    reuse_balanced(scene, *make_sequence("sobol-owen", seed), {0, rays, true, indirect}, 1e9, {2}, state);
+    reuse_balanced(scene, SceneLights(scene, 2), *make_sequence("sobol-owen", seed), {0, rays, true, indirect}, 1e9,
+                   {2}, state);
     return radiosity(scene, state);
 }
 
@@ -133,7 +134,8 @@ TEST_CASE("thousands of lamps, in contact with the ceiling and on a globe, light
     const Scene scene = builder.scene(0.2);
     const std::uint64_t rays = std::uint64_t{16} * scene.patch_count();
     PowerState state(scene);
-    reuse_balanced(scene, *make_sequence("sobol-owen", 1), {0, rays, true, true}, 1e9, {2}, state);
+    reuse_balanced(scene, SceneLights(scene, 2), *make_sequence("sobol-owen", 1), {0, rays, true, true}, 1e9, {2},
+                   state);
     const PowerBalance balance = power_balance(scene, state);
     CHECK(balance.relative_error() < 1e-9);
     CHECK(mean(balance.absorbed) == doctest::Approx(mean(scene.source_power())).epsilon(1e-6));
@@ -219,8 +221,8 @@ TEST_CASE("a run that is stopped solves with the rays it has, from the first rou
     for (int pause = 0;; pause += 3) {
         TestCheckpoint stop(pause);
         PowerState state(scene);
-        const BalancedResult result =
-            reuse_balanced(scene, *make_sequence("sobol-owen", 1), {0, rays, true, true}, 1e9, {1, {}, &stop}, state);
+        const BalancedResult result = reuse_balanced(scene, SceneLights(scene, 2), *make_sequence("sobol-owen", 1),
+                                                     {0, rays, true, true}, 1e9, {1, {}, &stop}, state);
         if (!stop.stopped())
             break;
         CHECK(power_balance(scene, state).relative_error() < 1e-9);

@@ -27,7 +27,7 @@ struct Gathered
 Gathered gathered(const Scene& scene, const Sequence& sequence, const BalancedRays& rays, int threads = 2)
 {
     PowerState state(scene);
-    const BalancedResult result = reuse_balanced(scene, sequence, rays, 1e9, {threads}, state);
+    const BalancedResult result = reuse_balanced(scene, SceneLights(scene, 2), sequence, rays, 1e9, {threads}, state);
     return {state.incident, result.rays, state.escaped, state.behind, state};
 }
 

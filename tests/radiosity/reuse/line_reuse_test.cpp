@@ -313,7 +313,8 @@ TEST_CASE("counts too few for a solution are completed, not taken")
     for (const std::uint64_t rays : {4u, 6u, 20u}) {
         CAPTURE(rays);
         PowerState state(scene);
-        reuse_balanced(scene, *sequence, {0, rays * scene.patch_count(), true, true}, 1e9, {1}, state);
+        reuse_balanced(scene, SceneLights(scene, 2), *sequence, {0, rays * scene.patch_count(), true, true}, 1e9, {1},
+                       state);
         remove_negative_light(scene, state);
         CHECK(mean(power_balance(scene, state).absorbed) == doctest::Approx(1.0).epsilon(1e-6)); // [W]
         for (const Rgb h : state.incident)

@@ -1,6 +1,8 @@
 #include "radiosity/runs/share_sum.h"
 
 #include "paused_work.h"
+#include "radiosity/memory_estimate.h"
+#include "radiosity/reuse/line_reuse.h"
 #include "radiosity/runs/replicates.h"
 #include "test_scenes.h"
 
@@ -77,7 +79,8 @@ TEST_CASE("shares of a run add up to the bits of one run, after each stage that 
     SUBCASE("with a table of pairs") {}
     SUBCASE("with rays alone")
     {
-        options.memory = 1e6;
+        options.memory = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) +
+                         0.999 * reuse_bytes(scene); // no table
         stages = 1;
     }
     TestCheckpoint alone(-1);

@@ -34,8 +34,8 @@ Contents contents(const LineCounts& counts)
 {
     Contents result;
     for (std::uint32_t i = 0; i < counts.size(); ++i) {
-        for (const CountEntry& entry : counts.row(i))
-            result.joined[{i, entry.patch}] = entry.count;
+        for (const std::uint32_t j : counts.row(i))
+            ++result.joined[{i, j}];
         result.escaped.push_back(counts.escaped(i));
         result.behind.push_back(counts.behind(i));
     }

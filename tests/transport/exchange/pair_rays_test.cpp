@@ -2,6 +2,7 @@
 
 #include "geometry/form_factor/exchange_area.h"
 #include "geometry/pi.h"
+#include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "statistics.h"
 #include "test_scenes.h"
