@@ -36,4 +36,11 @@ struct Bounds
     }
 };
 
+/// True also if they only touch.
+inline bool overlap(const Bounds& a, const Bounds& b)
+{
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
 } // namespace multipath

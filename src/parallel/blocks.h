@@ -31,11 +31,13 @@ void parallel_blocks(std::uint64_t block_count, int threads, const std::function
 void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
                      const std::function<void(std::uint32_t first, std::uint32_t end)>& work);
 
+constexpr std::uint32_t numbers_at_a_time = 1024;
+
 /// Runs work(i) for i = 0 ... count - 1, in any order.
 template <class Work>
-void parallel_numbers(std::size_t count, int threads, const Work& work)
+void parallel_numbers(std::uint32_t count, int threads, const Work& work)
 {
-    parallel_ranges(static_cast<std::uint32_t>(count), 1024, threads, [&](std::uint32_t first, std::uint32_t end) {
+    parallel_ranges(count, numbers_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i)
             work(i);
     });
@@ -43,15 +45,14 @@ void parallel_numbers(std::size_t count, int threads, const Work& work)
 
 /// The sum of term(i): the same bits for any number of threads.
 template <class Value, class Term>
-Value parallel_sum(std::size_t count, int threads, const Term& term)
+Value parallel_sum(std::uint32_t count, int threads, const Term& term)
 {
-    const Blocks blocks = {count, 1024};
-    std::vector<Value> sums(static_cast<std::size_t>(blocks.count()));
-    parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
+    std::vector<Value> sums(static_cast<std::size_t>(Blocks{count, numbers_at_a_time}.count()));
+    parallel_ranges(count, numbers_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         Value sum{};
-        for (std::uint64_t i = blocks.first(block); i < blocks.first(block + 1); ++i)
-            sum += term(static_cast<std::size_t>(i));
-        sums[static_cast<std::size_t>(block)] = sum;
+        for (std::uint32_t i = first; i < end; ++i)
+            sum += term(i);
+        sums[first / numbers_at_a_time] = sum;
     });
     Value all{};
     for (const Value& sum : sums)

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -195,20 +196,19 @@ bool apart_by(double radii, const FlatPiece& a, const FlatPiece& b)
 }
 
 /// Of a piece that is small from where the other is, if it lies wholly in front of it: Lambert's formula at points of
-/// the small one.
-bool exchange_by_views(const FlatPiece& small, const FlatPolygon& small_polygon, const FlatPiece& other,
-                       const FlatPolygon& other_polygon, double touching, double& exchange)
+/// the small one. Nothing if it is not so.
+std::optional<double> exchange_by_views(const FlatPiece& small, const FlatPolygon& small_polygon,
+                                        const FlatPiece& other, const FlatPolygon& other_polygon, double touching)
 {
     if (heights(small_polygon, other.centre, other.normal).low < 0.0 ||
         distance(small.centre, other_polygon) < views_radii * small.radius)
-        return false;
+        return std::nullopt;
     const FlatPolygon seen = part_in_front(other_polygon, small.centre, small.normal, touching);
     const PiecePoints points = points_of(small, 0.0);
-    exchange = 0.0;
+    double sum = 0.0;
     for (std::size_t k = 0; k < points.size && !seen.empty(); ++k)
-        exchange += small.area * points.weight[k] *
-                    irradiance_from(seen, {points.x[k], points.y[k], points.z[k]}, small.normal);
-    return true;
+        sum += points.weight[k] * irradiance_from(seen, {points.x[k], points.y[k], points.z[k]}, small.normal);
+    return small.area * sum;
 }
 
 /// An order of pieces, so that a pair is computed one way round whichever is named first.
@@ -277,10 +277,11 @@ double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
         return exchange_of_far(a, b);
     if (wholly && apart_by(points_radii, a, b))
         return exchange_by_points(a, b);
-    double exchange = 0.0;
-    if (a.radius < b.radius ? exchange_by_views(a, a_polygon, b, b_polygon, touching, exchange)
-                            : exchange_by_views(b, b_polygon, a, a_polygon, touching, exchange))
-        return exchange;
+    const std::optional<double> exchange = a.radius < b.radius
+                                               ? exchange_by_views(a, a_polygon, b, b_polygon, touching)
+                                               : exchange_by_views(b, b_polygon, a, a_polygon, touching);
+    if (exchange)
+        return *exchange;
     return wholly ? contour_integral(a_polygon, b_polygon) : exchange_of_parts(a, a_polygon, b, b_polygon, touching);
 }
 

@@ -215,16 +215,6 @@ SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::ui
     return result;
 }
 
-namespace {
-
-bool overlap(const Bounds& a, const Bounds& b)
-{
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
-} // namespace
-
 PlaneNeighbours::PlaneNeighbours(const LargeVector<Bounds>& boxes, const std::vector<std::uint32_t>& plane_number)
     : first_(boxes.size(), 0)
 {

@@ -2,7 +2,6 @@
 
 #include "geometry/bounds.h"
 #include "geometry/intersector/intersector.h"
-#include "geometry/polygon.h"
 #include "sampling/random.h"
 
 #include <algorithm>
@@ -30,12 +29,6 @@ Line sight(const OpenPoint& a, const OpenPoint& b)
 bool may_part(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
 {
     return !level(normal, a.normal) && !level(normal, b.normal);
-}
-
-bool overlap(const Bounds& a, const Bounds& b)
-{
-    return a.low.x <= b.high.x && a.high.x >= b.low.x && a.low.y <= b.high.y && a.high.y >= b.low.y &&
-           a.low.z <= b.high.z && a.high.z >= b.low.z;
 }
 
 } // namespace
@@ -78,7 +71,7 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals,
                                           [&](const OpenPoint& point) { return level(normal, point.normal); });
         if (is_level)
             continue;
-        Bounds own = scene.surfaces()[surface].bounds();
+        const Bounds own = scene.surfaces()[surface].bounds();
         if (overlap(own, box)) {
             const double play = rounding * scene.bounds().diagonal();
             near_->push_back({surface, normal, {own.low - Vec3{play, play, play}, own.high + Vec3{play, play, play}}});

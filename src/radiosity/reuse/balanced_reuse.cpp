@@ -241,8 +241,7 @@ private:
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.source_power());
-        parallel_numbers(n_, run_.threads, [&](std::size_t number) {
-            const auto i = static_cast<std::uint32_t>(number);
+        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             constexpr double dark = 0.01;     // what black patches receive is wanted too, if not as precisely
             constexpr double exponent = 0.35; // of the area, while nothing is known of the light
             const double worth =
@@ -272,8 +271,7 @@ private:
         constexpr double enough = 32.0;
         const std::vector<double> density = densities();
         std::vector<RaySums> found = large_vector<RaySums>(n_);
-        parallel_numbers(n_, run_.threads, [&](std::size_t number) {
-            const auto i = static_cast<std::uint32_t>(number);
+        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             RaySums& sums = found[i];
             for_row(i, density, [&](double weight, std::uint32_t j) {
                 const double light = j != nothing ? mean(guess_[j]) : 0.0;
@@ -289,7 +287,7 @@ private:
         });
         found = pooled(patches_, found, enough);
         std::vector<double> result = large_vector<double>(n_);
-        parallel_numbers(n_, run_.threads, [&](std::size_t i) { result[i] = found[i].standard_deviation(); });
+        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) { result[i] = found[i].standard_deviation(); });
         return result;
     }
 
@@ -377,8 +375,7 @@ private:
         Field radiosity = round_ == 0 ? source : guess_;
         Field next = large_vector<Rgb>(n_);
         for (int k = 0; k < bounces; ++k) {
-            parallel_numbers(n_, run_.threads, [&](std::size_t number) {
-                const auto i = static_cast<std::uint32_t>(number);
+            parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
                 Rgb found;
                 double weight = 0.0;
                 for_row(i, density, [&](double w, std::uint32_t j) {

@@ -46,17 +46,16 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
     }
     Field reflected = large_vector<Rgb>(n);
     const auto matrix = [&](const Field& y, Field& image) {
-        parallel_numbers(n, threads, [&](std::size_t i) { reflected[i] = rho_root[i] * y[i]; });
+        parallel_numbers(n, threads, [&](std::uint32_t i) { reflected[i] = rho_root[i] * y[i]; });
         exchange.multiply(reflected, threads, image);
-        parallel_numbers(n, threads, [&](std::size_t i) {
-            image[i] = exchange.row_area(static_cast<std::uint32_t>(i)) * y[i] - rho_root[i] * image[i];
-        });
+        parallel_numbers(n, threads,
+                         [&](std::uint32_t i) { image[i] = exchange.row_area(i) * y[i] - rho_root[i] * image[i]; });
     };
     const auto precondition = [&](std::size_t i, Rgb residual) { return inverse_diagonal[i] * residual; };
 
     Field residual = large_vector<Rgb>(n);
     exchange.multiply(source, threads, residual);
-    const Rgb norm = parallel_sum<Rgb>(n, threads, [&](std::size_t i) {
+    const Rgb norm = parallel_sum<Rgb>(n, threads, [&](std::uint32_t i) {
         residual[i] = rho_root[i] * residual[i];
         return residual[i] * precondition(i, residual[i]);
     });

@@ -22,6 +22,8 @@ constexpr double cluster_angle = 0.3;
 // Lights that are seen wider than so have kernels that vary much: rays go into their solid angles (RayPair).
 constexpr double single_angle = 0.5;
 
+constexpr double enough_rays = 16.0; // of a patch, to tell which share of its lights it sees
+
 constexpr std::uint32_t patches_per_block = 256;
 constexpr std::size_t rays_at_a_time = 4096;
 
@@ -233,9 +235,8 @@ std::vector<RaySums> GatheredLight::visible_shares(double enough) const
 std::vector<double> GatheredLight::deviations() const
 {
     // That all rays of some patches agree does not prove that one more would.
-    constexpr double few = 16.0;
     constexpr double least_variance = 0.002;
-    const std::vector<RaySums> free = visible_shares(few);
+    const std::vector<RaySums> free = visible_shares(enough_rays);
     std::vector<double> result = with_room<double>(sights_.size());
     for (std::uint32_t i = 0; i < sights_.size(); ++i) {
         const double p = free[i].weight > 0.0 ? free[i].value / free[i].weight : 0.5;
@@ -246,7 +247,7 @@ std::vector<double> GatheredLight::deviations() const
 
 std::vector<Rgb> GatheredLight::incident() const
 {
-    const std::vector<RaySums> shares = visible_shares(16.0);
+    const std::vector<RaySums> shares = visible_shares(enough_rays);
     std::vector<RaySums> errors = with_room<RaySums>(sights_.size()); // of the unoccluded light
     for (const Sight& sight : sights_)
         errors.push_back({sight.rays, sight.rays, sight.error, sight.square});

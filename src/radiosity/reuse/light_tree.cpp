@@ -195,7 +195,7 @@ public:
     }
 
 private:
-    /// [W/m^2] From a single light, right to a few parts in 10^4.
+    /// [W/m^2] From a single light, as exchange_area().
     double leaf_irradiance(std::uint32_t patch, const FlatPiece& receiver, std::uint32_t leaf, Rgb& contact) const
     {
         const FlatPiece& light = tree_.piece(leaf);

@@ -5,6 +5,7 @@
 #include "scene/rgb.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 // Conjugate gradients with a preconditioner (Hestenes and Stiefel 1952) for one system of equations, or for one in each
@@ -50,10 +51,10 @@ template <class Value, class Matrix, class Precondition, class Done>
 bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition, std::vector<Value> residual,
                          int most_steps, const Done& done, int threads, std::vector<Value>& x)
 {
-    const std::size_t n = x.size();
+    const auto n = static_cast<std::uint32_t>(x.size());
     const auto sum = [&](const auto& term) { return parallel_sum<Value>(n, threads, term); };
     std::vector<Value> direction = large_vector<Value>(n);
-    Value norm = sum([&](std::size_t i) {
+    Value norm = sum([&](std::uint32_t i) {
         direction[i] = precondition(i, residual[i]);
         return residual[i] * direction[i];
     });
@@ -61,17 +62,17 @@ bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition,
     bool positive = true;
     for (int step = 0; step < most_steps && positive && !done(residual, norm); ++step) {
         matrix(direction, image);
-        const Value curvature = sum([&](std::size_t i) { return direction[i] * image[i]; });
+        const Value curvature = sum([&](std::uint32_t i) { return direction[i] * image[i]; });
         positive = at_most(Value{}, curvature);
         const Value length = quotient(norm, curvature);
-        const Value next = sum([&](std::size_t i) {
+        const Value next = sum([&](std::uint32_t i) {
             x[i] += length * direction[i];
             residual[i] = residual[i] - length * image[i];
             return residual[i] * precondition(i, residual[i]);
         });
         const Value turn = quotient(next, norm);
         parallel_numbers(n, threads,
-                         [&](std::size_t i) { direction[i] = precondition(i, residual[i]) + turn * direction[i]; });
+                         [&](std::uint32_t i) { direction[i] = precondition(i, residual[i]) + turn * direction[i]; });
         norm = next;
     }
     return positive && done(residual, norm);

@@ -29,8 +29,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
             wanted[i] *= rays / (rays + unseen_rays);
         }
     balance(wanted, threads);
-    unseen_sum_ = parallel_sum<double>(size(), threads, [&](std::size_t number) {
-        const auto i = static_cast<std::uint32_t>(number);
+    unseen_sum_ = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
         constexpr double rounding = 1e-6;
         const double lacks = area_[i] - row_sum(i);
         (lacks <= rounding * area_[i] ? own_ : unseen_)[i] = lacks;
@@ -73,11 +72,11 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
     std::vector<float> next = large_vector<float>(size());
     std::vector<float> before = large_vector<float>(size());
     std::fill(before.begin(), before.end(), 1.0f);
-    const double all = parallel_sum<double>(size(), threads, [&](std::size_t i) { return wanted[i]; });
+    const double all = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return wanted[i]; });
     double leak = 1.0;
     for (int step = 0; step < most_steps && leak > small_leak; ++step) {
-        const double missing = parallel_sum<double>(size(), threads, [&](std::size_t i) {
-            const double sum = row_sum(static_cast<std::uint32_t>(i));
+        const double missing = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
+            const double sum = row_sum(i);
             const auto scale = static_cast<double>(factors_[i].scale);
             const double turn = root(root(root(root(scale / static_cast<double>(before[i])))));
             const double change = sum > 0.0 ? root(wanted[i] / sum) * root(root(wanted[i] / sum)) * turn : 1.0;
@@ -85,47 +84,36 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
             return std::abs(wanted[i] - sum);
         });
         leak = all > 0.0 ? missing / all : 0.0;
-        parallel_numbers(size(), threads, [&](std::size_t i) {
+        parallel_numbers(size(), threads, [&](std::uint32_t i) {
             before[i] = factors_[i].scale;
             factors_[i].scale = next[i];
         });
     }
-    parallel_numbers(size(), threads, [&](std::size_t i) {
-        const double sum = row_sum(static_cast<std::uint32_t>(i));
+    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+        const double sum = row_sum(i);
         constexpr double below_one = 1.0 - 1.5e-7; // never more, however it is rounded
         const double limit = std::min(1.0, below_one * wanted[i] / sum);
         next[i] = sum > 0.0 ? static_cast<float>(static_cast<double>(factors_[i].scale) * limit) : 1.0f;
     });
-    parallel_numbers(size(), threads, [&](std::size_t i) { factors_[i].scale = next[i]; });
+    parallel_numbers(size(), threads, [&](std::uint32_t i) { factors_[i].scale = next[i]; });
 }
-
-namespace {
-
-struct Largest
-{
-    double value = 0.0;
-    Largest& operator+=(Largest other)
-    {
-        value = std::max(value, other.value);
-        return *this;
-    }
-};
-
-} // namespace
 
 void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const
 {
-    const double largest = parallel_sum<Largest>(size(), threads, [&](std::size_t i) {
-                               return Largest{std::max({std::abs(x[i].r), std::abs(x[i].g), std::abs(x[i].b)})};
-                           }).value;
-    const double to_single = largest > 0.0 ? 1.0 / largest : 1.0;
+    // To numbers that suit single precision, by a power of two: exact.
+    const double sum_of_all = parallel_sum<double>(
+        size(), threads, [&](std::uint32_t i) { return std::abs(x[i].r) + std::abs(x[i].g) + std::abs(x[i].b); });
+    int exponent = 0;
+    std::frexp(sum_of_all, &exponent);
+    const double unit_of_light = std::ldexp(1.0, exponent);
+    const double to_single = std::ldexp(1.0, -exponent);
     struct Sender // small, for it is asked for at random places
     {
         float r, g, b; ///< scaled light
         float density;
     };
     std::vector<Sender> senders = large_vector<Sender>(size());
-    Rgb spread = parallel_sum<Rgb>(size(), threads, [&](std::size_t i) { // [W]
+    Rgb spread = parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) { // [W]
         const Rgb light = to_single * static_cast<double>(factors_[i].scale) * x[i];
         senders[i] = {static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b),
                       factors_[i].density};
@@ -133,8 +121,7 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
     });
     if (unseen_sum_ > 0.0)
         spread = (1.0 / unseen_sum_) * spread; // for each m^2 that is not seen
-    parallel_numbers(size(), threads, [&](std::size_t number) {
-        const auto i = static_cast<std::uint32_t>(number);
+    parallel_numbers(size(), threads, [&](std::uint32_t i) {
         const auto density = static_cast<double>(factors_[i].density);
         Rgb sum;
         for (const std::uint32_t j : counts_.row(i)) {
@@ -142,7 +129,8 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
             sum += (1.0 / (density + static_cast<double>(sender.density))) *
                    Rgb{static_cast<double>(sender.r), static_cast<double>(sender.g), static_cast<double>(sender.b)};
         }
-        y[i] = largest * unit_ * static_cast<double>(factors_[i].scale) * sum + own_[i] * x[i] + unseen_[i] * spread;
+        y[i] =
+            unit_of_light * unit_ * static_cast<double>(factors_[i].scale) * sum + own_[i] * x[i] + unseen_[i] * spread;
     });
 }
 
