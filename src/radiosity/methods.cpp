@@ -14,6 +14,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace multipath {
 
@@ -73,11 +74,12 @@ void reuse_rays(Run& run)
         return;
     }
     const BalancedRays rays{run.first_local_item(), left, gathers(run), true};
-    const BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays,
-                                                 run.options.memory, run.control(1, 1, run.shard),
-                                                 run.state); // (R1) (R4) (R5)
+    BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays, run.options.memory,
+                                           run.control(1, 1, run.shard),
+                                           run.state); // (R1) (R4) (R5)
     run.solution.local_lines += result.rays;
     run.solved = result.solved;
+    run.variance = std::move(result.variance);
 }
 
 // Choice of stages
@@ -105,12 +107,12 @@ void prepare_ratio(const Scene& scene, const SolveOptions& options, Preparation&
         preparation.ratio = ratio_for(scene, options);
 }
 
-/// Is a table of all pairs worth its time? It has about a fifth of the error of rays alone, for the time of a line per
-/// 20 pairs; but only if there are some lines for each pair of a patch and one that emits, or a few such pairs.
-/// Measured on 4CHAIRS, and on a floor in the penumbra of one large lamp (docs/line_reuse.md).
+/// Is a table of all pairs worth its time? It has a small part of the error of rays alone, even of denoised ones, for
+/// the time of a line per 20 pairs; but only if there are some lines for each pair of a patch and one that emits, or a
+/// few such pairs. Measured on 4CHAIRS, and on a floor in the penumbra of one large lamp (docs/line_reuse.md).
 bool table_pays(const Scene& scene, std::uint64_t lines)
 {
-    constexpr double pairs_per_line = 20.0;
+    constexpr double pairs_per_line = 8.0;
     constexpr double lines_per_light_pair = 4.0;
     constexpr double few_pairs = 1e7; // made in a fifth of a second, whatever the lines
     constexpr double few_light_pairs = 1e5;
@@ -146,7 +148,7 @@ std::uint64_t no_lines(const Scene&)
 std::uint64_t lines_to_trust_reuse(const Scene& scene)
 {
     constexpr std::uint64_t with_table = 64;
-    constexpr std::uint64_t without = 8;
+    constexpr std::uint64_t without = 32;
     return table_pays(scene, with_table * scene.patch_count()) ? with_table : without;
 }
 
@@ -190,7 +192,7 @@ constexpr MethodInfo table[] = {
     {"reuse",
      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
-     "ratio chords direct power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
+     "ratio chords direct denoise power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
      Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}};
 
 std::vector<std::string_view> words_of(std::string_view text)

@@ -2,6 +2,7 @@
 
 #include "radiosity/line_budget.h"
 #include "radiosity/multipath.h"
+#include "radiosity/reuse/denoising.h"
 #include "radiosity/reuse/exchange_solver.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
@@ -92,6 +93,7 @@ void Run::visit(Archive& archive)
     archive.value<std::uint64_t>("local lines", local_lines_before_);
     multipath::visit(archive, solution.shot_passes);
     state.visit(archive);
+    archive.growing_list<double>("variance", variance);
     if (archive.reads())
         solution.local_lines = local_lines_before_;
 }
@@ -163,6 +165,8 @@ Solution Run::finish()
     solution.balance = power_balance(scene, state);
     require_balance(solution.balance);
     solution.radiosity = radiosity(scene, state);
+    if (options.denoise && variance.size() == scene.patch_count())
+        denoise(scene, options.threads, solution.radiosity, variance);
     solution.unshot = unshot_radiosity(scene, state);
     solution.all_lines = solution.local_lines + solution.global_lines;
     if (!stopped())

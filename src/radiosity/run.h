@@ -31,7 +31,8 @@ public:
 
     PowerState state;
     Solution solution;
-    bool solved = false; ///< a stage has sent all light by solving for it, also if the run was stopped
+    bool solved = false;       ///< a stage has sent all light by solving for it, also if the run was stopped
+    std::vector<Rgb> variance; ///< [(W/m^2)^2] per patch, of its radiosity; empty where no stage tells it
 
     /// Number of local lines by the user's ratio of local to global lines, or by the usual one.
     std::uint64_t local_share(double usual_ratio) const;

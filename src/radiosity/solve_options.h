@@ -60,6 +60,7 @@ struct SolveOptions
     bool bidirectional = true;                  ///< (M2)
     Estimator estimator = Estimator::collision; ///< of the local method
     Direct direct = Direct::gather;             ///< of the method `reuse`
+    bool denoise = true;                        ///< of the method `reuse`
     double memory = 2e9;                        ///< [bytes] that the run may take; `reuse` keeps its pairs within
     int threads = 1;
 };

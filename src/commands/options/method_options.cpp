@@ -38,6 +38,7 @@ std::string methods_with(std::string_view option)
 constexpr std::array<NamedValue<Estimator>, 2> estimator_choices = {
     {{"collision", Estimator::collision}, {"absorption", Estimator::absorption}}};
 constexpr std::array<NamedValue<bool>, 2> bidirectional_choices = {{{"yes", true}, {"no", false}}};
+constexpr std::array<NamedValue<bool>, 2> denoise_choices = {{{"yes", true}, {"no", false}}};
 constexpr std::array<NamedValue<Direct>, 2> direct_choices = {{{"shoot", Direct::shoot}, {"gather", Direct::gather}}};
 
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
@@ -52,6 +53,18 @@ Option direct_option()
             "it like the extended first shot.",
             false,
             names_of(direct_choices)};
+}
+
+Option denoise_option()
+{
+    return {"denoise",
+            0,
+            "WHETHER",
+            "yes",
+            "Of reuse without a table of pairs: replace neighbouring patches by a polynomial where their noise hides "
+            "any difference from it.",
+            false,
+            names_of(denoise_choices)};
 }
 
 } // namespace
@@ -93,8 +106,10 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
          {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
          threads_option()}};
-    if (with_reuse)
+    if (with_reuse) {
         group.options.push_back(direct_option());
+        group.options.push_back(denoise_option());
+    }
     return group;
 }
 
@@ -126,6 +141,8 @@ SolveOptions read_settings(const CommandLine& line)
     options.bidirectional = line.choice("bidirectional", bidirectional_choices).value;
     if (line.knows("direct"))
         options.direct = line.choice("direct", direct_choices).value;
+    if (line.knows("denoise"))
+        options.denoise = line.choice("denoise", denoise_choices).value;
     if (line.has("memory"))
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
     options.threads = thread_count(line);

@@ -33,7 +33,7 @@ struct HitLists::Scratch
     bool all_whole = true;              ///< see FilterLine
     std::vector<std::uint32_t> passing; ///< numbers in the batch
     FlatMarks marks{};
-    std::vector<LineCandidate> candidates; ///< may hold more than candidate_count
+    UnsetVector<LineCandidate> candidates; ///< may hold more than candidate_count
     std::size_t candidate_count = 0;
 };
 

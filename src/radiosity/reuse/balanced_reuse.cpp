@@ -149,7 +149,8 @@ public:
           counts_(n_),
           fresh_(n_),
           source_(large_vector<Rgb>(n_)),
-          guess_(large_vector<Rgb>(n_))
+          guess_(large_vector<Rgb>(n_)),
+          variance_(large_vector<Rgb>(n_))
     {
         if (rays.direct)
             light_.emplace(scene, lights);
@@ -170,7 +171,7 @@ public:
             }
             end_of_round();
         }
-        return {next_item_ - rays_.first_item, true};
+        return {next_item_ - rays_.first_item, true, std::move(variance_)};
     }
 
 private:
@@ -187,6 +188,7 @@ private:
         archive.list<double>("rays of counts", rays_of_counts_);
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
+        archive.list<double>("variance", variance_);
         std::vector<Sight> none;
         if (light_)
             light_->visit(archive);
@@ -248,8 +250,8 @@ private:
                 round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i)) : std::pow(scene_.area(i), exponent);
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
             // A ray over the hemisphere counts for the patch that it meets, too.
-            constexpr double counts_twice = 0.7;
-            importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(counts_twice) * hemisphere[i] : 0.0;
+            constexpr double left_of_variance = 0.35;
+            importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
             importance.light[i] = sees_light ? worth * light[i] : 0.0;
             had.hemisphere[i] = rays_of_counts_[i];
             had.light[i] = light_ ? light_->rays(i) : 0.0;
@@ -273,8 +275,9 @@ private:
         std::vector<RaySums> found = large_vector<RaySums>(n_);
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             RaySums& sums = found[i];
-            for_row(i, density, [&](double weight, std::uint32_t j) {
+            for_row(i, density, [&](double w, double rays, std::uint32_t j) {
                 const double light = j != nothing ? mean(guess_[j]) : 0.0;
+                const double weight = rays * w;
                 sums.weight += weight;
                 sums.value += weight * light;
                 sums.square += weight * light * light;
@@ -354,13 +357,14 @@ private:
 
     BalancedResult stopped()
     {
-        BalancedResult result{next_item_ - rays_.first_item, false};
+        BalancedResult result{next_item_ - rays_.first_item, false, {}};
         if (run_.is_shard() || round_ == 0 || part_ > 0)
             return result;
         take_fresh_counts();
         parts_ = 1;
         solve_part();
         result.solved = true;
+        result.variance = std::move(variance_);
         return result;
     }
 
@@ -378,8 +382,8 @@ private:
             parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
                 Rgb found;
                 double weight = 0.0;
-                for_row(i, density, [&](double w, std::uint32_t j) {
-                    weight += w;
+                for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+                    weight += rays * w;
                     if (j != nothing)
                         found += w * radiosity[j];
                 });
@@ -390,15 +394,15 @@ private:
         return radiosity;
     }
 
-    /// Calls take(weight, patch) for what the rays of patch i found: other patches, or nothing.
+    /// Calls take(weight of a ray, rays, patch) for what the rays of patch i found: other patches, or nothing.
     template <class Take>
     void for_row(std::uint32_t i, const std::vector<double>& density, const Take& take) const
     {
         const std::uint64_t lost = counts_.escaped(i) + counts_.behind(i);
         if (lost > 0)
-            take(static_cast<double>(lost) / density[i], nothing);
+            take(1.0 / density[i], static_cast<double>(lost), nothing);
         for (const std::uint32_t j : counts_.row(i))
-            take(1.0 / (density[i] + density[j]), j);
+            take(1.0 / (density[i] + density[j]), 1.0, j);
     }
     static constexpr std::uint32_t nothing = Scene::no_patch;
 
@@ -408,20 +412,69 @@ private:
         if (part_ == 0) {
             receive_light(state_);
             source_ = unshot_radiosity(scene_, state_);
+            add_variance_of_direct_light();
         }
         if (!rays_.indirect)
             return;
         const auto solved = [&](double unseen_rays) {
             const SparseExchange exchange(counts_, scene_.areas(), densities(), unseen_rays, run_.threads);
             const ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
-            if (solution.converged)
+            if (solution.converged) {
                 distribute(scene_, exchange, solution.radiosity, 1.0 / static_cast<double>(parts_), run_.threads,
                            state_);
+                add_variance(solution.radiosity);
+            }
             return solution.converged;
         };
         // White patches that the rays join only with each other keep their light for ever: no solution exists.
         if (!solved(0.0) && !solved(1.0))
             throw no_solution(scene_);
+    }
+
+    /// What a patch reflects of what it gets over its hemisphere: the mean over rays that count differently.
+    void add_variance(const Field& radiosity)
+    {
+        const std::vector<double> density = densities();
+        const double share = 1.0 / static_cast<double>(parts_);
+        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
+            double weight = 0.0;
+            double squared_weight = 0.0;
+            Rgb once;
+            Rgb twice;
+            Rgb squares;
+            for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+                const Rgb light = j != nothing ? radiosity[j] : Rgb{};
+                weight += rays * w;
+                squared_weight += rays * w * w;
+                once += (w * w) * light;
+                twice += w * light; // dark where several rays are one
+                squares += (w * w) * (light * light);
+            });
+            if (!(weight > 0.0))
+                return;
+            const auto variance = [&](double sum, double weighted, double square) {
+                const double mean = sum / weight;
+                return std::max(0.0, square - 2.0 * mean * weighted + mean * mean * squared_weight) / (weight * weight);
+            };
+            const Rgb all = {variance(twice.r, once.r, squares.r), variance(twice.g, once.g, squares.g),
+                             variance(twice.b, once.b, squares.b)};
+            variance_[i] += (share * share) * (rho_[i] * rho_[i] * all);
+        });
+    }
+
+    void add_variance_of_direct_light()
+    {
+        if (!light_)
+            return;
+        const std::vector<double> deviation = light_->deviations();
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            const double direct = mean(source_[i]);
+            if (!(light_->rays(i) > 0.0))
+                continue;
+            const Rgb colour = direct > 0.0 ? 1.0 / direct * source_[i] : rho_[i];
+            const double reflected = direct > 0.0 ? mean(rho_[i]) : 1.0;
+            variance_[i] += (reflected * reflected * deviation[i] * deviation[i] / light_->rays(i)) * (colour * colour);
+        }
     }
 
     /// The sources have sent their light, and the patches have it.
@@ -482,6 +535,7 @@ private:
     LineCounts fresh_; ///< of the round under way
     Field source_;     ///< [W/m^2] when direct light has arrived
     Field guess_;      ///< [W/m^2] radiosity
+    Field variance_;   ///< [(W/m^2)^2] of the radiosity
 };
 
 } // namespace

@@ -29,6 +29,8 @@ struct BalancedResult
 {
     std::uint64_t rays = 0; ///< that were cast
     bool solved = false;    ///< otherwise the run was stopped, and the state holds the light that was not found
+    std::vector<Rgb>
+        variance; ///< [(W/m^2)^2] per patch: of its radiosity, as its own rays tell it; empty unless solved
 };
 
 /// Distributes all unshot power of scenes with any number of patches. Every patch gets as many rays as it is worth:

@@ -1,6 +1,7 @@
 #include "radiosity/runs/replicates.h"
 
 #include "radiosity/error_measure.h"
+#include "radiosity/reuse/denoising.h"
 #include "radiosity/solution.h"
 #include "radiosity/statistics.h"
 #include "sampling/random.h"
@@ -83,7 +84,7 @@ public:
             }
             add_one(one);
         }
-        return result();
+        return result(options_.denoise && preparation.lights);
     }
 
 private:
@@ -100,6 +101,7 @@ private:
         SolveOptions options = options_;
         options.sequence = randomised_name(options_.sequence);
         options.lines = options_.lines / parts + (replicate < options_.lines % parts ? 1 : 0);
+        options.denoise = false; // only their mean is: blocks chosen for each would all err in the same way
         return independent_run(options, RandomStream::replicates, options_.seed, (round_ << 32) + replicate, 0);
     }
 
@@ -117,7 +119,7 @@ private:
         ++finished_;
     }
 
-    Solution result() const
+    Solution result(bool denoised) const
     {
         Solution solution = sum_;
         if (finished_ < static_cast<std::uint64_t>(replicates_)) {
@@ -132,10 +134,22 @@ private:
         solution.all_lines = solution.local_lines + solution.global_lines;
         if (finished_ > 1) {
             solution.standard_error = moments_.standard_errors();
+            if (denoised)
+                denoise_mean(solution);
             solution.relative_standard_error =
                 std::sqrt(expected_relative_square(scene_.areas(), solution.radiosity, solution.standard_error));
         }
         return solution;
+    }
+
+    void denoise_mean(Solution& solution) const
+    {
+        std::vector<Rgb> variance = with_room<Rgb>(scene_.patch_count());
+        for (const Rgb& error : solution.standard_error)
+            variance.push_back(error * error);
+        denoise(scene_, options_.threads, solution.radiosity, variance);
+        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
+            solution.standard_error[i] = {std::sqrt(variance[i].r), std::sqrt(variance[i].g), std::sqrt(variance[i].b)};
     }
 
     const Scene& scene_;
@@ -146,6 +160,17 @@ private:
     PatchMoments moments_;
     Solution sum_; ///< of the shares of the finished ones; radiosity and errors are in the moments
 };
+
+} // namespace
+
+namespace {
+
+/// For replicates that share the lines: each has few of them, and what pays for all may not pay for one.
+Preparation prepare_replicates(const Scene& scene, SolveOptions options, std::uint64_t lines, int replicates)
+{
+    options.lines = lines / static_cast<std::uint64_t>(replicates);
+    return prepare(scene, options);
+}
 
 } // namespace
 
@@ -173,7 +198,7 @@ Solution solve_until(const Scene& scene, const SolveOptions& options, int replic
                      const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
                      Checkpoint* checkpoint)
 {
-    const Preparation preparation = prepare(scene, options);
+    const Preparation preparation = prepare_replicates(scene, options, first_lines, replicates);
     RunRecord record;
     const Checkpoint::Part part(checkpoint, RunRecord::part,
                                 [&](Archive& archive) { record.visit(archive, scene.patch_count()); });
@@ -219,7 +244,7 @@ Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int
     if (shard.of > 1 && replicates > 1)
         throw std::invalid_argument("replicates have no shares");
     const bool averaged = options.method->shards == Shards::averaged;
-    const Preparation preparation = prepare(scene, options);
+    const Preparation preparation = prepare_replicates(scene, options, options.lines, replicates);
     RunRecord record;
     const Checkpoint::Part part(checkpoint, RunRecord::part,
                                 [&](Archive& archive) { record.visit(archive, scene.patch_count()); });

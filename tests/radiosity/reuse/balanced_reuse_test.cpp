@@ -207,6 +207,42 @@ TEST_CASE("with many patches the error is a small part of that of particles" * d
     CHECK(relative_error(scene, solved(scene, 1u << 18, 1), truth) < 0.1 * of_particles);
 }
 
+// Stratified rays err less than random ones, of which the variance tells.
+TEST_CASE("the variance tells the scatter of independent runs, in a room with a window" *
+          doctest::test_suite("statistics"))
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.6, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, grey).rectangle({0, 2, 0}, {2, 0, 0}, {0, 0, 2}, grey);
+    builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, grey).rectangle({0, 0, 2}, {0, 2, 0}, {2, 0, 0}, grey);
+    builder.rectangle({0, 0, 0}, {0, 2, 0}, {0, 0, 2}, grey); // and none at x = 2
+    builder.rectangle({0.8, 1.9, 0.8}, {0.4, 0, 0}, {0, 0, 0.4}, builder.grey(0.0, 20.0));
+    builder.box({0.3, 0.0, 0.3}, {0.9, 0.8, 0.9}, grey);
+    const Scene scene = builder.scene(0.1);
+    const SceneLights lights(scene, 2);
+    constexpr int runs = 16;
+    std::vector<Rgb> mean_of_runs(scene.patch_count());
+    std::vector<Rgb> square(scene.patch_count());
+    double told = 0.0;
+    for (int run = 1; run <= runs; ++run) {
+        PowerState state(scene);
+        const BalancedResult result =
+            reuse_balanced(scene, lights, *make_sequence("sobol-owen", run),
+                           {0, std::uint64_t{64} * scene.patch_count(), true, true}, 1e9, {2}, state);
+        const std::vector<Rgb> found = radiosity(scene, state);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            mean_of_runs[i] += 1.0 / runs * found[i];
+            square[i] += 1.0 / runs * (found[i] * found[i]);
+            told += scene.area(i) * mean(result.variance[i]) / runs;
+        }
+    }
+    double seen = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        seen += scene.area(i) * mean(square[i] - mean_of_runs[i] * mean_of_runs[i]) * runs / (runs - 1);
+    CHECK(told > 0.8 * seen);
+    CHECK(told < 2.5 * seen);
+}
+
 TEST_CASE("a run that is stopped solves with the rays it has, from the first round on")
 {
     SceneBuilder builder;

@@ -82,6 +82,22 @@ TEST_CASE("intervals of 95 % cover the truth in 90 to 99 % of cases" * doctest::
     }
 }
 
+TEST_CASE(
+    "replicates of many patches with few lines each do without a table of pairs, which all lines together pay for")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, grey);
+    builder.rectangle({0.45, 0.95, 0.45}, {0.1, 0, 0}, {0, 0, 0.1}, builder.grey(0.5, 100.0));
+    const Scene scene = builder.scene(1.0 / 29.0);
+    REQUIRE(scene.patch_count() == 5055);
+    SolveOptions options = options_of(Method::reuse, "sobol-owen", std::uint64_t{512} * scene.patch_count());
+    CHECK(solve(scene, options, silent).global_lines > 0);
+    const Solution solution = solve_in_stretches(scene, options, 8, silent, nullptr, {});
+    CHECK(solution.global_lines == 0);
+    CHECK(*solution.relative_standard_error < 0.05);
+}
+
 TEST_CASE("replicates share the lines, and each randomised kind gives independent ones")
 {
     const Scene scene = uneven_cube();

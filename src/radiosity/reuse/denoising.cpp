@@ -1,0 +1,433 @@
+// A block of patches i with areas a_i, values y_i and variances s_i^2 is fitted by f = sum of q_k <q_k, y>, with
+// <x, y> = sum of a_i x_i y_i and orthonormal polynomials q_1 ... q_p of where the patches are (Gram-Schmidt).
+// The expected error of f, sum of a_i (f_i - truth_i)^2, is that of
+//
+//   sum of a_i (f_i - y_i)^2 + 2 T - N,    T = sum of a_i^2 s_i^2 h_i,  N = sum of a_i s_i^2,        (R6)
+//
+// where h_i = sum of q_k(i)^2 is the leverage of patch i: Stein's unbiased risk estimate. For patches that stay as they
+// are T = N. The fits are the best of many and look better than they are, so T has a price above 2, found by
+// trying (cost-complexity pruning, Breiman et al. 1984). The constant among the polynomials
+// keeps the sum of a_i y_i.
+
+#include "radiosity/reuse/denoising.h"
+
+#include "parallel/blocks.h"
+#include "parallel/memory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr int trees = 4;
+constexpr double price = 2.5;
+constexpr int most_degree = 2;
+constexpr std::uint32_t most_of_block = 1024; // the noise that the fit of one leaves is nothing beside that of others
+
+constexpr std::size_t coordinate_count = 6; // position and direction
+constexpr std::size_t most_polynomials = 1 + coordinate_count + 6;
+using Coordinates = std::array<double, coordinate_count>;
+
+double sum(Rgb x)
+{
+    return x.r + x.g + x.b;
+}
+
+bool is_at_least(Rgb x, Rgb least)
+{
+    return x.r >= least.r && x.g >= least.g && x.b >= least.b;
+}
+
+Rgb excess(Rgb x, Rgb y)
+{
+    return {std::max(0.0, x.r - y.r), std::max(0.0, x.g - y.g), std::max(0.0, x.b - y.b)};
+}
+
+struct Extent
+{
+    Coordinates low;
+    Coordinates high;
+
+    explicit Extent(const Coordinates& point) : low(point), high(point) {}
+
+    void include(const Coordinates& point)
+    {
+        for (std::size_t d = 0; d < coordinate_count; ++d) {
+            low[d] = std::min(low[d], point[d]);
+            high[d] = std::max(high[d], point[d]);
+        }
+    }
+
+    double length(std::size_t d) const { return high[d] - low[d]; }
+    std::size_t longest() const
+    {
+        std::size_t result = 0;
+        for (std::size_t d = 1; d < coordinate_count; ++d)
+            if (length(d) > length(result))
+                result = d;
+        return result;
+    }
+};
+
+/// Where the patches are.
+class Places
+{
+public:
+    explicit Places(const Scene& scene)
+        : scene_(scene),
+          surfaces_(with_room<Coordinates>(scene.surfaces().size())),
+          centres_(with_room<Vec3>(scene.patch_count()))
+    {
+        constexpr double turn = 0.1; // patches with normals that differ by 1 are as far apart as so many diagonals
+        for (const Surface& surface : scene.surfaces()) {
+            const Vec3 centre = surface.centre();
+            const Vec3 normal = turn * scene.bounds().diagonal() * surface.normal();
+            surfaces_.push_back({centre.x, centre.y, centre.z, normal.x, normal.y, normal.z});
+        }
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            centres_.push_back(scene.patch(i).shape.centre());
+    }
+
+    Coordinates of_surface(std::uint32_t patch) const { return surfaces_[scene_.surface_of(patch)]; }
+    Coordinates of_patch(std::uint32_t patch) const
+    {
+        Coordinates result = of_surface(patch);
+        result[0] = centres_[patch].x;
+        result[1] = centres_[patch].y;
+        result[2] = centres_[patch].z;
+        return result;
+    }
+    /// Of at least one patch.
+    Extent extent(const std::uint32_t* first, const std::uint32_t* last) const
+    {
+        Extent result(of_patch(*first));
+        for (const std::uint32_t* patch = first; patch != last; ++patch)
+            result.include(of_patch(*patch));
+        return result;
+    }
+
+private:
+    const Scene& scene_;
+    std::vector<Coordinates> surfaces_;
+    std::vector<Vec3> centres_;
+};
+
+/// Polynomials fitted to patches, one after the other.
+class Fit
+{
+public:
+    Fit(const Scene& scene, const Places& places, const std::vector<Rgb>& radiosity)
+        : scene_(scene), places_(places), radiosity_(radiosity)
+    {
+    }
+
+    void begin(const std::uint32_t* first, const std::uint32_t* last)
+    {
+        patches_ = first;
+        count_ = static_cast<std::size_t>(last - first);
+        const Extent box = places_.extent(first, last);
+        const double width = box.length(box.longest());
+        const double scale = width > 0.0 ? 2.0 / width : 0.0;
+        at_.resize(count_);
+        area_.resize(count_);
+        basis_.resize(count_);
+        total_area_ = 0.0;
+        const bool one_surface = scene_.surface_of(*first) == scene_.surface_of(last[-1]);
+        const Surface& surface = scene_.surfaces()[scene_.surface_of(*first)];
+        const Vec3 along_u = normalized(surface.edge_u);
+        const Vec3 across = cross(surface.normal(), along_u);
+        for (std::size_t k = 0; k < count_; ++k) {
+            Coordinates x = places_.of_patch(first[k]);
+            for (std::size_t d = 0; d < coordinate_count; ++d)
+                x[d] = scale * (x[d] - 0.5 * (box.low[d] + box.high[d]));
+            if (one_surface) {
+                const Vec3 p = {x[0], x[1], x[2]};
+                x = {dot(p, along_u), dot(p, across), 0.0, 0.0, 0.0, 0.0};
+            }
+            at_[k] = x;
+            area_[k] = scene_.area(first[k]);
+            total_area_ += area_[k];
+        }
+        linear_ = one_surface ? 2 : coordinate_count;
+        squared_ = one_surface ? 2 : 3;
+        value_.assign(count_, {});
+        leverage_.assign(count_, 0.0);
+        used_ = 0;
+    }
+
+    /// Adds the polynomials of this degree, those of a lower one being there; of directions only linear ones. False if
+    /// that would take more parameters than half the number of patches.
+    bool add_degree(int degree)
+    {
+        if (degree == 0)
+            return add([](const Coordinates&) { return 1.0; });
+        if (degree == 1) {
+            for (std::size_t d = 0; d < linear_; ++d)
+                if (!add([d](const Coordinates& x) { return x[d]; }))
+                    return false;
+            return true;
+        }
+        for (std::size_t d = 0; d < squared_; ++d)
+            for (std::size_t e = 0; e <= d; ++e)
+                if (!add([d, e](const Coordinates& x) { return x[d] * x[e]; }))
+                    return false;
+        return true;
+    }
+
+    std::size_t size() const { return count_; }
+    double total_area() const { return total_area_; }
+    double area(std::size_t k) const { return area_[k]; }
+    Rgb value(std::size_t k) const { return value_[k]; }          ///< f
+    double leverage(std::size_t k) const { return leverage_[k]; } ///< h
+
+private:
+    template <class Polynomial>
+    bool add(const Polynomial& polynomial)
+    {
+        std::array<double, most_polynomials> products{};
+        double square = 0.0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            const double p = polynomial(at_[k]);
+            const double weighted = area_[k] * p;
+            square += weighted * p;
+            for (std::size_t b = 0; b < used_; ++b)
+                products[b] += weighted * basis_[k][b];
+        }
+        for (std::size_t b = 0; b < used_; ++b)
+            square -= products[b] * products[b];
+        constexpr double tiny = 1e-6; // nothing new: the patches lie in a plane, or in a line
+        if (!(square > tiny * total_area_))
+            return true;
+        if (2 * (used_ + 1) > count_)
+            return false;
+        const double norm = 1.0 / std::sqrt(square);
+        Rgb share;
+        for (std::size_t k = 0; k < count_; ++k) {
+            double q = polynomial(at_[k]);
+            for (std::size_t b = 0; b < used_; ++b)
+                q -= products[b] * basis_[k][b];
+            basis_[k][used_] = norm * q;
+            share += (area_[k] * norm * q) * radiosity_[patches_[k]];
+        }
+        for (std::size_t k = 0; k < count_; ++k) {
+            const double q = basis_[k][used_];
+            value_[k] += q * share;
+            leverage_[k] += q * q;
+        }
+        ++used_;
+        return true;
+    }
+
+    const Scene& scene_;
+    const Places& places_;
+    const std::vector<Rgb>& radiosity_;
+    const std::uint32_t* patches_ = nullptr;
+    std::size_t count_ = 0;
+    double total_area_ = 0.0;
+    std::vector<Coordinates> at_; ///< about -1 ... 1; within a surface the first two
+    std::size_t linear_ = 0;      ///< coordinates that have linear polynomials
+    std::size_t squared_ = 0;     ///< and quadratic ones
+    std::vector<double> area_;
+    std::vector<std::array<double, most_polynomials>> basis_; ///< q
+    std::size_t used_ = 0;                                    ///< of them
+    std::vector<Rgb> value_;
+    std::vector<double> leverage_;
+};
+
+/// What a fit leaves, and what of it is noise [W^2/m^2].
+struct Residual
+{
+    Rgb found; ///< sum of a (f - y)^2
+    Rgb noise; ///< N
+    Rgb trace; ///< T
+    double risk() const { return sum(found) + price * sum(trace) - sum(noise); }
+};
+
+class Denoising
+{
+public:
+    Denoising(const Scene& scene, int threads, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& variance)
+        : scene_(scene), places_(scene), threads_(threads), radiosity_(radiosity), variance_(variance)
+    {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            if (sum(variance[i]) > 0.0)
+                patches_.push_back(i);
+        std::stable_sort(patches_.begin(), patches_.end(),
+                         [&](std::uint32_t i, std::uint32_t j) { return group(i) < group(j); });
+    }
+
+    /// The fits of one tree: radiosity and variance become those of the patches that are fitted.
+    void fit_tree(int number, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
+    {
+        order_ = patches_;
+        shift_ = 0.25 + 0.5 * (number + 0.5) / trees;
+        std::vector<Block> blocks;
+        for_groups([&](std::uint32_t begin, std::uint32_t end) { cut_down({begin, end, 0}, blocks); });
+        parallel_blocks(blocks.size(), threads_, [&](std::uint64_t b) {
+            Fit fit(scene_, places_, radiosity_);
+            prune(blocks[static_cast<std::size_t>(b)], fit, radiosity, variance);
+        });
+    }
+
+private:
+    /// Patches that are one behind the other in the order of the tree.
+    struct Block
+    {
+        std::uint32_t begin;
+        std::uint32_t end;
+        int cuts; ///< within its surface that led to it
+
+        std::uint32_t size() const { return end - begin; }
+    };
+
+    /// Patches of one material, on one side.
+    std::uint32_t group(std::uint32_t i) const
+    {
+        return 2 * scene_.file().material[scene_.surface_of(i)] + (scene_.is_front(i) ? 0 : 1);
+    }
+
+    template <class Take>
+    void for_groups(const Take& take) const
+    {
+        const auto count = static_cast<std::uint32_t>(patches_.size());
+        for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+            while (end < count && group(patches_[end]) == group(patches_[begin]))
+                ++end;
+            take(begin, end);
+        }
+    }
+
+    Residual left_by(const Fit& fit, const std::uint32_t* patches) const
+    {
+        Residual result;
+        for (std::size_t k = 0; k < fit.size(); ++k) {
+            const Rgb difference = radiosity_[patches[k]] - fit.value(k);
+            const Rgb noise = fit.area(k) * variance_[patches[k]];
+            result.found += fit.area(k) * (difference * difference);
+            result.noise += noise;
+            result.trace += (fit.area(k) * fit.leverage(k)) * noise;
+        }
+        return result;
+    }
+
+    void cut_down(Block block, std::vector<Block>& blocks)
+    {
+        const std::vector<Block> halves = block.size() > most_of_block ? parts(block) : std::vector<Block>();
+        for (const Block& half : halves)
+            cut_down(half, blocks);
+        if (halves.empty())
+            blocks.push_back(block);
+    }
+
+    /// Cuts a block across its longest extent, first between surfaces, then within one. Empty if it is in one place.
+    std::vector<Block> parts(Block block)
+    {
+        const std::uint32_t* const first = order_.data() + block.begin;
+        const std::uint32_t* const last = order_.data() + block.end;
+        const bool one = scene_.surface_of(*first) == scene_.surface_of(last[-1]);
+        const auto place = [&](std::uint32_t i) { return one ? places_.of_patch(i) : places_.of_surface(i); };
+        Extent box(place(*first));
+        for (const std::uint32_t* patch = first; patch != last; ++patch)
+            box.include(place(*patch));
+        const std::size_t d = box.longest();
+        constexpr int shifted_cuts = 2;
+        const double at = box.low[d] + (block.cuts < shifted_cuts ? shift_ : 0.5) * box.length(d);
+        if (!(at > box.low[d]))
+            return {};
+        const auto second = std::stable_partition(order_.begin() + block.begin, order_.begin() + block.end,
+                                                  [&](std::uint32_t i) { return place(i)[d] < at; });
+        const auto middle = static_cast<std::uint32_t>(second - order_.begin());
+        const int cuts = block.cuts + (one ? 1 : 0);
+        return {{block.begin, middle, cuts}, {middle, block.end, cuts}};
+    }
+
+    /// Fits the parts of a block, or all of it if that has less risk. Returns the risk.
+    double prune(Block block, Fit& fit, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
+    {
+        const std::vector<Block> halves = block.size() > 1 ? parts(block) : std::vector<Block>();
+        double risk = 0.0;
+        for (const Block& half : halves)
+            risk += prune(half, fit, radiosity, variance);
+        if (halves.empty())
+            for (std::uint32_t k = block.begin; k < block.end; ++k)
+                risk += (price - 1.0) * scene_.area(order_[k]) * sum(variance_[order_[k]]);
+        if (block.size() == 1)
+            return risk;
+        const std::uint32_t* const patches = order_.data() + block.begin;
+        fit.begin(patches, order_.data() + block.end);
+        for (int degree = 0; degree <= most_degree && fit.add_degree(degree); ++degree) {
+            const Residual residual = left_by(fit, patches);
+            if (!(residual.risk() < risk) || !is_sound(fit, patches, residual))
+                continue;
+            risk = residual.risk();
+            take(fit, patches, residual, radiosity, variance);
+        }
+        return risk;
+    }
+
+    /// False for a fit that takes a patch below what it emits, or further than noise can have taken it, however well
+    /// that does for the others.
+    bool is_sound(const Fit& fit, const std::uint32_t* patches, const Residual& residual) const
+    {
+        constexpr double far = 6.0;    // standard deviations
+        constexpr double least = 0.01; // of the variance of the others: few rays may have none
+        const double usual = sum(residual.noise) / fit.total_area();
+        for (std::size_t k = 0; k < fit.size(); ++k) {
+            const Rgb difference = radiosity_[patches[k]] - fit.value(k);
+            if (!is_at_least(fit.value(k), scene_.emittance(patches[k])) ||
+                sum(difference * difference) > far * far * std::max(sum(variance_[patches[k]]), least * usual))
+                return false;
+        }
+        return true;
+    }
+
+    void take(const Fit& fit, const std::uint32_t* patches, const Residual& residual, std::vector<Rgb>& radiosity,
+              std::vector<Rgb>& variance) const
+    {
+        const Rgb bias = 1.0 / fit.total_area() * excess(residual.found + residual.trace, residual.noise);
+        Rgb noise;
+        for (std::size_t k = 0; k < fit.size(); ++k)
+            noise += fit.area(k) * fit.area(k) / fit.total_area() * variance_[patches[k]];
+        for (std::size_t k = 0; k < fit.size(); ++k) {
+            radiosity[patches[k]] = fit.value(k);
+            variance[patches[k]] = fit.leverage(k) * noise + bias;
+        }
+    }
+
+    const Scene& scene_;
+    const Places places_;
+    const int threads_;
+    const std::vector<Rgb>& radiosity_;
+    const std::vector<Rgb>& variance_;
+    std::vector<std::uint32_t> patches_; ///< that have variance, group by group, surface by surface
+    std::vector<std::uint32_t> order_;   ///< of the present tree
+    double shift_ = 0.0;                 ///< where its first cuts are, 0 ... 1
+};
+
+} // namespace
+
+void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
+{
+    Denoising denoising(scene, threads, radiosity, variance);
+    std::vector<Rgb> mean_radiosity = large_vector<Rgb>(radiosity.size());
+    std::vector<Rgb> mean_variance = large_vector<Rgb>(radiosity.size());
+    for (int tree = 0; tree < trees; ++tree) {
+        std::vector<Rgb> fitted = radiosity;
+        std::vector<Rgb> noise = variance;
+        denoising.fit_tree(tree, fitted, noise);
+        parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
+            mean_radiosity[i] += 1.0 / trees * fitted[i];
+            mean_variance[i] += 1.0 / trees * noise[i];
+        });
+    }
+    radiosity = std::move(mean_radiosity);
+    variance = std::move(mean_variance);
+}
+
+} // namespace multipath
