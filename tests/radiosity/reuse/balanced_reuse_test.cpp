@@ -224,7 +224,7 @@ TEST_CASE("the variance tells the scatter of independent runs, in a room with a 
     std::vector<Rgb> mean_of_runs(scene.patch_count());
     std::vector<Rgb> square(scene.patch_count());
     double told = 0.0;
-    for (int run = 1; run <= runs; ++run) {
+    for (std::uint64_t run = 1; run <= runs; ++run) {
         PowerState state(scene);
         const BalancedResult result =
             reuse_balanced(scene, lights, *make_sequence("sobol-owen", run),
