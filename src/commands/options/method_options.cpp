@@ -37,8 +37,7 @@ std::string methods_with(std::string_view option)
 
 constexpr std::array<NamedValue<Estimator>, 2> estimator_choices = {
     {{"collision", Estimator::collision}, {"absorption", Estimator::absorption}}};
-constexpr std::array<NamedValue<bool>, 2> bidirectional_choices = {{{"yes", true}, {"no", false}}};
-constexpr std::array<NamedValue<bool>, 2> denoise_choices = {{{"yes", true}, {"no", false}}};
+constexpr std::array<NamedValue<bool>, 2> yes_or_no = {{{"yes", true}, {"no", false}}};
 constexpr std::array<NamedValue<Direct>, 2> direct_choices = {{{"shoot", Direct::shoot}, {"gather", Direct::gather}}};
 
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
@@ -64,7 +63,7 @@ Option denoise_option()
             "Of reuse without a table of pairs: replace neighbouring patches by a polynomial where their noise hides "
             "any difference from it.",
             false,
-            names_of(denoise_choices)};
+            names_of(yes_or_no)};
 }
 
 } // namespace
@@ -87,7 +86,7 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           "Of the local method: count a particle wherever it arrives, or only where it is absorbed.", false,
           names_of(estimator_choices)},
          {"bidirectional", 0, "WHETHER", "yes", "Let a global line carry power both ways at once.", false,
-          names_of(bidirectional_choices)},
+          names_of(yes_or_no)},
          {"chords", 0, "FROM", "",
           "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
           "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
@@ -138,11 +137,11 @@ SolveOptions read_settings(const CommandLine& line)
     options.seed = read_count("--seed", line.text("seed"));
     if (line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
-    options.bidirectional = line.choice("bidirectional", bidirectional_choices).value;
+    options.bidirectional = line.choice("bidirectional", yes_or_no).value;
     if (line.knows("direct"))
         options.direct = line.choice("direct", direct_choices).value;
     if (line.knows("denoise"))
-        options.denoise = line.choice("denoise", denoise_choices).value;
+        options.denoise = line.choice("denoise", yes_or_no).value;
     if (line.has("memory"))
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
     options.threads = thread_count(line);

@@ -249,7 +249,7 @@ private:
             const double worth =
                 round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i)) : std::pow(scene_.area(i), exponent);
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
-            // A ray over the hemisphere counts for the patch that it meets, too.
+            // A ray over the hemisphere counts for the patch that it meets, too, and its noise is denoised best.
             constexpr double left_of_variance = 0.35;
             importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
             importance.light[i] = sees_light ? worth * light[i] : 0.0;
@@ -439,25 +439,25 @@ private:
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             double weight = 0.0;
             double squared_weight = 0.0;
-            Rgb once;
-            Rgb twice;
+            Rgb sum;   // of w B
+            Rgb cross; // of w^2 B
             Rgb squares;
             for_row(i, density, [&](double w, double rays, std::uint32_t j) {
                 const Rgb light = j != nothing ? radiosity[j] : Rgb{};
                 weight += rays * w;
                 squared_weight += rays * w * w;
-                once += (w * w) * light;
-                twice += w * light; // dark where several rays are one
+                sum += w * light; // rays that found nothing are dark
+                cross += (w * w) * light;
                 squares += (w * w) * (light * light);
             });
             if (!(weight > 0.0))
                 return;
-            const auto variance = [&](double sum, double weighted, double square) {
-                const double mean = sum / weight;
-                return std::max(0.0, square - 2.0 * mean * weighted + mean * mean * squared_weight) / (weight * weight);
+            const auto variance = [&](double s, double c, double square) {
+                const double mean = s / weight;
+                return std::max(0.0, square - 2.0 * mean * c + mean * mean * squared_weight) / (weight * weight);
             };
-            const Rgb all = {variance(twice.r, once.r, squares.r), variance(twice.g, once.g, squares.g),
-                             variance(twice.b, once.b, squares.b)};
+            const Rgb all = {variance(sum.r, cross.r, squares.r), variance(sum.g, cross.g, squares.g),
+                             variance(sum.b, cross.b, squares.b)};
             variance_[i] += (share * share) * (rho_[i] * rho_[i] * all);
         });
     }
@@ -468,9 +468,9 @@ private:
             return;
         const std::vector<double> deviation = light_->deviations();
         for (std::uint32_t i = 0; i < n_; ++i) {
-            const double direct = mean(source_[i]);
             if (!(light_->rays(i) > 0.0))
                 continue;
+            const double direct = mean(source_[i]);
             const Rgb colour = direct > 0.0 ? 1.0 / direct * source_[i] : rho_[i];
             const double reflected = direct > 0.0 ? mean(rho_[i]) : 1.0;
             variance_[i] += (reflected * reflected * deviation[i] * deviation[i] / light_->rays(i)) * (colour * colour);

@@ -161,10 +161,6 @@ private:
     Solution sum_; ///< of the shares of the finished ones; radiosity and errors are in the moments
 };
 
-} // namespace
-
-namespace {
-
 /// For replicates that share the lines: each has few of them, and what pays for all may not pay for one.
 Preparation prepare_replicates(const Scene& scene, SolveOptions options, std::uint64_t lines, int replicates)
 {
