@@ -11,8 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace multipath {
 
@@ -31,10 +35,10 @@ public:
     Painter(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
         : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
     {
-        if (options.shading == Shading::smooth)
-            smooth_.emplace(scene, radiosity, options.threads);
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
+        if (options.shading == Shading::smooth)
+            smooth_.emplace(scene, radiosity, options.threads, find_shown());
         // Neighbours share no rays to sources, and few pixels need any: those of penumbras, whose grain is seen.
         const GatherRays gather_rays{(2 * options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
                                      options.indirect ? options.gather_rays : 0};
@@ -49,21 +53,13 @@ public:
         RayFan fan;
     };
 
-    /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
-    /// that is almost horizontal passes k^2 shades, not k.
     Rgb pixel(int x, int y, Tools& tools) const
     {
-        const double k = grid_;
         Rgb sum;
-        for (int row = 0; row < grid_; ++row)
-            for (int column = 0; column < grid_; ++column) {
-                const double u = (column + (row + 0.5) / k) / k;
-                const double v = (row + (grid_ - column - 0.5) / k) / k;
-                const Line ray = rays_.through(x + 0.5 + uniform_to_tent(u), y + 0.5 + uniform_to_tent(v));
-                if (const std::optional<Hit> hit = tools.visible.first(ray))
-                    sum += clipped(shade(*hit, {x, y, row * grid_ + column}, tools));
-            }
-        return 1.0 / (k * k) * sum;
+        for (int number = 0; number < grid_ * grid_; ++number)
+            if (const std::optional<Hit> hit = first_hit({x, y, number}, tools))
+                sum += clipped(shade(*hit, {x, y, number}, tools));
+        return 1.0 / (grid_ * grid_) * sum;
     }
 
 private:
@@ -74,6 +70,60 @@ private:
         int y;
         int number; ///< in its pixel
     };
+
+    /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
+    /// that is almost horizontal passes k^2 shades, not k.
+    Line ray(Sample sample) const
+    {
+        const double k = grid_;
+        const int row = sample.number / grid_;
+        const int column = sample.number % grid_;
+        const double u = (column + (row + 0.5) / k) / k;
+        const double v = (row + (grid_ - column - 0.5) / k) / k;
+        return rays_.through(sample.x + 0.5 + uniform_to_tent(u), sample.y + 0.5 + uniform_to_tent(v));
+    }
+
+    std::size_t number_of(Sample sample) const
+    {
+        const auto pixel = static_cast<std::size_t>(sample.y) * static_cast<std::size_t>(options_.width) +
+                           static_cast<std::size_t>(sample.x);
+        return pixel * static_cast<std::size_t>(grid_ * grid_) + static_cast<std::size_t>(sample.number);
+    }
+
+    std::optional<Hit> first_hit(Sample sample, Tools& tools) const
+    {
+        if (found_.empty())
+            return tools.visible.first(ray(sample));
+        const std::uint32_t surface = found_[number_of(sample)];
+        return surface == nothing ? std::nullopt : scene_.intersector().hit_on(ray(sample), surface);
+    }
+
+    /// Finds the surface of every sample. Returns which surfaces are in the picture: of the many of a detailed model
+    /// most are hidden. Empty if there are few, or too many samples to remember.
+    std::vector<char> find_shown()
+    {
+        constexpr std::size_t few_surfaces = 10'000;
+        constexpr std::size_t most_samples = std::size_t{1} << 26;
+        const std::size_t count = number_of({0, options_.height, 0});
+        if (scene_.surfaces().size() <= few_surfaces || count > most_samples)
+            return {};
+        std::vector<std::uint32_t> found(count);
+        parallel_blocks(static_cast<std::uint64_t>(options_.height), options_.threads, [&](std::uint64_t row) {
+            Tools tools{VisibleHits(scene_), {}};
+            for (int x = 0; x < options_.width; ++x)
+                for (int number = 0; number < grid_ * grid_; ++number) {
+                    const Sample sample = {x, static_cast<int>(row), number};
+                    const std::optional<Hit> hit = tools.visible.first(ray(sample));
+                    found[number_of(sample)] = hit ? hit->surface : nothing;
+                }
+        });
+        std::vector<char> shown(scene_.surfaces().size());
+        for (const std::uint32_t surface : found)
+            if (surface != nothing)
+                shown[surface] = 1;
+        found_ = std::move(found);
+        return shown;
+    }
 
     Rgb shade(const Hit& hit, Sample sample, Tools& tools) const
     {
@@ -88,6 +138,8 @@ private:
                 std::min(value.b, options_.white)};
     }
 
+    static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+
     const Scene& scene_;
     const std::vector<Rgb>& radiosity_;
     PixelRays rays_;
@@ -95,6 +147,7 @@ private:
     std::optional<SmoothShading> smooth_;
     std::optional<FinalGather> gather_;
     int grid_ = 1;
+    std::vector<std::uint32_t> found_; ///< the surface that each sample meets, if that is known
 };
 
 } // namespace

@@ -271,10 +271,10 @@ std::optional<Hit> Intersector::Core::next_along(HitLists::List whole_line, std:
     return result;
 }
 
-bool Intersector::meets(const Line& line, std::uint32_t surface) const
+std::optional<Hit> Intersector::hit_on(const Line& line, std::uint32_t surface) const
 {
     Hit hit;
-    return core_->table_.decide(line, surface, hit);
+    return core_->table_.decide(line, surface, hit) ? std::optional<Hit>(hit) : std::nullopt;
 }
 
 bool Intersector::is_over(std::uint32_t a, std::uint32_t b) const

@@ -53,8 +53,8 @@ public:
     /// All surfaces that reach into the box, and others. None if there are so few surfaces that no list is faster.
     std::optional<std::vector<std::uint32_t>> surfaces_near(const Bounds& box) const;
 
-    /// Does the line meet this surface?
-    bool meets(const Line& line, std::uint32_t surface) const;
+    /// Where the line meets this surface, if it does.
+    std::optional<Hit> hit_on(const Line& line, std::uint32_t surface) const;
 
     /// Of two surfaces in one plane that face the same way, which is met first? The smaller lies on top.
     bool is_over(std::uint32_t a, std::uint32_t b) const;

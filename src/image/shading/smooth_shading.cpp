@@ -33,6 +33,11 @@ bool is_source(const Scene& scene, std::uint32_t surface)
     return scene.surface_material(surface).emittance != Rgb{};
 }
 
+std::uint64_t border_key(const Scene& scene, std::uint32_t surface, bool front, Vec3 corner)
+{
+    return place_key(scene, corner, 2 * std::uint64_t{scene.file().material[surface]} + (front ? 1 : 0));
+}
+
 /// Rows of corners of one side of a surface.
 struct Strip
 {
@@ -42,15 +47,16 @@ struct Strip
     std::uint32_t end_row;
 };
 
-/// All sides that are shaded smoothly, in pieces that threads can share.
-std::vector<std::vector<Strip>> strips_of(const Scene& scene)
+/// All sides of some surfaces that are shaded smoothly, in pieces that threads can share.
+template <class Choice>
+std::vector<std::vector<Strip>> strips_of(const Scene& scene, const Choice& chosen)
 {
     constexpr std::uint64_t corners_together = 4096;
     std::vector<std::vector<Strip>> blocks;
     std::uint64_t corners = corners_together; // in the last block
     for (const bool front : {true, false})
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if (is_source(scene, surface) || !(front || scene.two_sided()))
+            if (is_source(scene, surface) || !(front || scene.two_sided()) || !chosen(surface))
                 continue;
             const Tessellation& cut = scene.tessellation(surface);
             const auto rows_together =
@@ -66,6 +72,36 @@ std::vector<std::vector<Strip>> strips_of(const Scene& scene)
             }
         }
     return blocks;
+}
+
+/// The surfaces of which a corner at the border coincides with one of these; without those that are shown.
+std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& shown,
+                                  const std::vector<std::vector<BorderGroup>>& borders, int threads)
+{
+    std::vector<std::uint64_t> keys;
+    for (const std::vector<BorderGroup>& block : borders)
+        for (const BorderGroup& border : block)
+            keys.push_back(border.key);
+    std::sort(keys.begin(), keys.end());
+    const auto coincides = [&](std::uint32_t surface, bool front) {
+        const CornerLattice lattice(scene.tessellation(surface));
+        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j) {
+            const std::uint32_t last = lattice.last_column(j);
+            const std::uint32_t step = j == 0 || j == lattice.last_row() ? 1 : std::max(1u, last);
+            for (std::uint32_t i = 0; i <= last; i += step) {
+                const Vec3 corner = scene.surfaces()[surface].at(lattice.u(i), lattice.v(j));
+                if (std::binary_search(keys.begin(), keys.end(), border_key(scene, surface, front, corner)))
+                    return true;
+            }
+        }
+        return false;
+    };
+    std::vector<char> result(shown.size());
+    parallel_numbers(static_cast<std::uint32_t>(shown.size()), threads, [&](std::uint32_t surface) {
+        if (shown[surface] == 0)
+            result[surface] = coincides(surface, true) || (scene.two_sided() && coincides(surface, false)) ? 1 : 0;
+    });
+    return result;
 }
 
 Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool front)
@@ -171,7 +207,8 @@ void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>
 
 } // namespace
 
-SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
+                             const std::vector<char>& shown)
     : scene_(scene), values_(values_per_patch), corners_(CornerLattice::per_cell * values_per_patch.size())
 {
     // Every place belongs to one group, so that threads may put at the same time.
@@ -181,21 +218,33 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
     };
     const VisiblePatches patches(scene, values_per_patch, threads);
     const FlatRegions regions(patches);
-    const std::vector<std::vector<Strip>> blocks = strips_of(scene);
-    std::vector<std::vector<BorderGroup>> borders(blocks.size());
-    parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
-        for (const Strip& strip : blocks[block]) {
-            const std::uint64_t kind = 2 * std::uint64_t{scene.file().material[strip.surface]} + (strip.front ? 1 : 0);
-            for (CornerGroup& group : corner_groups(patches, strip.surface, strip.front, strip.first_row, strip.end_row,
-                                                    regions.hold(strip.surface))) {
-                if (regions.hold(strip.surface))
-                    group.value = value_in_region(regions, group, strip.front);
-                put(group, group.value);
-                if (group.on_border)
-                    borders[block].push_back({place_key(scene, group.corner, kind), std::move(group)});
+    std::vector<std::vector<BorderGroup>> borders;
+    const auto add = [&](const auto& chosen) {
+        const std::vector<std::vector<Strip>> blocks = strips_of(scene, chosen);
+        const std::size_t first = borders.size();
+        borders.resize(first + blocks.size());
+        parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
+            for (const Strip& strip : blocks[block]) {
+                const bool held = regions.hold(strip.surface);
+                for (CornerGroup& group :
+                     corner_groups(patches, strip.surface, strip.front, strip.first_row, strip.end_row, held)) {
+                    if (held)
+                        group.value = value_in_region(regions, group, strip.front);
+                    put(group, group.value);
+                    if (group.on_border)
+                        borders[first + block].push_back(
+                            {border_key(scene, strip.surface, strip.front, group.corner), std::move(group)});
+                }
             }
-        }
-    });
+        });
+    };
+    if (shown.empty()) {
+        add([](std::uint32_t) { return true; });
+    } else {
+        add([&](std::uint32_t surface) { return shown[surface] != 0; });
+        const std::vector<char> beside = surfaces_beside(scene, shown, borders, threads);
+        add([&](std::uint32_t surface) { return beside[surface] != 0; });
+    }
     join_borders(scene, borders, threads, put);
 }
 

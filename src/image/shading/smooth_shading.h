@@ -17,8 +17,10 @@ namespace multipath {
 class SmoothShading
 {
 public:
-    /// One value per patch; the scene and the values must outlive this object.
-    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
+    /// One value per patch; the scene and the values must outlive this object. `shown`: the surfaces that will be
+    /// asked for, which saves time if they are few; all if it is empty.
+    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
+                  const std::vector<char>& shown = {});
 
     /// The value where a line meets a side that exists.
     Rgb at(const Hit& hit) const;
