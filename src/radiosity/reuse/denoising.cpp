@@ -30,6 +30,7 @@ constexpr double price = 2.5;
 constexpr int most_degree = 2;
 constexpr std::uint32_t most_of_block = 1024; // the noise that the fit of one leaves is nothing beside that of others
 
+constexpr std::uint32_t least_of_block = 8; // is not cut: which of a few patches are fitted together, noise decides
 constexpr std::size_t coordinate_count = 6; // position and direction
 constexpr std::size_t most_polynomials = 1 + coordinate_count + 6;
 using Coordinates = std::array<double, coordinate_count>;
@@ -118,25 +119,40 @@ private:
     std::vector<Vec3> centres_;
 };
 
+/// Sum of a b, in four parts that compilers can add at once.
+double sum_of_products(const std::vector<double>& a, const std::vector<double>& b)
+{
+    constexpr std::size_t lanes = 4;
+    std::array<double, lanes> sums{};
+    const std::size_t whole = a.size() - a.size() % lanes;
+    for (std::size_t k = 0; k < whole; k += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            sums[lane] += a[k + lane] * b[k + lane];
+    for (std::size_t k = whole; k < a.size(); ++k)
+        sums[k - whole] += a[k] * b[k];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 /// Polynomials fitted to patches, one after the other.
 class Fit
 {
 public:
-    Fit(const Scene& scene, const Places& places, const std::vector<Rgb>& radiosity)
-        : scene_(scene), places_(places), radiosity_(radiosity)
+    Fit(const Scene& scene, const Places& places, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& variance)
+        : scene_(scene), places_(places), radiosity_(radiosity), variance_(variance)
     {
     }
 
     void begin(const std::uint32_t* first, const std::uint32_t* last)
     {
-        patches_ = first;
         count_ = static_cast<std::size_t>(last - first);
         const Extent box = places_.extent(first, last);
         const double width = box.length(box.longest());
         const double scale = width > 0.0 ? 2.0 / width : 0.0;
-        at_.resize(count_);
+        for (std::vector<double>& x : at_)
+            x.resize(count_);
         area_.resize(count_);
-        basis_.resize(count_);
+        found_.resize(count_);
+        noise_.resize(count_);
         total_area_ = 0.0;
         const bool one_surface = scene_.surface_of(*first) == scene_.surface_of(last[-1]);
         const Surface& surface = scene_.surfaces()[scene_.surface_of(*first)];
@@ -150,9 +166,12 @@ public:
                 const Vec3 p = {x[0], x[1], x[2]};
                 x = {dot(p, along_u), dot(p, across), 0.0, 0.0, 0.0, 0.0};
             }
-            at_[k] = x;
+            for (std::size_t d = 0; d < coordinate_count; ++d)
+                at_[d][k] = x[d];
             area_[k] = scene_.area(first[k]);
             total_area_ += area_[k];
+            found_[k] = radiosity_[first[k]];
+            noise_[k] = variance_[first[k]];
         }
         linear_ = one_surface ? 2 : coordinate_count;
         squared_ = one_surface ? 2 : 3;
@@ -165,60 +184,67 @@ public:
     /// that would take more parameters than half the number of patches.
     bool add_degree(int degree)
     {
+        polynomial_.assign(count_, 1.0);
         if (degree == 0)
-            return add([](const Coordinates&) { return 1.0; });
+            return add();
         if (degree == 1) {
-            for (std::size_t d = 0; d < linear_; ++d)
-                if (!add([d](const Coordinates& x) { return x[d]; }))
+            for (std::size_t d = 0; d < linear_; ++d) {
+                polynomial_ = at_[d];
+                if (!add())
                     return false;
+            }
             return true;
         }
         for (std::size_t d = 0; d < squared_; ++d)
-            for (std::size_t e = 0; e <= d; ++e)
-                if (!add([d, e](const Coordinates& x) { return x[d] * x[e]; }))
+            for (std::size_t e = 0; e <= d; ++e) {
+                for (std::size_t k = 0; k < count_; ++k)
+                    polynomial_[k] = at_[d][k] * at_[e][k];
+                if (!add())
                     return false;
+            }
         return true;
     }
 
     std::size_t size() const { return count_; }
     double total_area() const { return total_area_; }
     double area(std::size_t k) const { return area_[k]; }
+    Rgb found(std::size_t k) const { return found_[k]; }          ///< y
+    Rgb noise(std::size_t k) const { return noise_[k]; }          ///< v
     Rgb value(std::size_t k) const { return value_[k]; }          ///< f
     double leverage(std::size_t k) const { return leverage_[k]; } ///< h
 
 private:
-    template <class Polynomial>
-    bool add(const Polynomial& polynomial)
+    /// Takes from the polynomial what the others have of it and adds the rest, by Gram and Schmidt.
+    bool add()
     {
+        weighted_.resize(count_);
+        for (std::size_t k = 0; k < count_; ++k)
+            weighted_[k] = area_[k] * polynomial_[k];
+        double square = sum_of_products(weighted_, polynomial_);
         std::array<double, most_polynomials> products{};
-        double square = 0.0;
-        for (std::size_t k = 0; k < count_; ++k) {
-            const double p = polynomial(at_[k]);
-            const double weighted = area_[k] * p;
-            square += weighted * p;
-            for (std::size_t b = 0; b < used_; ++b)
-                products[b] += weighted * basis_[k][b];
-        }
-        for (std::size_t b = 0; b < used_; ++b)
+        for (std::size_t b = 0; b < used_; ++b) {
+            products[b] = sum_of_products(weighted_, basis_[b]);
             square -= products[b] * products[b];
+        }
         constexpr double tiny = 1e-6; // nothing new: the patches lie in a plane, or in a line
         if (!(square > tiny * total_area_))
             return true;
         if (2 * (used_ + 1) > count_)
             return false;
         const double norm = 1.0 / std::sqrt(square);
+        std::vector<double>& q = basis_[used_];
+        q.resize(count_);
+        for (std::size_t k = 0; k < count_; ++k)
+            q[k] = norm * polynomial_[k];
+        for (std::size_t b = 0; b < used_; ++b)
+            for (std::size_t k = 0; k < count_; ++k)
+                q[k] -= norm * products[b] * basis_[b][k];
         Rgb share;
+        for (std::size_t k = 0; k < count_; ++k)
+            share += (area_[k] * q[k]) * found_[k];
         for (std::size_t k = 0; k < count_; ++k) {
-            double q = polynomial(at_[k]);
-            for (std::size_t b = 0; b < used_; ++b)
-                q -= products[b] * basis_[k][b];
-            basis_[k][used_] = norm * q;
-            share += (area_[k] * norm * q) * radiosity_[patches_[k]];
-        }
-        for (std::size_t k = 0; k < count_; ++k) {
-            const double q = basis_[k][used_];
-            value_[k] += q * share;
-            leverage_[k] += q * q;
+            value_[k] += q[k] * share;
+            leverage_[k] += q[k] * q[k];
         }
         ++used_;
         return true;
@@ -227,15 +253,19 @@ private:
     const Scene& scene_;
     const Places& places_;
     const std::vector<Rgb>& radiosity_;
-    const std::uint32_t* patches_ = nullptr;
+    const std::vector<Rgb>& variance_;
     std::size_t count_ = 0;
     double total_area_ = 0.0;
-    std::vector<Coordinates> at_; ///< about -1 ... 1; within a surface the first two
-    std::size_t linear_ = 0;      ///< coordinates that have linear polynomials
-    std::size_t squared_ = 0;     ///< and quadratic ones
+    std::array<std::vector<double>, coordinate_count> at_; ///< about -1 ... 1; within a surface the first two
+    std::size_t linear_ = 0;                               ///< coordinates that have linear polynomials
+    std::size_t squared_ = 0;                              ///< and quadratic ones
     std::vector<double> area_;
-    std::vector<std::array<double, most_polynomials>> basis_; ///< q
-    std::size_t used_ = 0;                                    ///< of them
+    std::vector<Rgb> found_;
+    std::vector<Rgb> noise_;
+    std::vector<double> polynomial_;                          ///< to be added
+    std::vector<double> weighted_;                            ///< a times it
+    std::array<std::vector<double>, most_polynomials> basis_; ///< q, the first used_
+    std::size_t used_ = 0;
     std::vector<Rgb> value_;
     std::vector<double> leverage_;
 };
@@ -270,7 +300,7 @@ public:
         std::vector<Block> blocks;
         for_groups([&](std::uint32_t begin, std::uint32_t end) { cut_down({begin, end, 0}, blocks); });
         parallel_blocks(blocks.size(), threads_, [&](std::uint64_t b) {
-            Fit fit(scene_, places_, radiosity_);
+            Fit fit(scene_, places_, radiosity_, variance_);
             prune(blocks[static_cast<std::size_t>(b)], fit, radiosity, variance);
         });
     }
@@ -303,12 +333,12 @@ private:
         }
     }
 
-    Residual left_by(const Fit& fit, const std::uint32_t* patches) const
+    static Residual left_by(const Fit& fit)
     {
         Residual result;
         for (std::size_t k = 0; k < fit.size(); ++k) {
-            const Rgb difference = radiosity_[patches[k]] - fit.value(k);
-            const Rgb noise = fit.area(k) * variance_[patches[k]];
+            const Rgb difference = fit.found(k) - fit.value(k);
+            const Rgb noise = fit.area(k) * fit.noise(k);
             result.found += fit.area(k) * (difference * difference);
             result.noise += noise;
             result.trace += (fit.area(k) * fit.leverage(k)) * noise;
@@ -350,7 +380,7 @@ private:
     /// Fits the parts of a block, or all of it if that has less risk. Returns the risk.
     double prune(Block block, Fit& fit, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
     {
-        const std::vector<Block> halves = block.size() > 1 ? parts(block) : std::vector<Block>();
+        const std::vector<Block> halves = block.size() > least_of_block ? parts(block) : std::vector<Block>();
         double risk = 0.0;
         for (const Block& half : halves)
             risk += prune(half, fit, radiosity, variance);
@@ -362,7 +392,7 @@ private:
         const std::uint32_t* const patches = order_.data() + block.begin;
         fit.begin(patches, order_.data() + block.end);
         for (int degree = 0; degree <= most_degree && fit.add_degree(degree); ++degree) {
-            const Residual residual = left_by(fit, patches);
+            const Residual residual = left_by(fit);
             if (!(residual.risk() < risk) || !is_sound(fit, patches, residual))
                 continue;
             risk = residual.risk();
@@ -379,9 +409,9 @@ private:
         constexpr double least = 0.01; // of the variance of the others: few rays may have none
         const double usual = sum(residual.noise) / fit.total_area();
         for (std::size_t k = 0; k < fit.size(); ++k) {
-            const Rgb difference = radiosity_[patches[k]] - fit.value(k);
+            const Rgb difference = fit.found(k) - fit.value(k);
             if (!is_at_least(fit.value(k), scene_.emittance(patches[k])) ||
-                sum(difference * difference) > far * far * std::max(sum(variance_[patches[k]]), least * usual))
+                sum(difference * difference) > far * far * std::max(sum(fit.noise(k)), least * usual))
                 return false;
         }
         return true;
@@ -393,7 +423,7 @@ private:
         const Rgb bias = 1.0 / fit.total_area() * excess(residual.found + residual.trace, residual.noise);
         Rgb noise;
         for (std::size_t k = 0; k < fit.size(); ++k)
-            noise += fit.area(k) * fit.area(k) / fit.total_area() * variance_[patches[k]];
+            noise += fit.area(k) * fit.area(k) / fit.total_area() * fit.noise(k);
         for (std::size_t k = 0; k < fit.size(); ++k) {
             radiosity[patches[k]] = fit.value(k);
             variance[patches[k]] = fit.leverage(k) * noise + bias;
