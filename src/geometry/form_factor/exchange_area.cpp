@@ -195,20 +195,45 @@ bool apart_by(double radii, const FlatPiece& a, const FlatPiece& b)
     return dot(d, d) > distance * distance;
 }
 
-/// Of a piece that is small from where the other is, if it lies wholly in front of it: Lambert's formula at points of
-/// the small one. Nothing if it is not so.
-std::optional<double> exchange_by_views(const FlatPiece& small, const FlatPolygon& small_polygon,
-                                        const FlatPiece& other, const FlatPolygon& other_polygon, double touching)
+/// Four of half the size that make up the surface.
+std::array<Surface, 4> quarters(const Surface& s)
 {
-    if (heights(small_polygon, other.centre, other.normal).low < 0.0 ||
-        distance(small.centre, other_polygon) < views_radii * small.radius)
+    const Vec3 u = 0.5 * s.edge_u;
+    const Vec3 v = 0.5 * s.edge_v;
+    if (s.shape == Shape::triangle)
+        return {{{s.shape, s.origin, u, v},
+                 {s.shape, s.origin + u, u, v},
+                 {s.shape, s.origin + v, u, v},
+                 {s.shape, s.origin + u + v, -u, -v}}};
+    return {{{s.shape, s.origin, u, v},
+             {s.shape, s.origin + u, u, v},
+             {s.shape, s.origin + v, u, v},
+             {s.shape, s.origin + u + v, u, v}}};
+}
+
+/// Of a surface that sees all of a polygon which is so far away that points of it, or of its quarters, will do:
+/// Lambert's formula at these. Nothing if the polygon is nearer.
+std::optional<double> exchange_by_views(const Surface& small, const FlatPolygon& seen, bool may_cut = true)
+{
+    const FlatPiece piece = piece_of(small);
+    const double away = distance(piece.centre, seen);
+    if (away >= views_radii * piece.radius) {
+        const PiecePoints points = points_of(piece, away * away);
+        double sum = 0.0;
+        for (std::size_t k = 0; k < points.size; ++k)
+            sum += points.weight[k] * irradiance_from(seen, {points.x[k], points.y[k], points.z[k]}, piece.normal);
+        return piece.area * sum;
+    }
+    if (!may_cut || away < 0.5 * views_radii * piece.radius)
         return std::nullopt;
-    const FlatPolygon seen = part_in_front(other_polygon, small.centre, small.normal, touching);
-    const PiecePoints points = points_of(small, 0.0);
     double sum = 0.0;
-    for (std::size_t k = 0; k < points.size && !seen.empty(); ++k)
-        sum += points.weight[k] * irradiance_from(seen, {points.x[k], points.y[k], points.z[k]}, small.normal);
-    return small.area * sum;
+    for (const Surface& quarter : quarters(small)) {
+        const std::optional<double> part = exchange_by_views(quarter, seen, false);
+        if (!part)
+            return std::nullopt;
+        sum += *part;
+    }
+    return sum;
 }
 
 /// An order of pieces, so that a pair is computed one way round whichever is named first.
@@ -231,33 +256,47 @@ double overlap(const FlatPiece& a, const FlatPolygon& a_polygon, const FlatPiece
     return area > rounding * std::min(a.area, b.area) ? area : 0.0;
 }
 
-/// By points on the triangles that make up a polygon and on those that make up the other.
+/// The triangles between the first corner of a polygon and its edges; those without an area are left out.
+template <class Visit>
+void for_triangles(const FlatPolygon& polygon, const Visit& visit)
+{
+    for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
+        const Vec3 corner = polygon.corners[0];
+        const Surface triangle = {Shape::triangle, corner, polygon.corners[k] - corner,
+                                  polygon.corners[k + 1] - corner};
+        if (triangle.area() > 0.0)
+            visit(triangle);
+    }
+}
+
 double exchange_by_triangles(const FlatPolygon& a, const FlatPolygon& b)
 {
-    const auto triangle = [](const FlatPolygon& p, std::size_t k) {
-        return Surface{Shape::triangle, p.corners[0], p.corners[k] - p.corners[0], p.corners[k + 1] - p.corners[0]};
-    };
     double sum = 0.0;
-    for (std::size_t k = 1; k + 1 < a.size; ++k)
-        for (std::size_t l = 1; l + 1 < b.size; ++l) {
-            const Surface s = triangle(a, k);
-            const Surface t = triangle(b, l);
-            if (s.area() > 0.0 && t.area() > 0.0)
-                sum += exchange_by_points(piece_of(s), piece_of(t));
-        }
+    for_triangles(a, [&](const Surface& s) {
+        for_triangles(b, [&](const Surface& t) { sum += exchange_by_points(piece_of(s), piece_of(t)); });
+    });
     return sum;
 }
 
-/// Of pieces of which a part lies behind the other's plane. The plane of a is the horizon of all its points, so one
-/// cut is enough.
-double exchange_of_parts(const FlatPiece& a, const FlatPolygon& a_polygon, const FlatPiece& b,
-                         const FlatPolygon& b_polygon, double touching)
+/// The part of a piece in front of a plane.
+struct PartInFront
 {
-    const FlatPolygon a_part = part_in_front(a_polygon, b.centre, b.normal, touching);
-    const FlatPolygon b_part = part_in_front(b_polygon, a.centre, a.normal, touching);
-    if (a_part.size == 0 || b_part.size == 0)
-        return 0.0;
-    return apart_by(points_radii, a, b) ? exchange_by_triangles(a_part, b_part) : contour_integral(a_part, b_part);
+    const FlatPiece& piece;
+    FlatPolygon polygon;
+    bool whole;
+};
+
+/// Of two such parts, the smaller piece first.
+std::optional<double> exchange_by_views(const PartInFront& small, const PartInFront& other)
+{
+    if (small.whole)
+        return exchange_by_views(small.piece.surface, other.polygon);
+    std::optional<double> sum = 0.0;
+    for_triangles(small.polygon, [&](const Surface& triangle) {
+        const std::optional<double> part = sum ? exchange_by_views(triangle, other.polygon) : std::nullopt;
+        sum = part ? std::optional<double>(*sum + *part) : std::nullopt;
+    });
+    return sum;
 }
 
 /// Of pieces whose circumscribed circles the planes may cut, or that are near each other.
@@ -277,12 +316,16 @@ double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
         return exchange_of_far(a, b);
     if (wholly && apart_by(points_radii, a, b))
         return exchange_by_points(a, b);
-    const std::optional<double> exchange = a.radius < b.radius
-                                               ? exchange_by_views(a, a_polygon, b, b_polygon, touching)
-                                               : exchange_by_views(b, b_polygon, a, a_polygon, touching);
-    if (exchange)
-        return *exchange;
-    return wholly ? contour_integral(a_polygon, b_polygon) : exchange_of_parts(a, a_polygon, b, b_polygon, touching);
+    // The plane of each is the horizon of all points of the other, so one cut is enough.
+    const PartInFront a_part = {a, part_in_front(a_polygon, b.centre, b.normal, touching), a_heights.low >= -touching};
+    const PartInFront b_part = {b, part_in_front(b_polygon, a.centre, a.normal, touching), b_heights.low >= -touching};
+    if (a_part.polygon.size == 0 || b_part.polygon.size == 0)
+        return 0.0;
+    if (!wholly && apart_by(points_radii, a, b))
+        return exchange_by_triangles(a_part.polygon, b_part.polygon);
+    const std::optional<double> exchange =
+        a.radius < b.radius ? exchange_by_views(a_part, b_part) : exchange_by_views(b_part, a_part);
+    return exchange ? *exchange : contour_integral(a_part.polygon, b_part.polygon);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/polygon.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <array>
@@ -120,15 +121,20 @@ private:
 };
 
 /// Joins surfaces of one material that share an edge and lie in one plane.
-Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals)
+Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads)
 {
-    std::vector<Edge> edges;
-    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
+    const auto count = static_cast<std::uint32_t>(scene.surfaces().size());
+    std::vector<std::array<std::uint64_t, 4>> corners(count);
+    parallel_numbers(count, threads, [&](std::uint32_t s) {
         const FlatPolygon polygon = polygon_of(scene.surfaces()[s]);
-        const std::uint64_t kind = scene.file().material[s];
-        for (std::size_t k = 0; k < polygon.size; ++k) {
-            const auto [low, high] =
-                std::minmax({place_key(scene, polygon.corners[k], kind), place_key(scene, polygon.next(k), kind)});
+        for (std::size_t k = 0; k < polygon.size; ++k)
+            corners[s][k] = place_key(scene, polygon.corners[k], scene.file().material[s]);
+    });
+    std::vector<Edge> edges;
+    for (std::uint32_t s = 0; s < count; ++s) {
+        const std::size_t size = scene.surfaces()[s].shape == Shape::triangle ? 3 : 4;
+        for (std::size_t k = 0; k < size; ++k) {
+            const auto [low, high] = std::minmax(corners[s][k], corners[s][(k + 1) % size]);
             edges.push_back({low, high, s});
         }
     }
@@ -151,18 +157,19 @@ std::size_t FlatRegions::Region::index(double x, std::size_t count) const
     return static_cast<std::size_t>(std::clamp(std::floor(x / cell), 0.0, static_cast<double>(count - 1)));
 }
 
-FlatRegions::FlatRegions(const VisiblePatches& patches)
+FlatRegions::FlatRegions(const VisiblePatches& patches, int threads)
     : patches_(patches), region_of_(patches.scene().surfaces().size(), none)
 {
     const Scene& scene = patches.scene();
-    for (const Surface& surface : scene.surfaces())
-        normals_.push_back(surface.normal());
-    std::vector<bool> needle;
-    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
-        needle.push_back(is_needle(first_cell(scene, s)));
-    if (std::find(needle.begin(), needle.end(), true) == needle.end())
+    normals_.resize(scene.surfaces().size());
+    std::vector<char> needle(scene.surfaces().size());
+    parallel_numbers(static_cast<std::uint32_t>(scene.surfaces().size()), threads, [&](std::uint32_t s) {
+        normals_[s] = scene.surfaces()[s].normal();
+        needle[s] = is_needle(first_cell(scene, s)) ? 1 : 0;
+    });
+    if (std::find(needle.begin(), needle.end(), 1) == needle.end())
         return;
-    Sets sets = flat_sets(scene, normals_);
+    Sets sets = flat_sets(scene, normals_, threads);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // set, surface
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
         if (scene.surface_material(s).emittance == Rgb{})
@@ -173,7 +180,7 @@ FlatRegions::FlatRegions(const VisiblePatches& patches)
         bool has_needles = false;
         for (last = first; last < members.size() && members[last].first == members[first].first; ++last) {
             surfaces.push_back(members[last].second);
-            has_needles = has_needles || needle[members[last].second];
+            has_needles = has_needles || needle[members[last].second] != 0;
         }
         if (has_needles && surfaces.size() > 1)
             add_region(surfaces);

@@ -21,7 +21,7 @@ class FlatRegions
 {
 public:
     /// The patches must outlive this object.
-    explicit FlatRegions(const VisiblePatches& patches);
+    FlatRegions(const VisiblePatches& patches, int threads);
 
     /// True if the surface belongs to a region with needles.
     bool hold(std::uint32_t surface) const { return region_of_[surface] != none; }

@@ -217,7 +217,7 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
             corners_[place] = value;
     };
     const VisiblePatches patches(scene, values_per_patch, threads);
-    const FlatRegions regions(patches);
+    const FlatRegions regions(patches, threads);
     std::vector<std::vector<BorderGroup>> borders;
     const auto add = [&](const auto& chosen) {
         const std::vector<std::vector<Strip>> blocks = strips_of(scene, chosen);
