@@ -1,5 +1,6 @@
 #include "image/render.h"
 
+#include "image/shading/smooth_shading.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -241,6 +242,43 @@ TEST_CASE("the scale of a picture is the one it is shown with")
     CHECK(picture(scene, values, camera, options, tone).bytes ==
           picture(scene, values, camera, options, {ToneOperator::reinhard, 0.0, scale}).bytes);
     CHECK(picture_scale(scene, values, camera, options, {ToneOperator::reinhard, 1.0, 3.0}) == 6.0);
+}
+
+TEST_CASE("of a model with very many surfaces every pixel shows the smooth values")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    constexpr int across = 75;
+    const auto point = [](int i, int j) { return Vec3{0.1 * i, std::sin(0.2 * i) * std::cos(0.3 * j), 0.1 * j}; };
+    for (int i = 0; i < across; ++i)
+        for (int j = 0; j < across; ++j) {
+            const Vec3 a = point(i, j);
+            const Vec3 b = point(i + 1, j + 1);
+            builder.triangle(a, point(i, j + 1) - a, point(i + 1, j) - a, paint);
+            builder.triangle(b, point(i + 1, j) - b, point(i, j + 1) - b, paint);
+        }
+    builder.rectangle({3, 4, 3}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 1.0));
+    const Scene scene = builder.scene(10.0);
+    REQUIRE(scene.surfaces().size() > 10'000);
+    const std::vector<Rgb> values = some_radiosity(scene);
+    const SmoothShading shading(scene, values, 2);
+    const Camera camera = {{-1.0, 2.0, -1.0}, {4.0, 0.0, 4.0}, {0, 1, 0}, 50.0};
+    RenderOptions options = small_picture(Shading::smooth);
+    options.samples_per_pixel = 1;
+    const Image image = render(scene, values, camera, options);
+    const PixelRays rays(camera, options.width, options.height);
+    VisibleHits visible(scene);
+    int met = 0;
+    for (int y = 0; y < options.height; ++y)
+        for (int x = 0; x < options.width; ++x) {
+            const std::optional<Hit> hit = visible.first(rays.through(x + 0.5, y + 0.5));
+            met += hit ? 1 : 0;
+            CHECK(image.at(x, y) == (hit ? shading.at(*hit) : Rgb{}));
+        }
+    CHECK(met > 400);
+    options.threads = 3;
+    options.samples_per_pixel = 4;
+    CHECK(mean_red(render(scene, values, camera, options)) == doctest::Approx(mean_red(image)).epsilon(0.02));
 }
 
 } // namespace render_test

@@ -256,26 +256,37 @@ TEST_CASE("in closed convex rooms every patch exchanges its whole area")
     }
 }
 
-// From three of its radii on, a small piece is asked at a few points, by Lambert's formula.
+// From three of its radii on, a small piece is asked at a few points, by Lambert's formula, from half of that on at
+// those of its quarters; of a piece that goes through the wall the part in front.
 TEST_CASE("a small piece near a large one, or behind a part of it, gets what the contour integral says")
 {
     const Surface wall = rectangle({0, -1, -1}, {0, 2, 0}, {0, 0, 2}); // faces x > 0
-    for (const double size : {0.1, 0.02})
-        for (const double radii : {2.9, 3.1, 4.0, 6.0, 20.0})
-            for (const double turn : {0.0, 0.7, 1.5, 2.2}) { // from 1.57 on the horizon cuts the wall
-                CAPTURE(size);
-                CAPTURE(radii);
-                CAPTURE(turn);
-                const double x = radii * size * std::sqrt(0.5);
-                const Vec3 across = {std::sin(turn), std::cos(turn), 0.0};
-                const Surface speck = rectangle(Vec3{x, 0.9, 0.0} - 0.5 * size * across, {0, 0, size}, size * across);
-                if (heights(polygon_of(speck), {}, wall.normal()).low < 0.0)
-                    continue;
-                const FlatPolygon seen = part_in_front(polygon_of(wall), speck.centre(), speck.normal(), 1e-9);
-                const double expected = seen.empty() ? 0.0 : contour_integral(polygon_of(speck), seen);
-                CHECK(exchange_area(wall, speck, 1e-9) == doctest::Approx(expected).epsilon(1e-5));
-                CHECK(exchange_area(speck, wall, 1e-9) == exchange_area(wall, speck, 1e-9));
-            }
+    const FlatPolygon wall_polygon = polygon_of(wall);
+    int cut = 0;
+    for (const Shape shape : {Shape::parallelogram, Shape::triangle})
+        for (const double size : {0.1, 0.02})
+            for (const double radii : {0.3, 0.7, 1.4, 1.6, 2.9, 3.1, 4.0, 6.0, 20.0})
+                for (const double turn : {0.0, 0.7, 1.5, 2.2}) // from 1.57 on the horizon cuts the wall
+                    for (const double height : {0.9, 1.0, 1.1}) {
+                        CAPTURE(size);
+                        CAPTURE(radii);
+                        CAPTURE(turn);
+                        CAPTURE(height);
+                        const double x = radii * size * std::sqrt(0.5);
+                        const Vec3 across = {std::sin(turn), std::cos(turn), 0.0};
+                        Surface speck =
+                            rectangle(Vec3{x, height, 0.0} - 0.5 * size * across, {0, 0, size}, size * across);
+                        speck.shape = shape;
+                        const FlatPolygon speck_polygon = polygon_of(speck);
+                        const FlatPolygon front = part_in_front(speck_polygon, {}, wall.normal(), 1e-9);
+                        const FlatPolygon seen = part_in_front(wall_polygon, speck.centre(), speck.normal(), 1e-9);
+                        const bool none = front.empty() || seen.empty();
+                        const double expected = none ? 0.0 : contour_integral(front, seen);
+                        cut += heights(speck_polygon, {}, wall.normal()).low < 0.0 && expected > 0.0 ? 1 : 0;
+                        CHECK(exchange_area(wall, speck, 1e-9) == doctest::Approx(expected).epsilon(2e-5));
+                        CHECK(exchange_area(speck, wall, 1e-9) == exchange_area(wall, speck, 1e-9));
+                    }
+    CHECK(cut >= 20);
 }
 
 } // namespace exchange_area_test

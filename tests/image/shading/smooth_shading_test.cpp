@@ -337,4 +337,32 @@ TEST_CASE("what a box covers does not darken the floor around it")
     }
 }
 
+TEST_CASE("surfaces look the same if only they are shaded")
+{
+    for (const bool two_sided : {false, true}) {
+        SceneBuilder builder = with_lamp();
+        const std::uint32_t paint = builder.grey(0.5, 0.0);
+        builder.rectangle({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+        builder.rectangle({2.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, paint);
+        builder.rectangle({0.5, 1.0, 0.0}, {1.5, 0.0, 0.0}, {0.0, 0.5, 0.1},
+                          paint); // meets the first at a part of its edge
+        builder.rectangle({2.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.2}, paint);
+        builder.triangle({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, paint);
+        builder.triangle({0.0, 1.0, 0.0}, {0.5, 0.0, 0.0}, {0.0, 1.0, 0.1}, paint);
+        builder.box({1.0, 0.2, 0.0}, {1.2, 0.4, 0.5}, paint);
+        const Scene scene = builder.scene(0.25, two_sided);
+        const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return 2.0 + std::sin(3.0 * p.x + 5.0 * p.y); });
+        const SmoothShading all(scene, values, 1);
+        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
+            std::vector<char> asked(scene.surfaces().size());
+            asked[surface] = 1;
+            const SmoothShading one(scene, values, 2, asked);
+            CAPTURE(surface);
+            for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+                if (scene.surface_of(patch) == surface)
+                    CHECK(one.at_corners(patch) == all.at_corners(patch));
+        }
+    }
+}
+
 } // namespace smooth_shading_test
