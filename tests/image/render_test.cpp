@@ -254,8 +254,8 @@ TEST_CASE("of a model with very many surfaces every pixel shows the smooth value
         for (int j = 0; j < across; ++j) {
             const Vec3 a = point(i, j);
             const Vec3 b = point(i + 1, j + 1);
-            builder.triangle(a, point(i, j + 1) - a, point(i + 1, j) - a, paint);
-            builder.triangle(b, point(i + 1, j) - b, point(i, j + 1) - b, paint);
+            builder.triangle(a, point(i, j + 1), point(i + 1, j), paint);
+            builder.triangle(b, point(i + 1, j), point(i, j + 1), paint);
         }
     builder.rectangle({3, 4, 3}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 1.0));
     const Scene scene = builder.scene(10.0);
