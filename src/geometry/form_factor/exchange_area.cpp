@@ -269,6 +269,7 @@ void for_triangles(const FlatPolygon& polygon, const Visit& visit)
     }
 }
 
+/// By points on the triangles that make up both.
 double exchange_by_triangles(const FlatPolygon& a, const FlatPolygon& b)
 {
     double sum = 0.0;

@@ -9,40 +9,16 @@
 
 namespace multipath {
 
-namespace {
+bool level(Vec3 a, Vec3 b)
+{
+    constexpr double smallest_cosine = 0.8660254037844386; // 30 degrees: more is a crease
+    return dot(a, b) >= smallest_cosine;
+}
 
-constexpr double smallest_cosine = 0.8660254037844386; // 30 degrees: more is a crease
+namespace {
 
 constexpr double lift = 0.01;     // of the distance: what touches the surface is met, its own rounding is not
 constexpr double rounding = 1e-9; // of the scene's diagonal
-
-/// What unit normals have in common that are level with all of some others.
-class LevelWithAll
-{
-public:
-    /// Of at least one point.
-    explicit LevelWithAll(const std::vector<OpenPoint>& points) : points_(points)
-    {
-        double farthest = 0.0;
-        for (const OpenPoint& point : points)
-            farthest = std::max(farthest, length(point.normal - points.front().normal));
-        // By the triangle inequality for the chords of angles, so that one normal decides in most cases.
-        constexpr double play = 1e-9;
-        near_ = std::max(0.0, std::sqrt(2.0 - 2.0 * smallest_cosine) - farthest - play);
-    }
-
-    bool holds(Vec3 normal) const
-    {
-        const Vec3 apart = normal - points_.front().normal;
-        return dot(apart, apart) < near_ * near_ ||
-               std::all_of(points_.begin(), points_.end(),
-                           [&](const OpenPoint& point) { return level(normal, point.normal); });
-    }
-
-private:
-    const std::vector<OpenPoint>& points_;
-    double near_; ///< to the first one: level with all
-};
 
 Line sight(const OpenPoint& a, const OpenPoint& b)
 {
@@ -56,11 +32,6 @@ bool may_part(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
 }
 
 } // namespace
-
-bool level(Vec3 a, Vec3 b)
-{
-    return dot(a, b) >= smallest_cosine;
-}
 
 std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind)
 {
@@ -94,10 +65,11 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals,
     if (!listed)
         return;
     near_.emplace();
-    const LevelWithAll level_with_all(points);
     for (const std::uint32_t surface : *listed) {
         const Vec3 normal = normals[surface];
-        if (level_with_all.holds(normal))
+        const bool is_level = std::all_of(points.begin(), points.end(),
+                                          [&](const OpenPoint& point) { return level(normal, point.normal); });
+        if (is_level)
             continue;
         const Bounds own = scene.surfaces()[surface].bounds();
         if (overlap(own, box)) {

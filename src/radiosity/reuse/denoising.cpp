@@ -29,8 +29,8 @@ constexpr int trees = 4;
 constexpr double price = 2.5;
 constexpr int most_degree = 2;
 constexpr std::uint32_t most_of_block = 1024; // the noise that the fit of one leaves is nothing beside that of others
+constexpr std::uint32_t least_of_block = 8;   // is not cut: which of a few patches are fitted together, noise decides
 
-constexpr std::uint32_t least_of_block = 8; // is not cut: which of a few patches are fitted together, noise decides
 constexpr std::size_t coordinate_count = 6; // position and direction
 constexpr std::size_t most_polynomials = 1 + coordinate_count + 6;
 using Coordinates = std::array<double, coordinate_count>;
@@ -184,9 +184,10 @@ public:
     /// that would take more parameters than half the number of patches.
     bool add_degree(int degree)
     {
-        polynomial_.assign(count_, 1.0);
-        if (degree == 0)
+        if (degree == 0) {
+            polynomial_.assign(count_, 1.0);
             return add();
+        }
         if (degree == 1) {
             for (std::size_t d = 0; d < linear_; ++d) {
                 polynomial_ = at_[d];
