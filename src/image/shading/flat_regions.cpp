@@ -3,10 +3,12 @@
 #include "geometry/bounds.h"
 #include "geometry/polygon.h"
 #include "parallel/blocks.h"
+#include "sampling/random.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -61,18 +63,12 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// An edge of a surface, named by its ends whichever comes first.
 struct Edge
 {
-    std::uint64_t low;
-    std::uint64_t high;
+    std::uint64_t key; ///< hash of its ends, whichever comes first
     std::uint32_t surface;
 
-    bool same_place(const Edge& other) const { return low == other.low && high == other.high; }
-    bool operator<(const Edge& other) const
-    {
-        return low != other.low ? low < other.low : high != other.high ? high < other.high : surface < other.surface;
-    }
+    bool operator<(const Edge& other) const { return key != other.key ? key < other.key : surface < other.surface; }
 };
 
 /// Sums for a linear fit: value = a + b x + c y.
@@ -123,30 +119,39 @@ private:
 /// Joins surfaces of one material that share an edge and lie in one plane.
 Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads)
 {
-    const auto count = static_cast<std::uint32_t>(scene.surfaces().size());
-    std::vector<std::array<std::uint64_t, 4>> corners(count);
+    const SurfaceList& surfaces = scene.surfaces();
+    const auto count = static_cast<std::uint32_t>(surfaces.size());
+    const auto size = [&](std::uint32_t s) { return surfaces[s].shape == Shape::triangle ? 3u : 4u; };
+    std::vector<std::size_t> first(count + std::size_t{1});
+    for (std::uint32_t s = 0; s < count; ++s)
+        first[s + 1] = first[s] + size(s);
+    std::vector<Edge> edges(first.back());
     parallel_numbers(count, threads, [&](std::uint32_t s) {
-        const FlatPolygon polygon = polygon_of(scene.surfaces()[s]);
+        const FlatPolygon polygon = polygon_of(surfaces[s]);
+        std::array<std::uint64_t, 4> keys{};
         for (std::size_t k = 0; k < polygon.size; ++k)
-            corners[s][k] = place_key(scene, polygon.corners[k], scene.file().material[s]);
-    });
-    std::vector<Edge> edges;
-    for (std::uint32_t s = 0; s < count; ++s) {
-        const std::size_t size = scene.surfaces()[s].shape == Shape::triangle ? 3 : 4;
-        for (std::size_t k = 0; k < size; ++k) {
-            const auto [low, high] = std::minmax(corners[s][k], corners[s][(k + 1) % size]);
-            edges.push_back({low, high, s});
+            keys[k] = place_key(scene, polygon.corners[k], scene.file().material[s]);
+        for (std::size_t k = 0; k < polygon.size; ++k) {
+            const auto [low, high] = std::minmax(keys[k], keys[(k + 1) % polygon.size]);
+            edges[first[s] + k] = {mix_bits(low) ^ high, s};
         }
-    }
-    std::sort(edges.begin(), edges.end());
-    Sets sets(scene.surfaces().size());
-    for (std::size_t n = 1; n < edges.size(); ++n) {
-        const std::uint32_t a = edges[n - 1].surface;
-        const std::uint32_t b = edges[n].surface;
-        const bool level = dot(normals[a], normals[b]) > 0.0 && length(cross(normals[a], normals[b])) < same_plane;
-        if (edges[n - 1].same_place(edges[n]) && level)
-            sets.unite(a, b);
-    }
+    });
+    constexpr std::uint64_t parts = 16;
+    std::array<std::vector<Edge>, parts> sorted;
+    parallel_blocks(parts, threads, [&](std::uint64_t part) {
+        std::copy_if(edges.begin(), edges.end(), std::back_inserter(sorted[part]),
+                     [&](const Edge& edge) { return edge.key % parts == part; });
+        std::sort(sorted[part].begin(), sorted[part].end());
+    });
+    Sets sets(count);
+    for (const std::vector<Edge>& part : sorted)
+        for (std::size_t n = 1; n < part.size(); ++n) {
+            const std::uint32_t a = part[n - 1].surface;
+            const std::uint32_t b = part[n].surface;
+            if (part[n - 1].key == part[n].key && dot(normals[a], normals[b]) > 0.0 &&
+                length(cross(normals[a], normals[b])) < same_plane)
+                sets.unite(a, b);
+        }
     return sets;
 }
 

@@ -288,7 +288,7 @@ private:
             sums.value *= scale;
             sums.square *= scale;
         });
-        found = pooled(patches_, found, enough);
+        found = pooled(patches_, found, enough, run_.threads);
         std::vector<double> result = large_vector<double>(n_);
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) { result[i] = found[i].standard_deviation(); });
         return result;

@@ -3,6 +3,7 @@
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/pi.h"
+#include "parallel/blocks.h"
 #include "parallel/memory.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
@@ -182,6 +183,7 @@ GatheredLight::GatheredLight(const Scene& scene, const SceneLights& lights)
       tree_(lights.tree()),
       cuts_(lights.cuts()),
       patches_(lights.patches()),
+      threads_(lights.threads()),
       sights_(scene.patch_count())
 {
 }
@@ -224,39 +226,47 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
     resumable_blocks(range.next, range.end, run, look, report);
 }
 
-std::vector<RaySums> GatheredLight::visible_shares(double enough) const
+template <class Value, class Make>
+std::vector<Value> GatheredLight::of_patches(const Make& make) const
 {
-    std::vector<RaySums> free = with_room<RaySums>(sights_.size());
-    for (const Sight& sight : sights_)
-        free.push_back({sight.rays, sight.rays, sight.free, sight.free});
-    return pooled(patches_, free, enough);
+    std::vector<Value> result = large_vector<Value>(sights_.size());
+    parallel_numbers(static_cast<std::uint32_t>(sights_.size()), threads_,
+                     [&](std::uint32_t i) { result[i] = make(i); });
+    return result;
+}
+
+std::vector<RaySums> GatheredLight::visible_shares() const
+{
+    const auto free = of_patches<RaySums>([&](std::uint32_t i) {
+        const Sight& sight = sights_[i];
+        return RaySums{sight.rays, sight.rays, sight.free, sight.free};
+    });
+    return pooled(patches_, free, enough_rays, threads_);
 }
 
 std::vector<double> GatheredLight::deviations() const
 {
     // That all rays of some patches agree does not prove that one more would.
     constexpr double least_variance = 0.002;
-    const std::vector<RaySums> free = visible_shares(enough_rays);
-    std::vector<double> result = with_room<double>(sights_.size());
-    for (std::uint32_t i = 0; i < sights_.size(); ++i) {
+    const std::vector<RaySums> free = visible_shares();
+    return of_patches<double>([&](std::uint32_t i) {
         const double p = free[i].weight > 0.0 ? free[i].value / free[i].weight : 0.5;
-        result.push_back(cuts_.irradiance(i) * std::sqrt(p * (1.0 - p) + least_variance));
-    }
-    return result;
+        return cuts_.irradiance(i) * std::sqrt(p * (1.0 - p) + least_variance);
+    });
 }
 
 std::vector<Rgb> GatheredLight::incident() const
 {
-    const std::vector<RaySums> shares = visible_shares(enough_rays);
-    std::vector<RaySums> errors = with_room<RaySums>(sights_.size()); // of the unoccluded light
-    for (const Sight& sight : sights_)
-        errors.push_back({sight.rays, sight.rays, sight.error, sight.square});
-    const std::vector<RaySums> around = pooled(patches_, errors, 1024.0);
+    const std::vector<RaySums> shares = visible_shares();
+    const auto errors = of_patches<RaySums>([&](std::uint32_t i) { // of the unoccluded light
+        const Sight& sight = sights_[i];
+        return RaySums{sight.rays, sight.rays, sight.error, sight.square};
+    });
+    const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, threads_);
     constexpr double error_around = 0.1; // typical ones, as a share
     constexpr double error_alone = 0.03;
     const Rgb power = scene_.source_power();
-    std::vector<Rgb> result = with_room<Rgb>(sights_.size());
-    for (std::uint32_t i = 0; i < sights_.size(); ++i) {
+    auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
         const Sight& sight = sights_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
         if (sight.kernel > 0.0) {
@@ -264,12 +274,12 @@ std::vector<Rgb> GatheredLight::incident() const
             const double own = sight.error / sight.rays - error;
             const double correction = 1.0 + trust(error_around, around[i].rays, variance(around[i])) * error +
                                       trust(error_alone, sight.rays, variance(errors[i])) * own;
-            result.push_back((unoccluded * correction / sight.kernel) * sight.light);
-        } else if (unoccluded > 0.0 && shares[i].weight > 0.0)
-            result.push_back((unoccluded * shares[i].value / shares[i].weight / mean(power)) * power);
-        else
-            result.push_back({});
-    }
+            return (unoccluded * correction / sight.kernel) * sight.light;
+        }
+        if (unoccluded > 0.0 && shares[i].weight > 0.0)
+            return (unoccluded * shares[i].value / shares[i].weight / mean(power)) * power;
+        return {};
+    });
     for (const LightCuts::Contact& contact : cuts_.contacts())
         result[contact.patch] += contact.power;
     return result;

@@ -26,6 +26,7 @@ public:
     const LightTree& tree() const;
     const LightCuts& cuts() const;
     const SurfaceTree& patches() const;
+    int threads() const { return threads_; }
 
 private:
     const Scene& scene_;
@@ -88,12 +89,15 @@ public:
     void visit(Archive& archive); ///< for a checkpoint
 
 private:
-    std::vector<RaySums> visible_shares(double enough) const;
+    template <class Value, class Make>
+    std::vector<Value> of_patches(const Make& make) const;
+    std::vector<RaySums> visible_shares() const;
 
     const Scene& scene_;
     const LightTree& tree_;
     const LightCuts& cuts_;
     const SurfaceTree& patches_;
+    int threads_;
     std::vector<Sight> sights_; ///< per patch
 };
 

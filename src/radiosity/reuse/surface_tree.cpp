@@ -1,5 +1,6 @@
 #include "radiosity/reuse/surface_tree.h"
 
+#include "parallel/blocks.h"
 #include "parallel/memory.h"
 
 #include <algorithm>
@@ -106,27 +107,28 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
         order_.push_back(place.surface);
 }
 
-std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough)
+std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)
 {
     const std::vector<SurfaceTree::Node>& nodes = tree.nodes();
-    std::vector<RaySums> sums = large_vector<RaySums>(nodes.size());
-    for (std::size_t k = nodes.size(); k-- > 0;) {
-        if (nodes[k].is_leaf())
-            for (std::uint32_t p = nodes[k].begin; p < nodes[k].end; ++p)
-                sums[k] += own[tree.surface(p)];
-        if (k > 0)
-            sums[nodes[k].parent] += sums[k];
-    }
-    std::vector<RaySums> result = large_vector<RaySums>(own.size());
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        if (k > 0 && sums[k].rays < enough)
+    const auto count = static_cast<std::uint32_t>(nodes.size());
+    const auto for_leaves = [&](const auto& visit) {
+        parallel_numbers(count, threads, [&](std::uint32_t k) {
+            if (nodes[k].is_leaf())
+                for (std::uint32_t p = nodes[k].begin; p < nodes[k].end; ++p)
+                    visit(k, tree.surface(p));
+        });
+    };
+    std::vector<RaySums> sums = large_vector<RaySums>(count);
+    for_leaves([&](std::uint32_t k, std::uint32_t surface) { sums[k] += own[surface]; });
+    for (std::uint32_t k = count; k-- > 1;)
+        sums[nodes[k].parent] += sums[k];
+    for (std::uint32_t k = 1; k < count; ++k)
+        if (sums[k].rays < enough)
             sums[k] = sums[nodes[k].parent];
-        if (nodes[k].is_leaf())
-            for (std::uint32_t p = nodes[k].begin; p < nodes[k].end; ++p) {
-                const RaySums& alone = own[tree.surface(p)];
-                result[tree.surface(p)] = alone.rays < enough ? sums[k] : alone;
-            }
-    }
+    std::vector<RaySums> result = large_vector<RaySums>(own.size());
+    for_leaves([&](std::uint32_t k, std::uint32_t surface) {
+        result[surface] = own[surface].rays < enough ? sums[k] : own[surface];
+    });
     return result;
 }
 

@@ -50,6 +50,6 @@ struct RaySums
 
 /// For each surface the sums over itself if it has `enough` rays, else over the smallest group around it that has, or
 /// over all.
-std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough);
+std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads);
 
 } // namespace multipath
