@@ -32,12 +32,12 @@ test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' !
 # Compiled by themselves: kernels, which have the same names for every instruction set, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
 # Folders that are compiled as one file.
-lines = src/parallel src/sampling src/transport
-small = src/check src/explain src/export src/selftest src/study src/viewer
-commands = src/cli src/commands
-# What no line flies through, and what only reads.
-cold  = src/commands $(commands) src/small $(small) $(test_units)
-cool  = src/scene
+src/lines    = src/parallel src/sampling src/transport
+src/commands = src/cli src/commands
+src/small    = src/check src/explain src/export src/selftest src/study src/viewer
+tests/small  = $(addprefix tests/,check cli commands explain export parallel sampling selftest study viewer)
+# What no line flies through.
+cold  = $(src/commands) src/small $(src/small) $(test_units)
 
 ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)
@@ -45,8 +45,8 @@ test_units = $(test_sources:%.cpp=%)
 else
 folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
 # The linker keeps the first of several copies of a template's function: those of -O3 come first.
-units      = src/lines $(filter-out %.cpp $(lines) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/commands src/small
-test_units = $(patsubst %.cpp,%,$(call folders,$(test_sources)))
+units      = src/lines $(filter-out %.cpp $(src/lines) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/commands src/small
+test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
 endif
 objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(BUILD)/%.o)
@@ -76,7 +76,7 @@ pictures: $(PROGRAM)
 test: $(BUILD)/unit_tests $(PROGRAM)
 	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
 
-$(BUILD)/unit_tests: $(test_objects) $(filter-out $(BUILD)/src/main.o,$(objects))
+$(BUILD)/unit_tests: $(filter-out $(BUILD)/src/main.o,$(objects)) $(test_objects)
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
 
@@ -109,7 +109,6 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@mv $@.new $@
 
 $(cold:%=$(BUILD)/%.o): OPTIMISE = -Og
-$(cool:%=$(BUILD)/%.o): OPTIMISE = -O2
 
 define compile
 @mkdir -p $(@D)
@@ -127,7 +126,7 @@ $(BUILD)/%.o: $(BUILD)/unity/%.cpp
 .PRECIOUS: $(BUILD)/unity/%.cpp
 $(BUILD)/unity/%.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(patsubst %,%/%,$(or $($(*:src/%=%)),$*)),$(sources) $(test_sources))) > $@.new
+	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(patsubst %,%/%,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 coverage:

@@ -45,13 +45,12 @@ results() {
         solved $scene-gather pfm scenes/$scene.obj --patches 500 -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
     done
     solved all "csv ppm png pfm ply glb obj html" scenes/4chairs.obj --patches 800 -n 2^14 --size 96x72
-    solved shot-reuse csv scenes/5cubes.obj -n 2^13 --direct shoot -s kronecker-shift
+    solved shot-reuse csv scenes/5cubes.obj --patches 500 -n 2^13 --direct shoot -s kronecker-shift
     solved absorption csv scenes/5cubes.obj -n 2^13 -m local --estimator absorption
     solved one-way csv scenes/4chairs-up.obj -n 2^13 -m global --bidirectional no --chords box --pairing 2d --line-order sequence
     for shard in 1 2; do solved shard-$shard state scenes/5cubes.obj --patches 500 -n 2^14 --shard $shard/2; done
     "$program" merge shard-1.state shard-2.state -q --threads "$threads" -o merged.csv -o merged.state || echo "merge: $?"
     "$program" render merged.state -q --threads "$threads" --size 48x36 -o rendered.ppm || echo "render: exit status $?"
-    "$program" selftest --case parallel --progress never --threads "$threads" >selftest.txt || echo "selftest: exit status $?"
     "$program" check scenes/4chairs-up.obj -n 2^13 --threads "$threads" >check.txt || echo "check: exit status $?"
     "$program" explain scenes/4chairs.obj -n 3 --of 2^13 --threads "$threads" -o lines.svg >explain.txt || echo "explain: $?"
     "$program" points -d 4 -s halton-permuted --discrepancy -o points.csv >points.txt || echo "points: exit status $?"

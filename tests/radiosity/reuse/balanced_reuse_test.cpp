@@ -169,7 +169,7 @@ TEST_CASE("a globe of 100,000 triangles gives a floor the light of a sphere" * d
     const Scene scene = builder.scene(0.1);
     REQUIRE(scene.surfaces().size() > 100'000);
     const auto floor_patches = static_cast<std::uint32_t>(scene.tessellation(0).cell_count());
-    for (const std::uint64_t rays_per_patch : {8u, 128u}) {
+    for (const std::uint64_t rays_per_patch : {8u, 32u}) {
         CAPTURE(rays_per_patch);
         const std::vector<Rgb> found = solved(scene, rays_per_patch * scene.patch_count(), 1);
         double squares = 0.0;
@@ -183,8 +183,8 @@ TEST_CASE("a globe of 100,000 triangles gives a floor the light of a sphere" * d
             sum += truth;
         }
         // With few rays what the clusters err is only partly known (R5).
-        CHECK(std::abs(difference) / sum < (rays_per_patch == 8 ? 8e-3 : 2e-3));
-        CHECK(squares * floor_patches / (sum * sum) < (rays_per_patch == 8 ? 3e-4 : 1.5e-5));
+        CHECK(std::abs(difference) / sum < (rays_per_patch == 8 ? 8e-3 : 4.5e-3));
+        CHECK(squares * floor_patches / (sum * sum) < (rays_per_patch == 8 ? 3e-4 : 6e-5));
     }
 }
 
