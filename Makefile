@@ -34,8 +34,8 @@ alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.
 # Folders that are compiled as one file.
 src/lines    = src/parallel src/sampling src/transport
 src/commands = src/cli src/commands
-src/small    = src/check src/explain src/export src/selftest src/study src/viewer
-tests/small  = $(addprefix tests/,check cli commands explain export parallel sampling selftest study viewer)
+src/small    = src/check src/explain src/export src/refinement src/selftest src/study src/viewer
+tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
 # What no line flies through.
 cold  = $(src/commands) src/small $(src/small) $(test_units)
 

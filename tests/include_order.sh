@@ -16,9 +16,10 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["check"] = below["explain"] = below["radiosity"] "radiosity "
         below["selftest"] = below["radiosity"] "export radiosity "
         below["viewer"] = below["image"] "image export "
+        below["refinement"] = below["radiosity"] "image radiosity "
         below["study"] = below["radiosity"] "image export radiosity check "
         below["cli"] = " geometry scene parallel "
-        below["commands"] = below["study"] "study selftest viewer explain cli "
+        below["commands"] = below["study"] "study refinement selftest viewer explain cli "
         below["main.cpp"] = below["commands"] "commands "
         for (i = 1; i < ARGC; ++i)
             if (!(room_of(ARGV[i]) in below))

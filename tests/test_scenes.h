@@ -4,6 +4,8 @@
 #include "scene/scene_builder.h"
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace multipath {
 
@@ -39,5 +41,19 @@ private:
     Vec3 shift_;
     Vec3 x_, y_, z_;
 };
+
+/// The second cell of every surface and each third one after it cut into four, of these two again, and one a third
+/// time.
+inline Scene unevenly_refined(const Scene& scene)
+{
+    std::vector<std::uint8_t> levels;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+        for (std::uint32_t cell = 0; cell < scene.tessellation(s).cell_count(); ++cell)
+            if (cell % 3 == 1)
+                levels.insert(levels.end(), {1, 2, 2, 2, 2, 1, 2, 2, 2, 3, 3, 3, 3});
+            else
+                levels.push_back(0);
+    return scene.refined(levels);
+}
 
 } // namespace multipath

@@ -356,7 +356,7 @@ private:
             return;
         double longest = 0.0;
         for (std::uint32_t s = 0; s < scene_.surfaces().size(); ++s) {
-            const Surface cell = scene_.tessellation(s).cell(scene_.surfaces()[s], 0);
+            const Surface cell = scene_.tessellation(s).uniform(0).cell(scene_.surfaces()[s], 0);
             longest = std::max({longest, length(cell.edge_u), length(cell.edge_v)});
         }
         const double diagonal = scene_.bounds().diagonal();

@@ -2,11 +2,13 @@
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
+#include "commands/options/scene_options.h"
 #include "commands/solve/saved_run.h"
 #include "export/csv_text.h"
 #include "export/json.h"
 #include "export/patch_table.h"
 #include "radiosity/error_measure.h"
+#include "refinement/shown_error.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
 
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -23,14 +26,30 @@ namespace multipath {
 
 namespace {
 
-/// The result in a table (.csv) or in the state of a finished run, whatever the file is called. Throws InputError,
-/// ArchiveError.
-PatchTable read_result(const std::string& path)
+/// The result in a table (.csv) or in the state of a finished run, whatever the file is called.
+struct Result
 {
-    if (!is_state_file(path))
-        return read_patch_table(path);
-    const SavedRun saved = read_saved_run(path);
-    const Scene scene = restored(saved.description.scene);
+    PatchTable table;
+    std::unique_ptr<const Scene> scene; ///< of a state
+
+    /// Throws InputError, ArchiveError.
+    explicit Result(const std::string& path)
+    {
+        if (!is_state_file(path)) {
+            table = read_patch_table(path);
+            return;
+        }
+        const SavedRun saved = read_saved_run(path);
+        scene = std::make_unique<const Scene>(restored(saved.description.scene));
+        table = table_of(path, saved, *scene);
+    }
+
+private:
+    static PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene& scene);
+};
+
+PatchTable Result::table_of(const std::string& path, const SavedRun& saved, const Scene& scene)
+{
     const Solution solution = finished_solution(saved, scene);
     PatchTable table;
     table.path = path;
@@ -275,6 +294,47 @@ JsonObject report_json(const Comparison& c)
     return json;
 }
 
+// Results with other patches of the same surfaces are compared by what they show.
+
+bool have_other_patches(const Result& a, const Result& b)
+{
+    return a.scene && b.scene && a.table.areas != b.table.areas && a.scene->two_sided() == b.scene->two_sided() &&
+           a.scene->surfaces() == b.scene->surfaces();
+}
+
+/// Some lines for a person.
+std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownError& e)
+{
+    std::string text =
+        "A          " + a.path + ", " + grouped(a.areas.size()) + " patches, as smooth shading shows it\n";
+    text += "B          " + b.path + ", " + grouped(b.areas.size()) + " patches, the reference, gathered at points\n";
+    text += format("points     %s, %.6g m^2\n", grouped(e.points).c_str(), e.area);
+    text += format("total      relative MSE %.3g +- %.2g, its root %.3g %%: of patches and noise together\n",
+                   e.relative_mean_square, e.standard_error, 100.0 * e.root());
+    text += format("radiosity  mean %.6g in A, %.6g in B W/m^2: a difference of %+.3g %%\n", e.mean_shown, e.mean_true,
+                   100.0 * (e.mean_shown - e.mean_true) / e.mean_true);
+    return text;
+}
+
+/// The same for a program.
+JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError& e)
+{
+    JsonObject json;
+    json.text("result", a.path);
+    json.text("reference", b.path);
+    json.count("patches", a.areas.size());
+    json.count("reference_patches", b.areas.size());
+    json.count("points", e.points);
+    json.number("area_m2", e.area);
+    json.number("relative_mean_square_error", e.relative_mean_square);
+    json.number("relative_mean_square_error_error", e.standard_error);
+    json.number("relative_root_mean_square_error", e.root());
+    json.number("mean_radiosity", e.mean_shown);
+    json.number("reference_mean_radiosity", e.mean_true);
+    json.number("mean_radiosity_difference", (e.mean_shown - e.mean_true) / e.mean_true);
+    return json;
+}
+
 CommandTable compare_table()
 {
     return {"compare",
@@ -282,12 +342,17 @@ CommandTable compare_table()
             {{"A", false, false, {".csv", ".state"}}, {"B", false, false, {".csv", ".state"}}},
             {{"Report",
               {{"worst", 0, "N", "5", "Name the N patches with the largest shares of the mean square error."},
+               {"points", 0, "N", "10000",
+                "Of results with other patches of the same surfaces: at how many points what A shows is compared."},
                {"tolerance", 0, "SHARE", "",
                 "End with exit code 1 when the root of the relative mean square error exceeds this, such as 1%."},
-               {"json", 0, "", "", "Print the report as JSON on standard output."}}}},
+               {"json", 0, "", "", "Print the report as JSON on standard output."},
+               threads_option()}}},
             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
             "wrote, or states of finished runs, of the same patches. Where they have standard errors\n"
             "(solve --replicates), the report tells whether these explain the difference.\n\n"
+            "States of the same surfaces with other patches, B with many more than A, are compared by what\n"
+            "A shows: at points, with smooth shading, against light gathered from B.\n\n"
             "Exit code 0, whatever the difference, unless --tolerance says otherwise; 1 where the tables\n"
             "cannot be compared.\n"};
 }
@@ -304,20 +369,36 @@ void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
 int run_compare(const CommandLine& line)
 {
     const auto worst_count = static_cast<std::size_t>(read_count("--worst", line.text("worst")));
+    const std::uint64_t points = read_count("--points", line.text("points"), 1, 1ull << 30);
     std::optional<double> tolerance;
     if (line.has("tolerance"))
         tolerance = read_share("--tolerance", line.text("tolerance"));
-    const PatchTable a = read_result(line.operands()[0]);
-    const PatchTable b = read_result(line.operands()[1]);
-    require_same_patches(a, b);
-    warn_of_other_scene(a, b);
-    const Comparison comparison = compare(a, b, worst_count);
-    const std::string text = line.has("json") ? report_json(comparison).document() : report_text(comparison);
-    print(text);
-    if (!tolerance || comparison.root() <= *tolerance)
+    const Result result(line.operands()[0]);
+    const Result reference(line.operands()[1]);
+    const PatchTable& a = result.table;
+    const PatchTable& b = reference.table;
+    const bool json = line.has("json");
+    double root = 0.0;
+    if (have_other_patches(result, reference)) {
+        constexpr int rays = 512; // for each of two estimates at a point
+        const int threads = thread_count(line);
+        const Truth truth = gathered_truth(*reference.scene, b.radiosity, rays, threads);
+        const ShownError error = shown_error(*result.scene, a.radiosity, truth, points, threads);
+        if (!(error.mean_true > 0.0))
+            throw InputError(b.path + ": dark at all points, expected a reference with light");
+        root = error.root();
+        print(json ? shown_json(a, b, error).document() : shown_text(a, b, error));
+    } else {
+        require_same_patches(a, b);
+        warn_of_other_scene(a, b);
+        const Comparison comparison = compare(a, b, worst_count);
+        root = comparison.root();
+        print(json ? report_json(comparison).document() : report_text(comparison));
+    }
+    if (!tolerance || root <= *tolerance)
         return 0;
-    print_note(format("multipath: %s is %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(),
-                      100.0 * comparison.root(), b.path.c_str(), 100.0 * *tolerance));
+    print_note(format("multipath: %s is %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(), 100.0 * root,
+                      b.path.c_str(), 100.0 * *tolerance));
     return 1;
 }
 

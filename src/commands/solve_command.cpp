@@ -6,6 +6,8 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
+#include "refinement/adaptive_patches.h"
+#include "scene/input_error.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -94,6 +96,20 @@ CommandTable solve_table()
             "  multipath solve room.obj -o room.html\n"};
 }
 
+/// With --adaptive the scene that was read is cut further.
+Scene as_adaptive_as_asked(const SolveJob& job, Scene coarse)
+{
+    if (!job.line.has("adaptive"))
+        return coarse;
+    const std::uint64_t most = adaptive_patches(job.line);
+    if (coarse.patch_count() >= most)
+        throw InputError(coarse.path() + ": --adaptive: has " + grouped(coarse.patch_count()) +
+                         " patches before any is cut; expected more than that");
+    require_memory_for_reuse(job.line, job.options, coarse);
+    require_memory_for_patches(job.line, coarse.file(), static_cast<double>(most));
+    return adapted(coarse, most, job.options.memory, job.options.threads);
+}
+
 int run_solve(const CommandLine& line)
 {
     require_one_on_standard_output(line);
@@ -106,7 +122,7 @@ int run_solve(const CommandLine& line)
             inputs.push_back(path);
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs);
 
-    const Scene scene = read_scene(line, thread_count(line));
+    const Scene scene = as_adaptive_as_asked(job, read_scene(line, thread_count(line)));
     settle_lines(scene, job.line, job.options);
     require_no_input(outputs, scene.file().material_files);
     require_results_possible(job, scene, outputs);

@@ -39,7 +39,8 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
                  std::uint32_t first, std::uint32_t end)
 {
     std::string table;
-    std::string material; // these three of the side to which the last patch belongs
+    std::string material; // these four of the side to which the last patch belongs
+    std::string normal;
     std::string constants;
     std::uint32_t next_side = first;
     for (std::uint32_t i = first; i < end; ++i) {
@@ -50,13 +51,15 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
                         static_cast<std::uint32_t>(scene.tessellation(patch.surface).cell_count());
             material = csv_field(scene.material_of(i).name);
             constants.clear();
-            append(constants, patch.shape.normal());
-            append(constants, scene.area(i));
+            normal.clear();
+            append(normal, patch.shape.normal());
             append(constants, scene.reflectance(i));
             append(constants, scene.emittance(i));
         }
         table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + material;
         append(table, patch.shape.centre());
+        table += normal;
+        append(table, scene.area(i));
         table += constants;
         append(table, radiosity[i]);
         if (!standard_error.empty())

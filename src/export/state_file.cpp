@@ -124,6 +124,11 @@ void StateWriter::read(const std::string&, Scalar, void*, std::size_t)
     throw ArchiveError("a state that is being written cannot be read");
 }
 
+bool StateWriter::holds(const std::string&) const
+{
+    throw ArchiveError("a state that is being written cannot be read");
+}
+
 std::size_t StateWriter::length(const std::string&, Scalar)
 {
     throw ArchiveError("a state that is being written cannot be read");
@@ -209,6 +214,11 @@ const StateReader::Array& StateReader::array(const std::string& name, Scalar sca
     if (found == arrays_.end() || found->second.scalar != scalar)
         refuse("damaged or of other work: it holds no '" + name + "'");
     return found->second;
+}
+
+bool StateReader::holds(const std::string& name) const
+{
+    return arrays_.count(name) > 0;
 }
 
 std::size_t StateReader::length(const std::string& name, Scalar scalar)
@@ -336,6 +346,7 @@ void ArchivedScene::visit(Archive& archive)
     archive.value<std::uint64_t>("two-sided", two_sided);
     archive.value<std::uint64_t>("patches", patches);
     archive.value<std::uint64_t>("hash", hash);
+    archive.optional_list<char>("levels", levels);
     require_sound(kept.surfaces);
     require_sound(kept.materials);
     require_below(kept.material, kept.materials.size());
@@ -346,18 +357,28 @@ void ArchivedScene::visit(Archive& archive)
 
 ArchivedScene archived(const Scene& scene)
 {
-    return {scene.shared_file(), scene.patch_size(), scene.two_sided() ? 1u : 0u, scene.patch_count(), scene.hash()};
+    return {scene.shared_file(), scene.patch_size(), scene.two_sided() ? 1u : 0u,
+            scene.patch_count(), scene.hash(),       scene.levels()};
 }
 
 Scene restored(const ArchivedScene& archived)
 {
     const double sides = archived.two_sided != 0 ? 2.0 : 1.0;
-    const bool fits =
-        archived.patch_size > 0.0 && sides * cell_count(archived.file->surfaces, archived.patch_size) ==
-                                         static_cast<double>(archived.patches); // before memory is taken for them
-    if (!fits)
+    const double cells = archived.patch_size > 0.0 ? cell_count(archived.file->surfaces, archived.patch_size) : 0.0;
+    const auto patches = static_cast<double>(archived.patches);
+    const bool whole = archived.levels.empty();
+    const bool fits = whole ? sides * cells == patches
+                            : cells > 0.0 && sides * cells <= patches &&
+                                  sides * static_cast<double>(archived.levels.size()) == patches;
+    if (!fits) // before memory is taken for them
         throw ArchiveError("the state is damaged: its scene has other patches");
     Scene scene(archived.file, archived.patch_size, archived.two_sided != 0, 1);
+    try {
+        if (!whole)
+            scene = scene.refined(archived.levels);
+    } catch (const std::invalid_argument& error) {
+        throw ArchiveError(std::string("the state is damaged: it has ") + error.what());
+    }
     if (scene.hash() != archived.hash)
         throw ArchiveError("the state is damaged: its scene is not the one that was solved");
     return scene;

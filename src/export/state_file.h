@@ -31,6 +31,7 @@ public:
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
     void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
+    bool holds(const std::string& name) const override;
     std::size_t length(const std::string& name, Scalar scalar) override;
 
     void put(std::string_view bytes); ///< and zeros up to a multiple of eight
@@ -69,6 +70,7 @@ public:
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
     void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
+    bool holds(const std::string& name) const override;
     std::size_t length(const std::string& name, Scalar scalar) override;
 
 private:
@@ -102,7 +104,8 @@ struct ArchivedScene
     double patch_size = 0.0;               ///< [scene units]
     std::uint64_t two_sided = 0;
     std::uint64_t patches = 0;
-    std::uint64_t hash = 0; ///< of the scene
+    std::uint64_t hash = 0;             ///< of the scene
+    std::vector<std::uint8_t> levels{}; ///< Scene::levels()
 
     void visit(Archive& archive);
 };

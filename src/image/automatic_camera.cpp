@@ -112,11 +112,11 @@ std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radio
                 continue;
             const std::uint32_t first = scene.first_patch(surface, front);
             const auto end = first + static_cast<std::uint32_t>(scene.tessellation(surface).cell_count());
-            double sum = 0.0;
+            const double area = scene.surfaces()[surface].area();
+            double power = 0.0;
             for (std::uint32_t i = first; i < end; ++i)
-                sum += mean(radiosity[i]);
-            const double reflected = std::max(0.0, sum - (end - first) * mean(scene.emittance(first)));
-            sides.push_back({first, end, sum / (end - first), scene.area(first) * reflected});
+                power += scene.area(i) * mean(radiosity[i]);
+            sides.push_back({first, end, power / area, std::max(0.0, power - area * mean(scene.emittance(first)))});
         }
     return sides;
 }

@@ -91,6 +91,16 @@ public:
         list<Number>(name, values);
     }
 
+    /// The same; an empty list is not written, and read where there is none.
+    template <class Number, class List>
+    void optional_list(std::string_view name, List& values)
+    {
+        if (reads_ ? holds(full_name(name)) : !values.empty())
+            growing_list<Number>(name, values);
+        else
+            values.clear();
+    }
+
     /// Texts without zero bytes, any number of them: one list of bytes, with a zero behind each text.
     void texts(std::string_view name, std::vector<std::string>& texts)
     {
@@ -134,6 +144,7 @@ public:
 protected:
     virtual void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) = 0;
     virtual void read(const std::string& name, Scalar scalar, void* data, std::size_t length) = 0;
+    virtual bool holds(const std::string& name) const = 0; ///< to be read
     /// How many numbers an array has, to be read.
     virtual std::size_t length(const std::string& name, Scalar scalar) = 0;
 

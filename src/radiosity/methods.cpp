@@ -121,6 +121,8 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         emitters += mean(scene.emittance(i)) > 0.0 ? 1.0 : 0.0;
     const auto budget = static_cast<double>(lines);
+    if (!scene.levels().empty()) // the table takes the patches of a surface to be equal
+        return false;
     return 0.5 * n * n <= std::max(few_pairs, pairs_per_line * budget) &&
            emitters * n <= std::max(few_light_pairs, budget / lines_per_light_pair);
 }

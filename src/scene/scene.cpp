@@ -5,7 +5,9 @@
 #include "parallel/mix_bits.h"
 #include "scene/input_error.h"
 
+#include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 namespace multipath {
@@ -58,6 +60,9 @@ std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>&
         hash.add(material.emittance);
         hash.add(std::uint64_t{tessellations[s].cells_u});
         hash.add(std::uint64_t{tessellations[s].cells_v});
+        if (tessellations[s].trees)
+            for (std::uint32_t cell = 0; cell < tessellations[s].cell_count(); ++cell)
+                hash.add(std::uint64_t{tessellations[s].level(cell)});
     }
     return hash.value();
 }
@@ -103,36 +108,80 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     if (file_->surfaces.empty())
         throw InputError(file_->path + ": the scene has no surface; expected at least one face with an area");
 
-    std::uint64_t cells = 0;
-    for (const Tessellation& tessellation : tessellations_)
-        cells += tessellation.cell_count();
-    const std::uint64_t patches = two_sided ? 2 * cells : cells;
-    constexpr std::uint64_t patch_limit = std::uint64_t{1} << 31;
-    if (patches >= patch_limit)
-        throw SettingsError(file_->path + ": this patch size gives " + std::to_string(patches) +
-                            " patches; expected fewer than 2^31; choose a larger one with --patch-size");
-    cell_count_ = static_cast<std::uint32_t>(cells);
-    patch_count_ = static_cast<std::uint32_t>(patches);
-
-    first_cell_.reserve(tessellations_.size());
-    cell_area_.reserve(tessellations_.size());
-    surface_of_.reserve(cell_count_);
+    number_cells();
     Rgb reflecting_area;
     for (std::uint32_t s = 0; s < file_->surfaces.size(); ++s) {
         const Material& material = surface_material(s);
         const double area = file_->surfaces[s].area();
         const double sides_area = (two_sided ? 2.0 : 1.0) * area;
-        first_cell_.push_back(static_cast<std::uint32_t>(surface_of_.size()));
-        surface_of_.resize(surface_of_.size() + tessellations_[s].cell_count(), s);
         cell_area_.push_back(area / static_cast<double>(tessellations_[s].cell_count()));
         total_area_ += sides_area;
         source_power_ += area * material.emittance;
         reflecting_area += sides_area * material.reflectance;
     }
     average_reflectance_ = (1.0 / total_area_) * reflecting_area;
-    hash_ = scene_hash(*file_, tessellations_, two_sided);
     if (!(mean(source_power_) > 0.0))
         throw InputError(file_->path + ": no emitter: the scene has no light; expected a material with Ke above 0");
+}
+
+void Scene::number_cells()
+{
+    std::uint64_t cells = 0;
+    for (const Tessellation& tessellation : tessellations_)
+        cells += tessellation.cell_count();
+    const std::uint64_t patches = two_sided_ ? 2 * cells : cells;
+    constexpr std::uint64_t patch_limit = std::uint64_t{1} << 31;
+    if (patches >= patch_limit)
+        throw SettingsError(file_->path + ": this patch size gives " + std::to_string(patches) +
+                            " patches; expected fewer than 2^31; choose a larger one with --patch-size");
+    cell_count_ = static_cast<std::uint32_t>(cells);
+    patch_count_ = static_cast<std::uint32_t>(patches);
+    first_cell_.clear();
+    first_cell_.reserve(tessellations_.size());
+    surface_of_.clear();
+    surface_of_.reserve(cell_count_);
+    for (std::uint32_t s = 0; s < tessellations_.size(); ++s) {
+        first_cell_.push_back(static_cast<std::uint32_t>(surface_of_.size()));
+        surface_of_.resize(surface_of_.size() + tessellations_[s].cell_count(), s);
+    }
+    hash_ = scene_hash(*file_, tessellations_, two_sided_);
+}
+
+Scene Scene::refined(const std::vector<std::uint8_t>& levels) const
+{
+    Scene result = *this;
+    std::size_t first = 0; // of the surface
+    for (Tessellation& tessellation : result.tessellations_) {
+        tessellation.trees = nullptr;
+        const std::uint64_t cells = tessellation.cell_count();
+        std::size_t end = first;
+        // A leaf of level l is one of 4^l parts of a cell.
+        double covered = 0.0;
+        bool whole = true;
+        for (; end < levels.size() && covered < static_cast<double>(cells); ++end) {
+            covered += std::ldexp(1.0, -2 * levels[end]);
+            whole = whole && levels[end] == 0;
+        }
+        if (!whole || end - first != cells)
+            tessellation.trees = std::make_shared<const CellTrees>(tessellation, levels.data() + first, end - first);
+        first = end;
+    }
+    if (first != levels.size())
+        throw std::invalid_argument("levels of more patches than the scene has");
+    result.number_cells();
+    return result;
+}
+
+std::vector<std::uint8_t> Scene::levels() const
+{
+    std::vector<std::uint8_t> result;
+    bool whole = true;
+    for (const Tessellation& tessellation : tessellations_) {
+        whole = whole && !tessellation.trees;
+        for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell)
+            result.push_back(tessellation.level(cell));
+    }
+    return whole ? std::vector<std::uint8_t>() : result;
 }
 
 std::vector<double> Scene::areas() const

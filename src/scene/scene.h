@@ -33,6 +33,12 @@ public:
     Scene(SceneFile file, double patch_size, bool two_sided = false, int threads = 1);
     Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_sided, int threads);
 
+    /// The same scene with cells cut further: `levels` of the leaves of all surfaces, one after the other (CellTrees).
+    /// Throws std::invalid_argument if they do not form whole trees.
+    Scene refined(const std::vector<std::uint8_t>& levels) const;
+    /// As refined() takes them; empty if all cells are whole.
+    std::vector<std::uint8_t> levels() const;
+
     const std::string& path() const { return file_->path; }
     const std::vector<Material>& materials() const { return file_->materials; }
     const SurfaceList& surfaces() const { return file_->surfaces; }
@@ -56,7 +62,7 @@ public:
     const Material& surface_material(std::uint32_t surface) const { return file_->materials[file_->material[surface]]; }
     const Material& material_of(std::uint32_t patch) const { return surface_material(surface_of(patch)); }
     Patch patch(std::uint32_t patch) const;
-    double area(std::uint32_t patch) const { return cell_area_[surface_of(patch)]; }      ///< [m^2]
+    double area(std::uint32_t patch) const;                                               ///< [m^2]
     std::vector<double> areas() const;                                                    ///< [m^2] of all patches
     Rgb reflectance(std::uint32_t patch) const { return material_of(patch).reflectance; } ///< [1]
     /// [W/m^2]; only fronts emit
@@ -85,6 +91,7 @@ public:
 
 private:
     std::uint32_t cell_of(std::uint32_t patch) const { return patch < cell_count_ ? patch : patch - cell_count_; }
+    void number_cells();
 
     std::shared_ptr<const SceneFile> file_;
     bool two_sided_ = false;
@@ -93,7 +100,7 @@ private:
     Bounds bounds_;
     LargeVector<Tessellation> tessellations_; ///< per surface
     LargeVector<std::uint32_t> first_cell_;   ///< per surface
-    LargeVector<double> cell_area_;           ///< per surface [m^2]
+    LargeVector<double> cell_area_;           ///< per surface [m^2], of whole cells
     LargeVector<std::uint32_t> surface_of_;   ///< per cell
     std::uint32_t cell_count_ = 0;
     std::uint32_t patch_count_ = 0;
@@ -102,6 +109,16 @@ private:
     Rgb source_power_;
     Rgb average_reflectance_;
 };
+
+inline double Scene::area(std::uint32_t patch) const
+{
+    const std::uint32_t surface = surface_of(patch);
+    const Tessellation& tessellation = tessellations_[surface];
+    if (!tessellation.trees)
+        return cell_area_[surface];
+    const std::uint8_t level = tessellation.level(cell_of(patch) - first_cell_[surface]);
+    return cell_area_[surface] / static_cast<double>(std::uint64_t{1} << 2 * level);
+}
 
 // Inline: asked for every crossing of a line.
 inline std::uint32_t Scene::patch_at(std::uint32_t surface, double u, double v, bool front) const

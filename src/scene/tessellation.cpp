@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace multipath {
 
@@ -21,7 +22,111 @@ double cells_along(double edge, double patch_size)
 
 } // namespace
 
+/// The column and row of a cell of a grid; for triangles with which half of the square it is.
+struct CellTrees::Place
+{
+    std::uint32_t i;
+    std::uint32_t j;
+    bool upper; ///< upside down; its origin is (i + 1, j + 1)
+
+    std::uint32_t number(const Tessellation& grid) const
+    {
+        if (grid.shape == Shape::parallelogram)
+            return i * grid.cells_v + j;
+        return static_cast<std::uint32_t>(Tessellation::cells_before_column(i, grid.cells_u)) + 2 * j + (upper ? 1 : 0);
+    }
+
+    /// Those of a triangle: at its origin, in its middle, at its corner along v and along u.
+    std::array<Place, 4> parts(Shape shape) const
+    {
+        const std::uint32_t a = 2 * i;
+        const std::uint32_t b = 2 * j;
+        if (shape == Shape::parallelogram)
+            return {{{a, b, false}, {a, b + 1, false}, {a + 1, b, false}, {a + 1, b + 1, false}}};
+        if (upper)
+            return {{{a + 1, b + 1, true}, {a + 1, b + 1, false}, {a + 1, b, true}, {a, b + 1, true}}};
+        return {{{a, b, false}, {a, b, true}, {a, b + 1, false}, {a + 1, b, false}}};
+    }
+};
+
+class CellTrees::Builder
+{
+public:
+    Builder(CellTrees& trees, const Tessellation& grid, const std::uint8_t* levels, std::size_t count)
+        : trees_(trees), grid_(grid), levels_(levels), count_(count)
+    {
+    }
+
+    void build()
+    {
+        const auto cells = static_cast<std::uint32_t>(grid_.cell_count());
+        for (std::size_t k = 0; k < count_; ++k)
+            trees_.depth_ = std::max(trees_.depth_, levels_[k]);
+        if (!fit(grid_, trees_.depth_))
+            refuse();
+        trees_.nodes_.resize(cells);
+        trees_.leaves_.reserve(count_);
+        for (std::uint32_t cell = 0; cell < cells; ++cell) {
+            const GridPoint first = grid_.corners(cell).points[0];
+            const bool upper = grid_.shape == Shape::triangle && grid_.corners(cell).points[1].i < first.i;
+            const std::uint32_t back = upper ? 1 : 0;
+            add({first.i - back, first.j - back, upper}, 0, cell);
+        }
+        if (trees_.leaves_.size() != count_)
+            refuse();
+    }
+
+private:
+    [[noreturn]] static void refuse() { throw std::invalid_argument("levels that are no quadtrees"); }
+
+    void add(Place place, std::uint8_t level, std::size_t node)
+    {
+        const std::size_t leaf = trees_.leaves_.size();
+        if (leaf >= count_ || levels_[leaf] < level)
+            refuse();
+        if (levels_[leaf] == level) {
+            trees_.nodes_[node] = static_cast<std::uint32_t>(leaf);
+            trees_.leaves_.push_back({place.number(grid_.uniform(level)), level});
+            return;
+        }
+        const std::size_t first = trees_.nodes_.size();
+        trees_.nodes_.resize(first + 4);
+        trees_.nodes_[node] = inner | static_cast<std::uint32_t>(first);
+        std::size_t part = first;
+        for (const Place& quarter : place.parts(grid_.shape))
+            add(quarter, static_cast<std::uint8_t>(level + 1), part++);
+    }
+
+    CellTrees& trees_;
+    const Tessellation& grid_;
+    const std::uint8_t* levels_;
+    std::size_t count_;
+};
+
+bool CellTrees::fit(const Tessellation& grid, std::uint8_t level)
+{
+    return level <= deepest && std::ldexp(static_cast<double>(grid.cell_count()), 2 * level) < cell_limit;
+}
+
+CellTrees::CellTrees(const Tessellation& grid, const std::uint8_t* levels, std::size_t count) : shape_(grid.shape)
+{
+    Builder(*this, grid, levels, count).build();
+}
+
 CellCorners Tessellation::corners(std::uint32_t cell) const
+{
+    if (!trees)
+        return uniform_corners(cell);
+    const std::uint8_t level = trees->level(cell);
+    CellCorners result = uniform(level).uniform_corners(trees->cell_of_level(cell));
+    for (GridPoint& point : result.points) {
+        point.i <<= trees->depth() - level;
+        point.j <<= trees->depth() - level;
+    }
+    return result;
+}
+
+CellCorners Tessellation::uniform_corners(std::uint32_t cell) const
 {
     if (shape == Shape::parallelogram) {
         const std::uint32_t i = cell / cells_v;
@@ -43,6 +148,8 @@ CellCorners Tessellation::corners(std::uint32_t cell) const
 
 Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
 {
+    if (trees)
+        return uniform(trees->level(cell)).cell(surface, trees->cell_of_level(cell));
     const double n_u = cells_u;
     const double n_v = cells_v;
     const CellCorners around = corners(cell);
@@ -79,7 +186,8 @@ Tessellation tessellate(const Surface& surface, double patch_size)
     const CellCounts cells = cell_counts(surface, patch_size);
     if (!(cells.along_u * cells.along_v < cell_limit))
         throw SettingsError("the patch size is too small: one surface alone would have 2^31 patches or more");
-    return {surface.shape, static_cast<std::uint32_t>(cells.along_u), static_cast<std::uint32_t>(cells.along_v)};
+    return {surface.shape, static_cast<std::uint32_t>(cells.along_u), static_cast<std::uint32_t>(cells.along_v),
+            nullptr};
 }
 
 double cell_count(const SurfaceList& surfaces, double patch_size)

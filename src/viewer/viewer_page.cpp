@@ -47,6 +47,12 @@ void append_side(const Scene& scene, std::uint32_t surface, bool front, const Sm
     const Tessellation& tessellation = scene.tessellation(surface);
     const bool source = scene.surface_material(surface).emittance != Rgb{};
     const std::size_t first = result.shared.size();
+    if (tessellation.trees) { // four places for each patch
+        for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell)
+            for (const Rgb value : shading.at_corners(first_patch + cell))
+                result.shared.push_back(value);
+        return;
+    }
     result.shared.resize(first + grid_size(tessellation));
     std::vector<bool> known(grid_size(tessellation), false);
     for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
@@ -165,6 +171,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
         .text("triangles", packed_bytes(triangles))
         .text("geometry", packed_numbers(geometry))
         .text("cells", packed_counts(cells))
+        .text("levels", packed_bytes(scene.levels()))
         .text("materials", packed_counts(scene.file().material))
         .text("groups", packed_counts(scene.file().group))
         .text("lines", packed_counts(scene.file().line))
@@ -288,8 +295,8 @@ std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& con
     return result;
 }
 
-/// Everything that the page shows, as the JSON document that its scripts read (docs/viewer.md). It holds surfaces, not
-/// patches: the page cuts them as Tessellation does.
+/// Everything that the page shows, as the JSON document that its scripts read (docs/viewer.md). It holds surfaces and
+/// levels of cells, not patches: the page cuts them as Tessellation does.
 std::string room_json(const Scene& scene, const ViewerContent& content)
 {
     std::vector<JsonObject> quantities;

@@ -66,10 +66,11 @@ solved() {
     "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --quiet -o "$name.html" -o "$name.png" &&
         "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --samples 1 --shading flat --quiet -o "$name.pfm"
 }
-# Triangles with much noise, so that neighbours differ; a wall seen from its dark back beside the room behind it.
+# Triangles with much noise, so that neighbours differ; a wall seen from its dark back beside the room behind it. Both
+# are cut adaptively.
 check "rooms are solved" solved 5cubes 5cubes
-check "so are triangles" solved sphere sphere --method global --eye 0.2,0.3,0.1 --target 1,-0.4,0.3
-check "and both sides of surfaces" solved sided cornell --two-sided --eye=-0.5,0.4,1.2
+check "so are triangles" solved sphere sphere --method global --eye 0.2,0.3,0.1 --target 1,-0.4,0.3 --adaptive 1500
+check "and both sides of surfaces" solved sided cornell --two-sided --eye=-0.5,0.4,1.2 --adaptive 4000
 
 # The page's findings `at X Y R G B`, radiosities of patches found at pixels, against the pixels of a PFM of 800 x 600.
 # Radiosities of two patches are hardly ever the same, so the patch is the right one. The page holds coordinates with 24

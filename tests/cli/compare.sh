@@ -155,4 +155,25 @@ check "one table is not enough" wrong "missing B" a.csv
 check "three are too many" wrong "b.csv" a.csv b.csv b.csv
 check "a number of patches that is none is refused" wrong "--worst: expected a count" a.csv b.csv --worst some
 check "a tolerance that could mean two things is refused" wrong "--tolerance: expected a share" a.csv b.csv --tolerance 1
+
+# Finer patches err less; what is shown is not the patches of the reference, but near the light that is gathered from it.
+shown() {
+    for size in 1 0.5 0.2; do
+        "$program" solve "$scene" --patch-size $size --lines 2^15 --quiet -o size-$size.state || return
+    done
+    for size in 1 0.5; do
+        ends 0 compare size-$size.state size-0.2.state --points 1000 --json || return
+        sed -n 's/.*"relative_mean_square_error": \([-0-9.e]*\).*/\1/p' out >>shown_errors
+    done
+    awk 'NR == 1 { coarse = $1 } END { exit !(NR == 2 && coarse < 0.2 && $1 > 1e-4 && 2 * $1 < coarse) }' shown_errors ||
+        { cat shown_errors; return 1; }
+}
+check "states with other patches are compared by what they show" shown
+
+shown_as_asked() {
+    ends 0 compare size-1.state size-0.2.state --points 500 --threads 1 && says out "of patches and noise together" &&
+        mv out once && ends 0 compare size-1.state size-0.2.state --points 500 --threads 2 && cmp once out &&
+        ends 1 compare size-1.state size-0.2.state --points 500 --tolerance 1% && says err "expected at most 1 %"
+}
+check "the same for any number of threads, and held to a tolerance" shown_as_asked
 finish

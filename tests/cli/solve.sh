@@ -231,4 +231,23 @@ usual_lines() {
 check "large scenes get more lines, and few are told" usual_lines
 
 check "a gathered picture is the same for any number of threads, and unlike an interpolated one" gathered
+
+adaptive() {
+    for threads in 1 2; do
+        ends 0 solve "$scene" --adaptive 900 --lines 2^14 --threads $threads --size 60x40 -o a-$threads.csv \
+            -o a-$threads.png -o a-$threads.glb || return
+        grep -qE "surfaces, (89[0-9]|900) patches" err || return
+    done
+    cmp a-1.csv a-2.csv && cmp a-1.png a-2.png && cmp a-1.glb a-2.glb &&
+        awk -F, '$2 == 0 { areas[$10] = 1 } END { for (area in areas) ++n; exit n < 2 }' a-1.csv
+}
+check "with --adaptive patches of a surface have different sizes, the same for any number of threads" adaptive
+
+adaptive_from() {
+    ends 0 solve "$scene" --adaptive 200 --patches 100 --lines 2^14 --method global -o a.csv &&
+        ends 1 solve "$scene" --adaptive 20 -o none.csv && says err "--adaptive: has 42 patches before" && [ ! -e none.csv ] &&
+        ends 1 solve "$scene" --adaptive 200 --patch-size 0.2 -o b.csv && says err "expected more than that" &&
+        ends 2 solve "$scene" --adaptive 0 -o b.csv && says err "--adaptive"
+}
+check "the coarse patches may be given; there must be fewer of them" adaptive_from
 finish

@@ -114,12 +114,23 @@ compared() {
 }
 check "compare reads states" compared
 
+adaptive() {
+    ends 0 solve "$scene" $quick --adaptive 700 --lines 8000 -o fine.csv -o fine.state -o fine.png --size 60x40 &&
+        ends 0 render fine.state -o again.csv -o again.png --size 60x40 --quiet && cmp fine.csv again.csv &&
+        cmp fine.png again.png || return
+    ends 0 solve "$scene" $quick --adaptive 700 --lines 8000 -o whole.csv && in_shares part --adaptive 700 --lines 8000 &&
+        ends 0 merge part-1.state part-2.state part-3.state -o sum.csv && cmp whole.csv sum.csv &&
+        refused "made with --adaptive 700" fine.state --adaptive 600 --lines 8000 --resume
+}
+
 # usage: in_shares STATES OPTIONS...     of three shares
 in_shares() {
     name=$1
     shift
     for i in 1 2 3; do ends 0 solve "$scene" $quick "$@" --shard $i/3 --state $name-$i.state || return; done
 }
+check "adaptive patches come back from states, and from those of shares" adaptive
+
 merged() {
     ends 0 solve "$scene" $quick "$@" -o whole.csv && in_shares count "$@" &&
         ends 0 merge count-3.state count-1.state count-2.state --quiet -o sum.csv && cmp whole.csv sum.csv

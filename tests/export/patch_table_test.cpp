@@ -117,6 +117,21 @@ TEST_CASE("the table has the promised columns and numbers that read back exactly
     CHECK(!std::getline(table, row));
 }
 
+TEST_CASE("patches of one side with different areas have their own")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {1, 0, 0}, builder.grey(0.5, 1.0));
+    const Scene scene = Scene(builder.file(), 1.0).refined({0, 1, 1, 1, 1});
+    std::istringstream table(patch_table(scene, std::vector<Rgb>(5), {}, {}));
+    std::string row;
+    std::getline(table, row);
+    for (const char* const columns :
+         {",0.5,0,0.5,0,1,0,1,0.5,", ",0.25,0,1.25,0,1,0,0.25,0.5,"}) { // to the reflectance
+        std::getline(table, row);
+        CHECK(row.find(columns) != std::string::npos);
+    }
+}
+
 TEST_CASE("standard errors, where there are any, are the last columns")
 {
     SceneBuilder builder;

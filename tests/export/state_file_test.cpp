@@ -193,6 +193,23 @@ TEST_CASE("a scene comes back from a state as it was")
     CHECK(again.materials()[1].name == scene.materials()[1].name);
     CHECK(again.material_of(0).reflectance == scene.material_of(0).reflectance);
 
+    const Scene refined = unevenly_refined(scene);
+    const ArchivedScene kept_refined = archived(refined);
+    ArchivedScene copy = kept_refined;
+    const std::string more_bytes = written(copy);
+    StateReader refined_state = reader(more_bytes);
+    ArchivedScene read_refined;
+    read_refined.visit(refined_state);
+    CHECK(restored(read_refined).hash() == refined.hash());
+    CHECK(restored(read_refined).levels() == refined.levels());
+    for (const std::size_t changed : {std::size_t{0}, refined.levels().size() - 1}) {
+        ArchivedScene damaged = kept_refined;
+        damaged.levels[changed] = static_cast<std::uint8_t>(damaged.levels[changed] + 1);
+        CHECK_THROWS_AS(restored(damaged), ArchiveError);
+        damaged.levels.pop_back();
+        CHECK_THROWS_AS(restored(damaged), ArchiveError);
+    }
+
     ArchivedScene finer = kept;
     finer.patch_size = 1e-6;
     CHECK_THROWS_AS(restored(finer), ArchiveError);

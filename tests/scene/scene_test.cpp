@@ -98,12 +98,42 @@ TEST_CASE("the scene's hash changes with every number of a surface and its mater
     check([](SceneFile& changed) { changed.surfaces[0].shape = Shape::triangle; });
 
     const auto cells = [&](std::uint32_t u, std::uint32_t v) {
-        return scene_hash(file, {{Shape::parallelogram, u, v}}, false);
+        return scene_hash(file, {{Shape::parallelogram, u, v, nullptr}}, false);
     };
     CHECK(cells(4, 4) == hash([](SceneFile&) {}));
     CHECK(cells(4, 5) != cells(4, 4));
     CHECK(cells(5, 4) != cells(4, 4));
     CHECK(cells(5, 4) != cells(4, 5));
+}
+
+TEST_CASE("a refined scene has the areas, the cells and the numbers of its trees on both sides")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.triangle({0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {0.0, 1.0, 1.0}, builder.grey(0.5, 1.0));
+    const Scene coarse(builder.file(), 1.5, true, 1);
+    REQUIRE(coarse.patch_count() == 2 * 3);
+    CHECK(coarse.levels().empty());
+    const std::vector<std::uint8_t> levels = {0, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1, 1};
+    const Scene scene = coarse.refined(levels);
+    CHECK(scene.levels() == levels);
+    CHECK(scene.hash() != coarse.hash());
+    REQUIRE(scene.patch_count() == 2 * levels.size());
+    CHECK(scene.total_area() == coarse.total_area());
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const Patch patch = scene.patch(i);
+        CHECK(scene.area(i) == doctest::Approx(patch.shape.area()).epsilon(1e-14)); // rounding
+        const Vec3 centre = patch.shape.centre();
+        CHECK(scene.patch_at(patch.surface, centre.x / (patch.surface == 0 ? 2.0 : 1.0), centre.y, scene.is_front(i)) ==
+              i);
+        area += scene.area(i);
+    }
+    CHECK(area == doctest::Approx(scene.total_area()).epsilon(1e-14));
+    CHECK(scene.refined(std::vector<std::uint8_t>(3, 0)).hash() == coarse.hash());
+    for (const std::vector<std::uint8_t>& wrong : std::vector<std::vector<std::uint8_t>>{
+             {}, {0, 0}, {0, 0, 0, 0}, {0, 1, 1, 1, 0}, {0, 1, 2, 1, 1, 1, 1, 1, 0}, {200, 0, 0}, {0, 0, 1, 1, 1}})
+        CHECK_THROWS_AS(coarse.refined(wrong), std::invalid_argument);
 }
 
 } // namespace scene_test

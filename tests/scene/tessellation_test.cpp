@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <memory>
 #include <vector>
 
 namespace tessellation_test {
@@ -34,13 +35,31 @@ TEST_CASE("cells are counted without being made, however many there would be")
 }
 
 // The centre of every cell is in that cell, and the cells tile the surface without turning over.
+namespace {
+
+/// The grid with some of its cells cut, down to level 3.
+Tessellation with_trees(Tessellation grid)
+{
+    std::vector<std::uint8_t> levels;
+    for (std::uint32_t cell = 0; cell < grid.cell_count(); ++cell)
+        if (cell % 2 == 0)
+            levels.insert(levels.end(), {1, 2, 3, 3, 3, 3, 2, 2, 1, 1});
+        else
+            levels.push_back(0);
+    grid.trees = std::make_shared<const CellTrees>(grid, levels.data(), levels.size());
+    return grid;
+}
+
+} // namespace
+
 TEST_CASE("cell numbers and cells belong together, and the cells' areas add up")
 {
     const Surface parallelogram = {Shape::parallelogram, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
     const Surface triangle = {Shape::triangle, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
     for (const Surface& surface : {parallelogram, triangle})
-        for (const double size : {3.0, 0.5, 0.11, 0.03}) {
-            const Tessellation tessellation = tessellate(surface, size);
+        for (const double size : {3.0, 0.5, 0.11, 0.03, -0.3}) { // below 0: with trees
+            const Tessellation tessellation =
+                size > 0.0 ? tessellate(surface, size) : with_trees(tessellate(surface, -size));
             double area = 0.0;
             for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
                 const Surface piece = tessellation.cell(surface, cell);
@@ -59,31 +78,33 @@ TEST_CASE("cell numbers and cells belong together, and the cells' areas add up")
 
 TEST_CASE("a cell lies between its corners on the grid")
 {
-    for (const Shape shape : {Shape::parallelogram, Shape::triangle}) {
-        const Surface surface = {shape, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
-        const Tessellation tessellation = tessellate(surface, 0.3);
-        for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
-            const Surface piece = tessellation.cell(surface, cell);
-            std::vector<Vec3> around = {piece.origin, piece.at(1, 0), piece.at(1, 1), piece.at(0, 1)};
-            if (shape == Shape::triangle)
-                around.erase(around.begin() + 2);
-            const CellCorners corners = tessellation.corners(cell);
-            REQUIRE(corners.count == around.size());
-            for (std::size_t k = 0; k < corners.count; ++k) {
-                const double u = static_cast<double>(corners.points[k].i) / tessellation.cells_u;
-                const double v = static_cast<double>(corners.points[k].j) / tessellation.cells_v;
-                REQUIRE(length(surface.at(u, v) - around[k]) < 1e-14); // rounding
+    for (const bool trees : {false, true})
+        for (const Shape shape : {Shape::parallelogram, Shape::triangle}) {
+            const Surface surface = {shape, {1, 2, 3}, {1, 0.5, 0}, {0.2, 0, 2}};
+            const Tessellation grid = tessellate(surface, 0.3);
+            const Tessellation tessellation = trees ? with_trees(grid) : grid;
+            for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+                const Surface piece = tessellation.cell(surface, cell);
+                std::vector<Vec3> around = {piece.origin, piece.at(1, 0), piece.at(1, 1), piece.at(0, 1)};
+                if (shape == Shape::triangle)
+                    around.erase(around.begin() + 2);
+                const CellCorners corners = tessellation.corners(cell);
+                REQUIRE(corners.count == around.size());
+                for (std::size_t k = 0; k < corners.count; ++k) {
+                    const double u = static_cast<double>(corners.points[k].i) / tessellation.grid_u();
+                    const double v = static_cast<double>(corners.points[k].j) / tessellation.grid_v();
+                    REQUIRE(length(surface.at(u, v) - around[k]) < 1e-14); // rounding
+                }
             }
         }
-    }
 }
 
 TEST_CASE("points on or just beyond the border fall into cells at the border")
 {
-    const Tessellation grid{Shape::parallelogram, 3, 4};
+    const Tessellation grid{Shape::parallelogram, 3, 4, nullptr};
     CHECK(grid.cell_at(-1e-17, 0.0) == 0);
     CHECK(grid.cell_at(1.0, 1.0 + 1e-16) == 11);
-    const Tessellation triangles{Shape::triangle, 3, 3};
+    const Tessellation triangles{Shape::triangle, 3, 3, nullptr};
     for (const double u : {0.0, 1.0 / 3, 0.5, 2.0 / 3, 0.9, 1.0})
         for (const double beyond : {0.0, 1e-16, 1e-15})
             CHECK(triangles.cell_at(u, 1.0 - u + beyond) < 9);

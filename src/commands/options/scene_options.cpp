@@ -67,6 +67,10 @@ Scene read_scene(const CommandLine& line, int threads)
     const std::uint64_t wanted =
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
+    // The coarse patches of adaptive ones.
+    const bool adaptive = line.knows("adaptive") && line.has("adaptive") && !line.has("patch-size") && wanted == 0;
+    const std::uint64_t coarse = adaptive ? std::max<std::uint64_t>(1, adaptive_patches(line) / 3) : wanted;
+
     const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
@@ -74,13 +78,18 @@ Scene read_scene(const CommandLine& line, int threads)
     if (line.has("flip"))
         file = flipped(std::move(file));
     double patch_size = given_size;
-    if (wanted > 0)
-        patch_size = patch_size_for_count(file.surfaces, wanted);
+    if (coarse > 0)
+        patch_size = patch_size_for_count(file.surfaces, coarse);
     else if (!line.has("patch-size"))
         patch_size = default_patch_size(file.surfaces);
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
     return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
+}
+
+std::uint64_t adaptive_patches(const CommandLine& line)
+{
+    return read_count("--adaptive", line.text("adaptive"), 1, (1ull << 31) - 1);
 }
 
 Option threads_option()

@@ -3,6 +3,7 @@
 #include "cli/options/command_line.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <string>
 
 namespace multipath {
@@ -15,6 +16,9 @@ std::string scene_path(const CommandLine& line);
 
 /// That scene, cut into patches as the options say. Throws UsageError, InputError.
 Scene read_scene(const CommandLine& line, int threads = 1);
+
+/// How many --adaptive asks for. Throws UsageError.
+std::uint64_t adaptive_patches(const CommandLine& line);
 
 /// `--threads`: a definition for the tables, and its value; without it, all processors.
 Option threads_option();

@@ -33,7 +33,10 @@ OptionGroup accuracy_option_group()
 {
     return {
         "Accuracy",
-        {{"replicates", 0, "R", "1",
+        {{"adaptive", 0, "N", "",
+          "Cut patches where the light changes most into four, and these again, until there are N. Without "
+          "--patch-size or --patches the largest are those of N / 3."},
+         {"replicates", 0, "R", "1",
           "Solve R times with independent randomisations of the sequence, which share the lines; tells the standard "
           "error of every patch and of the whole."},
          {"tolerance", 0, "SHARE", "",

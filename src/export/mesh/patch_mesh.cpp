@@ -25,16 +25,16 @@ constexpr double coinciding = 1e-6; ///< of the scene's diagonal: closer corners
 
 bool on_rim(const Tessellation& cut, GridPoint a)
 {
-    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.cells_u;
-    return slanted || a.i == 0 || a.i == cut.cells_u || a.j == 0 || a.j == cut.cells_v;
+    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.grid_u();
+    return slanted || a.i == 0 || a.i == cut.grid_u() || a.j == 0 || a.j == cut.grid_v();
 }
 
 /// True if the edge between two neighbours on the grid is part of the surface's rim.
 bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
 {
-    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.cells_u && b.i + b.j == cut.cells_u;
-    return slanted || (a.i == b.i && (a.i == 0 || a.i == cut.cells_u)) ||
-           (a.j == b.j && (a.j == 0 || a.j == cut.cells_v));
+    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.grid_u() && b.i + b.j == cut.grid_u();
+    return slanted || (a.i == b.i && (a.i == 0 || a.i == cut.grid_u())) ||
+           (a.j == b.j && (a.j == 0 || a.j == cut.grid_v()));
 }
 
 /// The edge of a face from one of its corners to the next, on the rim of its side.
@@ -303,9 +303,10 @@ public:
         const auto cells = static_cast<std::uint32_t>(tessellation.cell_count());
         const std::size_t first_vertex = mesh_.positions.size();
         const std::size_t first_face = mesh_.faces.size();
-        latest_.assign((std::size_t{tessellation.cells_u} + 1) * (std::size_t{tessellation.cells_v} + 1), none);
+        latest_.clear();
+        latest_.reserve(cells + cells / 8 + std::size_t{1});
         const auto first = covered_.begin() + first_patch;
-        has_holes_ = std::find(first, first + cells, true) != first + cells;
+        has_inner_rims_ = tessellation.trees || std::find(first, first + cells, true) != first + cells;
         for (std::uint32_t patch = first_patch; patch < first_patch + cells; ++patch)
             if (!covered_[patch])
                 add_face(patch, surface, front);
@@ -332,8 +333,8 @@ private:
         for (std::size_t k = 0; k < corners.count; ++k) {
             const std::size_t here = turn(k);
             face.corners[k] = vertex(surface, corners.points[here], single(radiosity[here]), single(error[here]));
-            if (has_holes_ || on_rim(scene_.tessellation(surface), corners.points[here],
-                                     corners.points[turn((k + 1) % corners.count)]))
+            if (has_inner_rims_ || on_rim(scene_.tessellation(surface), corners.points[here],
+                                          corners.points[turn((k + 1) % corners.count)]))
                 rims_.edges.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), static_cast<std::uint32_t>(k)});
         }
         mesh_.faces.push_back(face);
@@ -343,19 +344,20 @@ private:
     std::uint32_t vertex(std::uint32_t surface, GridPoint point, Float3 radiosity, Float3 error)
     {
         const Tessellation& tessellation = scene_.tessellation(surface);
-        std::uint32_t& latest = latest_[std::size_t{point.j} * (std::size_t{tessellation.cells_u} + 1) + point.i];
+        std::uint32_t& latest = latest_.try_emplace(std::uint64_t{point.j} << 32 | point.i, none).first->second;
         if (latest != none && mesh_.radiosity[latest] == radiosity && (!error_ || mesh_.error[latest] == error))
             return latest;
         if (mesh_.positions.size() == std::numeric_limits<std::int32_t>::max())
             throw InputError(scene_.path() + ": too many patches for a mesh, which has less than 2^31 vertices; choose "
                                              "larger ones with --patch-size");
         latest = static_cast<std::uint32_t>(mesh_.positions.size());
-        mesh_.positions.push_back(single(scene_.surfaces()[surface].at(
-            static_cast<double>(point.i) / tessellation.cells_u, static_cast<double>(point.j) / tessellation.cells_v)));
+        mesh_.positions.push_back(
+            single(scene_.surfaces()[surface].at(static_cast<double>(point.i) / tessellation.grid_u(),
+                                                 static_cast<double>(point.j) / tessellation.grid_v())));
         mesh_.radiosity.push_back(radiosity);
         if (error_)
             mesh_.error.push_back(error);
-        if (has_holes_ || on_rim(tessellation, point))
+        if (has_inner_rims_ || on_rim(tessellation, point))
             rims_.vertices.push_back(latest);
         return latest;
     }
@@ -363,9 +365,11 @@ private:
     const Scene& scene_;
     const CornerFunction& radiosity_;
     const CornerFunction& error_;
-    std::vector<bool> covered_;         ///< per patch
-    bool has_holes_ = false;            ///< the side has covered patches: every edge may be on the rim of a hole
-    std::vector<std::uint32_t> latest_; ///< per point of the side's grid
+    std::vector<bool> covered_; ///< per patch
+    /// The side has covered patches, or patches of different sizes: every edge may be on the rim of a hole, or have
+    /// corners of smaller patches on it.
+    bool has_inner_rims_ = false;
+    std::unordered_map<std::uint64_t, std::uint32_t> latest_; ///< by point of the side's grid
     PatchMesh mesh_;
     Rims rims_;
 };

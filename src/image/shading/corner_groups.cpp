@@ -9,20 +9,9 @@ namespace multipath {
 
 namespace {
 
-std::optional<CellCorner> corner_of(std::optional<std::uint32_t> cell, std::uint32_t number)
-{
-    return cell ? std::optional<CellCorner>({*cell, number}) : std::nullopt;
-}
-
 Rgb blend(double share, Rgb a, Rgb b)
 {
     return (1.0 - share) * a + share * b;
-}
-
-/// The cell that a coordinate in [0, cells] falls into; the far border belongs to the last cell.
-std::uint32_t cell_of(double scaled, std::uint32_t cells)
-{
-    return static_cast<std::uint32_t>(std::clamp(scaled, 0.0, cells - 1.0));
 }
 
 } // namespace
@@ -31,83 +20,66 @@ std::array<std::optional<CellCorner>, 6> CornerLattice::around(std::uint32_t i, 
 {
     const std::int64_t x = i;
     const std::int64_t y = j;
+    const GridPoint here = {i, j};
     if (!triangle())
-        return {corner_of(rectangle(x - 1, y - 1), 2), corner_of(rectangle(x, y - 1), 3), corner_of(rectangle(x, y), 0),
-                corner_of(rectangle(x - 1, y), 1)};
-    return {corner_of(upright_triangle(x, y), 0),     corner_of(turned_triangle(x - 1, y), 2),
-            corner_of(upright_triangle(x - 1, y), 1), corner_of(turned_triangle(x - 1, y - 1), 0),
-            corner_of(upright_triangle(x, y - 1), 2), corner_of(turned_triangle(x, y - 1), 1)};
+        return {cell_at(x - 1, y - 1, false, here), cell_at(x, y - 1, false, here), cell_at(x, y, false, here),
+                cell_at(x - 1, y, false, here)};
+    return {cell_at(x, y, false, here),        cell_at(x - 1, y, true, here),  cell_at(x - 1, y, false, here),
+            cell_at(x - 1, y - 1, true, here), cell_at(x, y - 1, false, here), cell_at(x, y - 1, true, here)};
 }
 
-std::optional<std::uint32_t> CornerLattice::cell_beside(std::uint32_t cell, int along_u, int along_v) const
+/// The cell that holds square (i, j) of the grid, or a half of it.
+std::optional<CellCorner> CornerLattice::cell_at(std::int64_t i, std::int64_t j, bool upper, GridPoint corner) const
 {
-    return rectangle(std::int64_t{cell / tessellation_.cells_v} + along_u,
-                     std::int64_t{cell % tessellation_.cells_v} + along_v);
-}
-
-std::optional<std::uint32_t> CornerLattice::rectangle(std::int64_t i, std::int64_t j) const
-{
-    if (i < 0 || j < 0 || i >= cells_u() || j >= tessellation_.cells_v)
+    const std::int64_t columns = tessellation_.grid_u();
+    const std::int64_t rows = tessellation_.grid_v();
+    if (i < 0 || j < 0 || (triangle() ? i + j + (upper ? 1 : 0) >= columns : i >= columns || j >= rows))
         return std::nullopt;
-    return static_cast<std::uint32_t>(i * tessellation_.cells_v + j);
+    const double middle = triangle() ? (upper ? 2.0 / 3.0 : 1.0 / 3.0) : 0.5;
+    const std::uint32_t cell = tessellation_.cell_at((static_cast<double>(i) + middle) / static_cast<double>(columns),
+                                                     (static_cast<double>(j) + middle) / static_cast<double>(rows));
+    const CellCorners corners = tessellation_.corners(cell);
+    std::uint32_t number = 0;
+    while (number < corners.count && (corners.points[number].i != corner.i || corners.points[number].j != corner.j))
+        ++number;
+    return CellCorner{cell, number < corners.count ? number : CellCorner::on_edge};
 }
 
-std::optional<std::uint32_t> CornerLattice::upright_triangle(std::int64_t i, std::int64_t j) const
+std::vector<GridPoint> CornerLattice::points(std::uint32_t first_row, std::uint32_t end_row) const
 {
-    if (i < 0 || j < 0 || i + j >= cells_u())
-        return std::nullopt;
-    const auto column = static_cast<std::uint64_t>(i);
-    return static_cast<std::uint32_t>(Tessellation::cells_before_column(column, cells_u())) +
-           static_cast<std::uint32_t>(2 * j);
-}
-
-/// The other half of the square whose first half is upright.
-std::optional<std::uint32_t> CornerLattice::turned_triangle(std::int64_t i, std::int64_t j) const
-{
-    if (i < 0 || j < 0 || i + j + 1 >= cells_u())
-        return std::nullopt;
-    return *upright_triangle(i, j) + 1;
+    std::vector<GridPoint> result;
+    if (!tessellation_.trees) {
+        for (std::uint32_t j = first_row; j < end_row; ++j)
+            for (std::uint32_t i = 0; i <= last_column(j); ++i)
+                result.push_back({i, j});
+        return result;
+    }
+    for (std::uint32_t cell = 0; cell < tessellation_.cell_count(); ++cell)
+        for (const GridPoint point : tessellation_.corners(cell))
+            if (point.j >= first_row && point.j < end_row)
+                result.push_back(point);
+    const auto before = [](GridPoint a, GridPoint b) { return a.j < b.j || (a.j == b.j && a.i < b.i); };
+    const auto same = [](GridPoint a, GridPoint b) { return a.j == b.j && a.i == b.i; };
+    std::sort(result.begin(), result.end(), before);
+    result.erase(std::unique(result.begin(), result.end(), same), result.end());
+    return result;
 }
 
 Rgb CornerLattice::interpolated(const Rgb* values, double u, double v) const
 {
-    const double x = u * tessellation_.cells_u;
-    const double y = v * tessellation_.cells_v;
-    const std::uint32_t i = cell_of(x, cells_u());
-    const std::uint32_t j = cell_of(y, triangle() ? cells_u() - i : tessellation_.cells_v);
-    const double right = std::clamp(x - i, 0.0, 1.0);
-    const double up = std::clamp(y - j, 0.0, 1.0);
-    if (!triangle()) {
-        const Rgb* corner = values + per_cell * *rectangle(i, j);
-        return blend(up, blend(right, corner[0], corner[1]), blend(right, corner[3], corner[2]));
-    }
-    const std::optional<std::uint32_t> turned = turned_triangle(i, j);
-    if (right + up <= 1.0 || !turned) {
-        const Rgb* corner = values + per_cell * *upright_triangle(i, j);
-        return (1.0 - right - up) * corner[0] + right * corner[1] + up * corner[2];
-    }
-    const Rgb* corner = values + per_cell * *turned;
-    return (right + up - 1.0) * corner[0] + (1.0 - right) * corner[1] + (1.0 - up) * corner[2];
+    const std::uint32_t cell = tessellation_.cell_at(u, v);
+    const CellCorners corners = tessellation_.corners(cell);
+    const GridPoint origin = corners.points[0];
+    const double size = static_cast<double>(corners.points[1].i) - origin.i; // below 0 for a cell upside down
+    const double x = std::clamp((u * tessellation_.grid_u() - origin.i) / size, 0.0, 1.0);
+    const double y = std::clamp((v * tessellation_.grid_v() - origin.j) / size, 0.0, 1.0);
+    const Rgb* corner = values + per_cell * cell;
+    if (triangle())
+        return (1.0 - x - y) * corner[0] + x * corner[1] + y * corner[2];
+    return blend(y, blend(x, corner[0], corner[1]), blend(x, corner[3], corner[2]));
 }
 
 namespace {
-
-/// The value one step outside a border, given the values inward from it. Continues the smaller of the two slopes, and
-/// none where they disagree in sign: exact for a ramp, without overshoot at a shadow's edge or in noise.
-double extrapolated(double border, double second, double third)
-{
-    const double near = border - second;
-    const double far = second - third;
-    if (near * far <= 0.0)
-        return border;
-    return border + (std::abs(near) < std::abs(far) ? near : far);
-}
-
-Rgb extrapolated(Rgb border, Rgb second, Rgb third)
-{
-    return {extrapolated(border.r, second.r, third.r), extrapolated(border.g, second.g, third.g),
-            extrapolated(border.b, second.b, third.b)};
-}
 
 Rgb not_negative(Rgb a)
 {
@@ -118,8 +90,9 @@ Rgb not_negative(Rgb a)
 class Side
 {
 public:
-    Side(const VisiblePatches& patches, std::uint32_t surface, bool front)
+    Side(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes, std::uint32_t surface, bool front)
         : patches_(patches),
+          slopes_(slopes),
           scene_(patches.scene()),
           surface_(surface),
           first_patch_(scene_.first_patch(surface, front)),
@@ -132,6 +105,7 @@ public:
 
     void append_groups(std::uint32_t i, std::uint32_t j, bool with_points, std::vector<CornerGroup>& groups) const
     {
+        const std::size_t before = groups.size();
         const Vec3 corner = scene_.surfaces()[surface_].at(lattice_.u(i), lattice_.v(j));
         const std::size_t count = lattice_.most_around();
         const Turn turn = turn_around(lattice_.around(i, j), corner);
@@ -146,11 +120,17 @@ public:
             if (!turn.cells[k])
                 continue;
             if (step == 0 || !turn.joined[(k + count - 1) % count])
-                groups.push_back({surface_, normal_, corner, {}, {}, 0.0, {}, !whole});
-            add(turn, k, groups.back());
+                groups.push_back({surface_, normal_, corner, {}, {}, 0.0, {}, !whole, {}});
+            if (turn.cells[k]->number == CellCorner::on_edge)
+                add_edge(turn.cells[k]->cell, {i, j}, groups.back());
+            else
+                add(turn, k, groups.back());
             if (!whole || with_points)
                 add_points(turn, k, groups.back());
         }
+        const auto of_edge_only = [](const CornerGroup& group) { return group.places.empty(); };
+        groups.erase(std::remove_if(groups.begin() + static_cast<std::ptrdiff_t>(before), groups.end(), of_edge_only),
+                     groups.end());
     }
 
 private:
@@ -221,47 +201,34 @@ private:
                 group.points.push_back(*point);
     }
 
-    /// A cell's estimate of the value at its corner: its own value, extrapolated by half a cell in directions without a
-    /// joined neighbour.
+    /// A cell's estimate of the value at its corner.
     Rgb estimate(const Turn& turn, std::size_t k) const
     {
-        const std::uint32_t cell = turn.cells[k]->cell;
-        const Rgb own = patches_.value(first_patch_ + cell);
-        if (scene_.tessellation(surface_).shape == Shape::triangle)
-            return own;
-        const bool next_joined = turn.joined[k];
-        const bool last_joined = turn.joined[(k + 3) % 4];
-        const std::uint32_t number = turn.cells[k]->number;
-        const int inward_u = number == 0 || number == 3 ? 1 : -1;
-        const int inward_v = number < 2 ? 1 : -1;
-        Rgb result = own;
-        if (!(k % 2 == 0 ? next_joined : last_joined))
-            result += 0.5 * (beyond(cell, inward_u, 0) - own);
-        if (!(k % 2 == 0 ? last_joined : next_joined))
-            result += 0.5 * (beyond(cell, 0, inward_v) - own);
-        return not_negative(result);
+        const std::uint32_t patch = first_patch_ + turn.cells[k]->cell;
+        const std::size_t corners = scene_.corners(patch).count;
+        return not_negative(patches_.value(patch) + slopes_[patch].at_corner(turn.cells[k]->number, corners));
     }
 
-    /// The value one step outside a cell, continued from the cells in the other direction.
-    Rgb beyond(std::uint32_t cell, int inward_u, int inward_v) const
+    void add_edge(std::uint32_t cell, GridPoint here, CornerGroup& group) const
     {
-        const Rgb own = patches_.value(first_patch_ + cell);
-        const std::optional<Rgb> second = open_value(lattice_.cell_beside(cell, inward_u, inward_v));
-        const std::optional<Rgb> third = open_value(lattice_.cell_beside(cell, 2 * inward_u, 2 * inward_v));
-        if (!second)
-            return own;
-        // Two patches have one slope, which is all there is to continue.
-        return extrapolated(own, *second, third ? *third : *second - (own - *second));
-    }
-
-    std::optional<Rgb> open_value(std::optional<std::uint32_t> cell) const
-    {
-        if (!cell || !(patches_.open_share(first_patch_ + *cell) > 0.0))
-            return std::nullopt;
-        return patches_.value(first_patch_ + *cell);
+        const Tessellation& cut = scene_.tessellation(surface_);
+        const CellCorners corners = cut.corners(cell);
+        const auto difference = [](std::uint32_t a, std::uint32_t b) { return static_cast<double>(a) - b; };
+        for (std::size_t k = 0; k < corners.count; ++k) {
+            const GridPoint a = corners.points[k];
+            const GridPoint b = corners.points[(k + 1) % corners.count];
+            if (difference(b.i, a.i) * difference(here.j, a.j) != difference(b.j, a.j) * difference(here.i, a.i))
+                continue;
+            const double share = b.i != a.i ? difference(here.i, a.i) / difference(b.i, a.i)
+                                            : difference(here.j, a.j) / difference(b.j, a.j);
+            const std::size_t first = CornerLattice::per_cell * (first_patch_ + std::size_t{cell});
+            if (!group.edge || cut.level(cell) < group.edge->level)
+                group.edge = {first + k, first + (k + 1) % corners.count, share, cut.level(cell)};
+        }
     }
 
     const VisiblePatches& patches_;
+    const std::vector<PatchSlope>& slopes_;
     const Scene& scene_;
     std::uint32_t surface_;
     std::uint32_t first_patch_;
@@ -271,14 +238,14 @@ private:
 
 } // namespace
 
-std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, std::uint32_t surface, bool front,
-                                       std::uint32_t first_row, std::uint32_t end_row, bool with_points)
+std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes,
+                                       std::uint32_t surface, bool front, std::uint32_t first_row,
+                                       std::uint32_t end_row, bool with_points)
 {
-    const Side side(patches, surface, front);
+    const Side side(patches, slopes, surface, front);
     std::vector<CornerGroup> groups;
-    for (std::uint32_t j = first_row; j < end_row; ++j)
-        for (std::uint32_t i = 0; i <= side.lattice().last_column(j); ++i)
-            side.append_groups(i, j, with_points, groups);
+    for (const GridPoint point : side.lattice().points(first_row, end_row))
+        side.append_groups(point.i, point.j, with_points, groups);
     return groups;
 }
 

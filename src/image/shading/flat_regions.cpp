@@ -32,7 +32,7 @@ double longest_edge(const Surface& shape)
 
 Surface first_cell(const Scene& scene, std::uint32_t surface)
 {
-    return scene.tessellation(surface).cell(scene.surfaces()[surface], 0);
+    return scene.tessellation(surface).uniform(0).cell(scene.surfaces()[surface], 0);
 }
 
 bool is_needle(const Surface& shape)

@@ -59,16 +59,19 @@ std::vector<std::vector<Strip>> strips_of(const Scene& scene, const Choice& chos
             if (is_source(scene, surface) || !(front || scene.two_sided()) || !chosen(surface))
                 continue;
             const Tessellation& cut = scene.tessellation(surface);
+            const std::uint32_t all_rows = cut.grid_v() + 1;
             const auto rows_together =
-                static_cast<std::uint32_t>(std::max<std::uint64_t>(1, corners_together / (cut.cells_u + 1ull)));
-            for (std::uint32_t row = 0; row <= cut.cells_v; row += std::min(rows_together, cut.cells_v + 1 - row)) {
-                const std::uint32_t rows = std::min(rows_together, cut.cells_v + 1 - row);
+                cut.trees
+                    ? all_rows
+                    : static_cast<std::uint32_t>(std::max<std::uint64_t>(1, corners_together / (cut.cells_u + 1ull)));
+            for (std::uint32_t row = 0; row < all_rows; row += std::min(rows_together, all_rows - row)) {
+                const std::uint32_t rows = std::min(rows_together, all_rows - row);
                 if (corners >= corners_together) {
                     blocks.emplace_back();
                     corners = 0;
                 }
                 blocks.back().push_back({surface, front, row, row + rows});
-                corners += rows * (cut.cells_u + 1ull);
+                corners += cut.trees ? cut.cell_count() : rows * (cut.cells_u + 1ull);
             }
         }
     return blocks;
@@ -85,16 +88,13 @@ std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& s
     std::sort(keys.begin(), keys.end());
     const auto coincides = [&](std::uint32_t surface, bool front) {
         const CornerLattice lattice(scene.tessellation(surface));
-        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j) {
-            const std::uint32_t last = lattice.last_column(j);
-            const std::uint32_t step = j == 0 || j == lattice.last_row() ? 1 : std::max(1u, last);
-            for (std::uint32_t i = 0; i <= last; i += step) {
-                const Vec3 corner = scene.surfaces()[surface].at(lattice.u(i), lattice.v(j));
-                if (std::binary_search(keys.begin(), keys.end(), border_key(scene, surface, front, corner)))
-                    return true;
-            }
-        }
-        return false;
+        const std::vector<GridPoint> points = lattice.points(0, lattice.last_row() + 1);
+        return std::any_of(points.begin(), points.end(), [&](GridPoint point) {
+            const bool inside = point.i != 0 && point.i != lattice.last_column(point.j) && point.j != 0 &&
+                                point.j != lattice.last_row();
+            const Vec3 corner = scene.surfaces()[surface].at(lattice.u(point.i), lattice.v(point.j));
+            return !inside && std::binary_search(keys.begin(), keys.end(), border_key(scene, surface, front, corner));
+        });
     };
     std::vector<char> result(shown.size());
     parallel_numbers(static_cast<std::uint32_t>(shown.size()), threads, [&](std::uint32_t surface) {
@@ -205,32 +205,78 @@ void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>
                     });
 }
 
+/// Where small patches meet the edge of a large one, they have its values: first those on the largest, whose own ends
+/// may lie on none.
+void put_on_edges(const std::vector<std::vector<CornerGroup>>& blocks, std::vector<Rgb>& corners)
+{
+    for (std::uint8_t level = 0; level < CellTrees::deepest; ++level)
+        for (const std::vector<CornerGroup>& groups : blocks)
+            for (const CornerGroup& group : groups)
+                if (group.edge->level == level)
+                    for (const std::size_t place : group.places)
+                        corners[place] = (1.0 - group.edge->share) * corners[group.edge->from] +
+                                         group.edge->share * corners[group.edge->to];
+}
+
 } // namespace
 
 SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                              const std::vector<char>& shown)
     : scene_(scene), values_(values_per_patch), corners_(CornerLattice::per_cell * values_per_patch.size())
 {
+    const VisiblePatches patches(scene, values_per_patch, threads);
+    find_corners(patches, patch_slopes(patches, threads), threads, shown);
+}
+
+SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
+                             std::vector<double>& residuals)
+    : scene_(scene), values_(values_per_patch), corners_(CornerLattice::per_cell * values_per_patch.size())
+{
+    const VisiblePatches patches(scene, values_per_patch, threads);
+    const std::vector<PatchSlope> slopes = patch_slopes(patches, threads);
+    find_corners(patches, slopes, threads, {});
+    residuals.assign(values_.size(), 0.0);
+    parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
+        if (is_source(scene, scene.surface_of(i)))
+            return;
+        const std::size_t count = scene.corners(i).count;
+        double sum = 0.0;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const Rgb own = patches.value(i) + slopes[i].at_corner(k, count);
+            const Rgb difference = corners_[CornerLattice::per_cell * i + k] - own;
+            sum += mean(difference * difference);
+        }
+        residuals[i] = patches.open_share(i) * sum / static_cast<double>(count);
+    });
+}
+
+void SmoothShading::find_corners(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes, int threads,
+                                 const std::vector<char>& shown)
+{
+    const Scene& scene = scene_;
     // Every place belongs to one group, so that threads may put at the same time.
     const auto put = [this](const CornerGroup& group, Rgb value) {
         for (const std::size_t place : group.places)
             corners_[place] = value;
     };
-    const VisiblePatches patches(scene, values_per_patch, threads);
     const FlatRegions regions(patches, threads);
     std::vector<std::vector<BorderGroup>> borders;
+    std::vector<std::vector<CornerGroup>> on_edges;
     const auto add = [&](const auto& chosen) {
         const std::vector<std::vector<Strip>> blocks = strips_of(scene, chosen);
         const std::size_t first = borders.size();
         borders.resize(first + blocks.size());
+        on_edges.resize(first + blocks.size());
         parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
             for (const Strip& strip : blocks[block]) {
                 const bool held = regions.hold(strip.surface);
                 for (CornerGroup& group :
-                     corner_groups(patches, strip.surface, strip.front, strip.first_row, strip.end_row, held)) {
+                     corner_groups(patches, slopes, strip.surface, strip.front, strip.first_row, strip.end_row, held)) {
                     if (held)
                         group.value = value_in_region(regions, group, strip.front);
                     put(group, group.value);
+                    if (group.edge)
+                        on_edges[first + block].push_back(group);
                     if (group.on_border)
                         borders[first + block].push_back(
                             {border_key(scene, strip.surface, strip.front, group.corner), std::move(group)});
@@ -246,6 +292,7 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
         add([&](std::uint32_t surface) { return beside[surface] != 0; });
     }
     join_borders(scene, borders, threads, put);
+    put_on_edges(on_edges, corners_);
 }
 
 Rgb SmoothShading::at(const Hit& hit) const

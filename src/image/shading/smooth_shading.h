@@ -1,6 +1,8 @@
 #pragma once
 
 #include "geometry/hit.h"
+#include "image/shading/patch_slopes.h"
+#include "image/shading/visible_patches.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
@@ -22,6 +24,12 @@ public:
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   const std::vector<char>& shown = {});
 
+    /// The same of all surfaces, and how well the patches fit together: for each patch the square of what the values at
+    /// its corners differ from its own linear function (patch_slopes), as the mean over corners and channels times the
+    /// share of the patch that is open. 0 for sources.
+    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
+                  std::vector<double>& residuals);
+
     /// The value where a line meets a side that exists.
     Rgb at(const Hit& hit) const;
 
@@ -29,6 +37,9 @@ public:
     std::array<Rgb, 4> at_corners(std::uint32_t patch) const;
 
 private:
+    void find_corners(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes, int threads,
+                      const std::vector<char>& shown);
+
     const Scene& scene_;
     const std::vector<Rgb>& values_;
     std::vector<Rgb> corners_; ///< CornerLattice::per_cell for each patch

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace multipath {
@@ -17,7 +18,7 @@ constexpr std::uint64_t most_points = 1u << 21; // of all patches, about: to bou
 
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
 {
-    return Tessellation{shape.shape, along, along}.cell(shape, number).centre();
+    return Tessellation{shape.shape, along, along, nullptr}.cell(shape, number).centre();
 }
 
 /// True if the ray starts where something lies on the surface, or inside a solid.
@@ -27,7 +28,8 @@ bool is_closed_in(const Scene& scene, std::uint32_t surface, const Line& ray)
     return hit && (hit->t <= 1e-9 * scene.bounds().diagonal() || (!hit->front && !scene.two_sided()));
 }
 
-/// True if no direction leads out. For most open points the first direction does.
+} // namespace
+
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point)
 {
     const Vec3 normal = shape.normal();
@@ -40,6 +42,8 @@ bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape,
         return is_closed_in(scene, surface, {point, direction});
     });
 }
+
+namespace {
 
 std::uint64_t open_points(const Scene& scene, std::uint32_t patch, std::uint32_t along)
 {
@@ -96,9 +100,17 @@ Rgb VisiblePatches::value(std::uint32_t patch) const
 std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 corner) const
 {
     const Surface shape = scene_.patch(patch).shape;
+    const std::uint32_t along = samples_along(patch);
+    const std::uint64_t all = ~std::uint64_t{0} >> (64 - along * along);
+    if (open_[patch] == all && shape.shape == Shape::parallelogram && dot(shape.edge_u, shape.edge_v) == 0.0) {
+        const auto place = [&](Vec3 edge) { // of the nearest along one edge
+            const double share = dot(corner - shape.origin, edge) / dot(edge, edge);
+            return (std::floor(std::clamp(share * along, 0.0, along - 1.0)) + 0.5) / along;
+        };
+        return shape.at(place(shape.edge_u), place(shape.edge_v));
+    }
     double nearest = std::numeric_limits<double>::infinity();
     std::optional<Vec3> result;
-    const std::uint32_t along = samples_along(patch);
     for (std::uint32_t n = 0; n < along * along; ++n) {
         const Vec3 point = sample_point(shape, along, n);
         const double distance = length(point - corner);

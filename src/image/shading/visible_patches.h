@@ -10,6 +10,10 @@
 
 namespace multipath {
 
+/// True if a point of a piece of a surface lies under something that stands on it: no direction leads out. `shape`: the
+/// piece, with its front where the point is to be seen from.
+bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point);
+
 /// The visible parts of the patches, without those on which furniture stands. The covered part of a patch is dark, so
 /// that the value on its open part is larger than its mean. Of very many patches the small ones count as open, to save
 /// time.

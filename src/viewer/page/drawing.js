@@ -199,27 +199,29 @@ class Drawing {
     return { program, uniforms, attribute: name => gl.getAttribLocation(program, name) };
   }
 
-  // Three or four corners per piece of a surface; the numbers for the shader stand at each of them.
+  // The corners of the pieces of all surfaces; the numbers for the shader stand at each of them.
   make_surfaces() {
     const gl = this.gl, room = this.room, words = 9; // 3 + 2 numbers, 4 counts
     const pieces = [];
     for (let s = 0; s < room.surface_count; ++s)
-      for (const corners of room.pieces(s))
-        pieces.push([s, corners]);
-    const numbers = new Float32Array(4 * words * pieces.length), counts = new Uint32Array(numbers.buffer);
-    const indices = new Uint32Array(6 * pieces.length);
+      for (const piece of room.pieces(s))
+        pieces.push([s, piece]);
+    const corner_count = pieces.reduce((sum, [, { corners }]) => sum + corners.length, 0);
+    const numbers = new Float32Array(words * corner_count), counts = new Uint32Array(numbers.buffer);
+    const indices = new Uint32Array(3 * (corner_count - 2 * pieces.length));
     let n = 0, used = 0;
-    for (const [s, corners] of pieces) {
-      const first = n, [cells_u, cells_v] = room.cells_of(s);
-      for (const [u, v] of corners) {
-        numbers.set([...room.point(s, u, v), u, v], words * n);
-        counts.set([cells_u, room.triangles[s] ? 0 : cells_v], words * n + 5);
-        counts.set([room.first_patch[s], room.is_source(s) ? 1 : 0], words * n + 7);
+    for (const [s, { corners, places, cells, patch }] of pieces) {
+      const first = n;
+      corners.forEach(([u, v], k) => {
+        numbers.set([...room.point(s, u, v), ...places[k]], words * n);
+        counts.set([cells[0], room.triangles[s] ? 0 : cells[1]], words * n + 5);
+        counts.set([patch, room.is_source(s) ? 1 : 0], words * n + 7);
         ++n;
+      });
+      for (let k = 2; k < corners.length; ++k) {
+        indices.set([first, first + k - 1, first + k], used);
+        used += 3;
       }
-      const fan = corners.length === 3 ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
-      indices.set(fan.map(k => first + k), used);
-      used += fan.length;
     }
     this.index_count = used;
     this.surface_array = gl.createVertexArray();

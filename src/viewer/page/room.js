@@ -40,8 +40,48 @@ class Room {
     this.line = counts_of(data.surfaces.lines);
     this.covered = new Set(counts_of(data.surfaces.covered));
     this.surface_count = this.triangles.length;
+    this.trees = this.trees_of(bytes_of(data.surfaces.levels));
     this.number_patches();
     this.find_size();
+  }
+
+  // The quadtrees of surfaces whose cells are cut further; null for others. A tree has its leaves, { i, j, upper, level }
+  // on the grid of cells that is `level` times finer by two, and a node for every cell: the number of a leaf, or the
+  // nodes of its four parts.
+  trees_of(levels) {
+    const trees = new Array(this.surface_count).fill(null);
+    let used = 0;
+    for (let s = 0; levels.length && s < this.surface_count; ++s) {
+      const [n, m] = this.cells_of(s), leaves = [], nodes = [], triangle = this.triangles[s];
+      const add = (i, j, upper, level) => {
+        if (levels[used] === level) {
+          ++used;
+          return leaves.push({ i, j, upper, level }) - 1;
+        }
+        const a = 2 * i, b = 2 * j, parts = !triangle ? [[a, b], [a, b + 1], [a + 1, b], [a + 1, b + 1]]
+          : upper ? [[a + 1, b + 1, true], [a + 1, b + 1], [a + 1, b, true], [a, b + 1, true]]
+            : [[a, b], [a, b, true], [a, b + 1], [a + 1, b]];
+        return parts.map(([c, d, turned]) => add(c, d, Boolean(turned), level + 1));
+      };
+      for (let cell = 0; cell < n * m; ++cell) {
+        const [[i, j], [next]] = this.grid_corners(s, cell), upper = next < i;
+        nodes.push(upper ? add(i - 1, j - 1, true, 0) : add(i, j, false, 0));
+      }
+      if (leaves.length > n * m)
+        trees[s] = { leaves, nodes, depth: Math.max(...nodes.map(node => this.depth_of(node))) };
+    }
+    return trees;
+  }
+  depth_of(node) { return Array.isArray(node) ? 1 + Math.max(...node.map(part => this.depth_of(part))) : 0; }
+
+  // How many patches a side of a surface has, and how many places for values at their corners.
+  patches_on(s) {
+    const [n, m] = this.cells_of(s);
+    return this.trees[s] ? this.trees[s].leaves.length : n * m;
+  }
+  points_on(s) {
+    const [n, m] = this.cells_of(s);
+    return this.trees[s] ? 4 * this.trees[s].leaves.length : this.triangles[s] ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1);
   }
 
   // Patches are numbered surface by surface, and so are the points of the grids that cut them; backs come after all
@@ -50,9 +90,8 @@ class Room {
     this.first_patch = new Uint32Array(this.surface_count + 1);
     this.first_point = new Uint32Array(this.surface_count + 1);
     for (let s = 0; s < this.surface_count; ++s) {
-      const [n, m] = this.cells_of(s);
-      this.first_patch[s + 1] = this.first_patch[s] + n * m;
-      this.first_point[s + 1] = this.first_point[s] + (this.triangles[s] ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1));
+      this.first_patch[s + 1] = this.first_patch[s] + this.patches_on(s);
+      this.first_point[s + 1] = this.first_point[s] + this.points_on(s);
     }
     this.cell_count = this.first_patch[this.surface_count];
     this.point_count = this.first_point[this.surface_count];
@@ -87,29 +126,100 @@ class Room {
     const [n, m] = this.cells_of(s);
     const index = (x, cells) => clamped(Math.floor(x * cells), 0, cells - 1);
     const i = index(u, n);
-    let cell;
+    let cell, x, y;
     if (this.triangles[s]) {
       // Column i holds 2 (n - i) - 1 triangles: upright and upside-down ones in turn.
       const last = n - 1 - i, j = Math.min(index(v, n), last);
       const upper = j < last && u * n - i + (v * n - j) > 1;
       cell = i * (2 * n - i) + 2 * j + (upper ? 1 : 0);
+      [x, y] = upper ? [1 - (u * n - i), 1 - (v * n - j)] : [u * n - i, v * n - j];
     } else {
-      cell = i * m + index(v, m);
+      const j = index(v, m);
+      cell = i * m + j;
+      [x, y] = [u * n - i, v * m - j];
     }
+    if (this.trees[s])
+      cell = this.leaf_at(s, this.trees[s].nodes[cell], x, y);
     return (front ? 0 : this.cell_count) + this.first_patch[s] + cell;
   }
 
-  // What of a surface is to be drawn, as lists of corners (u, v): all of it; or cells one by one, without those that
-  // lie under others of the same plane.
+  // The leaf at a place (x, y) of a cell, in its edges.
+  leaf_at(s, node, x, y) {
+    while (Array.isArray(node)) {
+      x *= 2;
+      y *= 2;
+      const right = x >= 1, up = y >= 1;
+      if (this.triangles[s] && !right && !up && x + y > 1) {
+        node = node[1]; // the middle, upside down
+        [x, y] = [1 - x, 1 - y];
+        continue;
+      }
+      node = node[this.triangles[s] ? (right ? 3 : up ? 2 : 0) : (right ? 2 : 0) + (up ? 1 : 0)];
+      x -= right ? 1 : 0;
+      y -= up ? 1 : 0;
+    }
+    return node;
+  }
+
+  // What of a surface is to be drawn: { corners, places, cells, patch }. The corners are (u, v) on the surface, the
+  // places (u, v) on a grid of cells whose first is a patch; around the first corner, if there are more than four. It
+  // is all of the surface, or, of what is cut by trees or partly under others of the same plane, one cell after
+  // another.
   pieces(s) {
-    const [n, m] = this.cells_of(s), seen = [];
+    const [n, m] = this.cells_of(s), first = this.first_patch[s], count = this.patches_on(s), seen = [];
     const covered = patch => this.covered.has(patch) && (!this.two_sided || this.covered.has(patch + this.cell_count));
-    for (let cell = 0; this.covered.size && cell < n * m; ++cell)
-      if (!covered(this.first_patch[s] + cell))
+    for (let cell = 0; (this.covered.size || this.trees[s]) && cell < count; ++cell)
+      if (!covered(first + cell))
         seen.push(cell);
-    if (!this.covered.size || seen.length === n * m)
-      return [this.corners(s)];
-    return seen.map(cell => this.cell_corners(s, cell).map(([i, j]) => [i / n, j / m]));
+    if (!this.trees[s]) {
+      const whole = !this.covered.size || seen.length === count;
+      const outlines = whole ? [this.corners(s)] : seen.map(cell => this.cell_corners(s, cell));
+      return outlines.map(corners => ({ corners, places: corners, cells: [n, m], patch: first }));
+    }
+    const points = this.points_of_tree(s);
+    return seen.map(cell => {
+      const corners = this.outline_with(s, cell, points);
+      const [origin, next, last] = (c => [c[0], c[1], c[c.length - 1]])(this.cell_corners(s, cell));
+      const size_u = next[0] - origin[0], size_v = last[1] - origin[1];
+      const places = corners.map(([u, v]) => [(u - origin[0]) / size_u, (v - origin[1]) / size_v]);
+      return { corners, places, cells: [1, 1], patch: first + cell };
+    });
+  }
+
+  // All corners of leaves, as i + j * 2^26 on the grid of the smallest.
+  points_of_tree(s) {
+    const points = new Set();
+    this.trees[s].leaves.forEach((leaf, cell) =>
+      this.tree_corners(s, cell).forEach(([i, j]) => points.add(i + j * 2 ** 26)));
+    return points;
+  }
+
+  // Corners of a leaf on the grid of the smallest leaves of its surface.
+  tree_corners(s, cell) {
+    const { leaves, depth } = this.trees[s], { i, j, upper, level } = leaves[cell], size = 2 ** (depth - level);
+    const corners = !this.triangles[s] ? [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
+      : upper ? [[i + 1, j + 1], [i, j + 1], [i + 1, j]] : [[i, j], [i + 1, j], [i, j + 1]];
+    return corners.map(([a, b]) => [a * size, b * size]);
+  }
+
+  // Around the middle of a leaf, if corners of smaller ones lie on its edges, so that no gaps show there: the middle,
+  // then corners all around, the first again at the end. Else its own corners.
+  outline_with(s, cell, points) {
+    const [n, m] = this.cells_of(s), { depth, leaves } = this.trees[s], corners = this.tree_corners(s, cell), rim = [];
+    const place = ([i, j]) => [i / (n * 2 ** depth), j / (m * 2 ** depth)];
+    const steps = 2 ** (depth - leaves[cell].level);
+    corners.forEach((a, k) => {
+      const b = corners[(k + 1) % corners.length], along = [(b[0] - a[0]) / steps, (b[1] - a[1]) / steps];
+      for (let step = 0; step < steps; ++step) {
+        const point = [a[0] + step * along[0], a[1] + step * along[1]];
+        if (step === 0 || points.has(point[0] + point[1] * 2 ** 26))
+          rim.push(place(point));
+      }
+    });
+    if (rim.length === corners.length)
+      return rim;
+    const middle = corners.map(place).reduce((sum, [u, v]) => [sum[0] + u / corners.length, sum[1] + v / corners.length], [0, 0]);
+    return [middle, ...rim, rim[0]];
   }
 
   is_back(patch) { return patch >= this.cell_count; }
@@ -129,12 +239,20 @@ class Room {
   emittance(patch) { return this.is_back(patch) ? [0, 0, 0] : this.material_of(patch).emittance; }
 
   area(patch) {
-    const s = this.surface_of(patch), [n, m] = this.cells_of(s);
-    return length(cross(this.edge_u(s), this.edge_v(s))) * (this.triangles[s] ? 0.5 : 1) / (n * m);
+    const s = this.surface_of(patch), [n, m] = this.cells_of(s), cell = patch % this.cell_count - this.first_patch[s];
+    const parts = n * m * 4 ** (this.trees[s] ? this.trees[s].leaves[cell].level : 0);
+    return length(cross(this.edge_u(s), this.edge_v(s))) * (this.triangles[s] ? 0.5 : 1) / parts;
   }
 
-  // The corners of a cell on the grid of its surface, in the order of the program: counter-clockwise.
+  // The corners (u, v) of a cell on its surface, in the order of the program: counter-clockwise.
   cell_corners(s, cell) {
+    const [n, m] = this.cells_of(s), size = this.trees[s] ? 2 ** this.trees[s].depth : 1;
+    const corners = this.trees[s] ? this.tree_corners(s, cell) : this.grid_corners(s, cell);
+    return corners.map(([i, j]) => [i / (n * size), j / (m * size)]);
+  }
+
+  // The corners of a whole cell on the grid of its surface.
+  grid_corners(s, cell) {
     const [n, m] = this.cells_of(s);
     if (!this.triangles[s]) {
       const i = Math.floor(cell / m), j = cell % m;
@@ -149,9 +267,9 @@ class Room {
 
   // The corners of a patch in space.
   patch_outline(patch) {
-    const s = this.surface_of(patch), [n, m] = this.cells_of(s);
+    const s = this.surface_of(patch);
     const cell = patch % this.cell_count - this.first_patch[s];
-    return this.cell_corners(s, cell).map(([i, j]) => this.point(s, i / n, j / m));
+    return this.cell_corners(s, cell).map(([u, v]) => this.point(s, u, v));
   }
 
   // Four places per patch for what its corners have, given what they share at the points of the grids. A triangle
@@ -162,7 +280,9 @@ class Room {
       for (let s = 0; s < this.surface_count; ++s) {
         const first_point = back * this.point_count + this.first_point[s];
         const first_place = 4 * (back * this.cell_count + this.first_patch[s]);
-        if (this.triangles[s])
+        if (this.trees[s])
+          result.set(shared.subarray(first_point, first_point + this.points_on(s)), first_place);
+        else if (this.triangles[s])
           this.copy_triangle_corners(s, shared.subarray(first_point), result.subarray(first_place));
         else
           this.copy_grid_corners(s, shared.subarray(first_point), result.subarray(first_place));
@@ -188,7 +308,7 @@ class Room {
   copy_triangle_corners(s, shared, result) {
     const n = this.cells_of(s)[0];
     for (let cell = 0; cell < n * n; ++cell)
-      this.cell_corners(s, cell).forEach(([i, j], k) => {
+      this.grid_corners(s, cell).forEach(([i, j], k) => {
         result[4 * cell + k] = shared[j * (n + 1) - j * (j - 1) / 2 + i];
       });
   }

@@ -59,8 +59,9 @@ int cracks(const PatchMesh& mesh)
 // Whatever was cut, the faces of a patch together are the patch, and look where it does.
 TEST_CASE("the faces of every patch have its area and side")
 {
-    for (const bool two_sided : {false, true}) {
-        const Scene scene = walls_that_do_not_match().scene(1.0, two_sided);
+    for (const int kind : {0, 1, 2, 3}) {
+        const Scene whole = walls_that_do_not_match().scene(1.0, kind % 2 != 0);
+        const Scene scene = kind < 2 ? whole : unevenly_refined(whole);
         const PatchMesh mesh = smooth_mesh(scene, some_values(scene));
         std::vector<Vec3> doubled(scene.patch_count());
         for (const MeshSide& side : mesh.sides)
@@ -79,11 +80,13 @@ TEST_CASE("the faces of every patch have its area and side")
 
 TEST_CASE("no corner lies on another face's edge, whatever meets there")
 {
-    const Scene scene = walls_that_do_not_match().scene(1.0);
-    CHECK(cracks(flat_mesh(scene, some_values(scene))) == 0);
-    const PatchMesh mesh = smooth_mesh(scene, some_values(scene));
-    CHECK(cracks(mesh) == 0);
-    CHECK(mesh.faces.size() > scene.patch_count()); // there was something to sew
+    const Scene whole = walls_that_do_not_match().scene(1.0);
+    for (const Scene& scene : {whole, unevenly_refined(whole)}) {
+        CHECK(cracks(flat_mesh(scene, some_values(scene))) == 0);
+        const PatchMesh mesh = smooth_mesh(scene, some_values(scene));
+        CHECK(cracks(mesh) == 0);
+        CHECK(mesh.faces.size() > scene.patch_count()); // there was something to sew
+    }
 }
 
 TEST_CASE("corners of different surfaces that differ by rounding come to lie in one place")

@@ -30,8 +30,8 @@ double difference(Rgb a, Rgb b)
 TEST_CASE("the cells around all corners are the corners of all cells")
 {
     for (const Tessellation& tessellation :
-         {Tessellation{Shape::parallelogram, 3, 5}, Tessellation{Shape::parallelogram, 1, 1},
-          Tessellation{Shape::triangle, 4, 4}, Tessellation{Shape::triangle, 1, 1}}) {
+         {Tessellation{Shape::parallelogram, 3, 5, nullptr}, Tessellation{Shape::parallelogram, 1, 1, nullptr},
+          Tessellation{Shape::triangle, 4, 4, nullptr}, Tessellation{Shape::triangle, 1, 1, nullptr}}) {
         const CornerLattice lattice(tessellation);
         std::set<std::pair<std::uint32_t, std::uint32_t>> corners;
         std::size_t count = 0;
@@ -52,7 +52,7 @@ TEST_CASE("the cells around all corners are the corners of all cells")
 TEST_CASE("the cells around a corner have it, and follow each other from edge to edge")
 {
     for (const Tessellation& tessellation :
-         {Tessellation{Shape::parallelogram, 3, 5}, Tessellation{Shape::triangle, 4, 4}}) {
+         {Tessellation{Shape::parallelogram, 3, 5, nullptr}, Tessellation{Shape::triangle, 4, 4, nullptr}}) {
         const Surface surface = {tessellation.shape, {}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
         const bool triangle = tessellation.shape == Shape::triangle;
         const CornerLattice lattice(tessellation);
@@ -87,7 +87,7 @@ TEST_CASE("the cells around a corner have it, and follow each other from edge to
 TEST_CASE("given a ramp at its corners, every cell shows the ramp")
 {
     for (const Tessellation& tessellation :
-         {Tessellation{Shape::parallelogram, 3, 5}, Tessellation{Shape::triangle, 3, 3}}) {
+         {Tessellation{Shape::parallelogram, 3, 5, nullptr}, Tessellation{Shape::triangle, 3, 3, nullptr}}) {
         const CornerLattice lattice(tessellation);
         std::vector<Rgb> corners(CornerLattice::per_cell * tessellation.cell_count());
         for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
@@ -100,17 +100,6 @@ TEST_CASE("given a ramp at its corners, every cell shows the ramp")
             for (double v = 0.0; (triangle ? u + v : v) <= 1.0; v += 0.07)
                 CHECK(difference(lattice.interpolated(corners.data(), u, v), ramp(u, v)) < 1e-13); // rounding
     }
-}
-
-TEST_CASE("the cells beside a cell are those of its row and column, and none beyond the border")
-{
-    const CornerLattice lattice({Shape::parallelogram, 3, 5});
-    CHECK(lattice.cell_beside(6, 1, 0) == std::optional<std::uint32_t>(11));
-    CHECK(lattice.cell_beside(6, 0, -1) == std::optional<std::uint32_t>(5));
-    CHECK_FALSE(lattice.cell_beside(6, 0, -2));
-    CHECK_FALSE(lattice.cell_beside(6, -2, 0));
-    CHECK_FALSE(lattice.cell_beside(9, 0, 1));
-    CHECK_FALSE(lattice.cell_beside(9, 2, 0));
 }
 
 } // namespace corner_groups_test

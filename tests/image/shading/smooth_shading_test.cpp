@@ -200,7 +200,7 @@ TEST_CASE("a linear ramp over a parallelogram is reproduced everywhere, its bord
     }
 }
 
-TEST_CASE("a triangle's inner corner is the mean of the six patches around it")
+TEST_CASE("a linear ramp over a triangle is reproduced")
 {
     SceneBuilder builder = with_lamp();
     builder.triangle({0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 3.0, 0.0}, builder.grey(0.5, 0.0));
@@ -208,7 +208,50 @@ TEST_CASE("a triangle's inner corner is the mean of the six patches around it")
     REQUIRE(scene.tessellation(1).cells_u == 3);
     const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return 1.0 + 2.0 * p.x + 3.0 * p.y; });
     const SmoothShading shading(scene, values, 1);
-    CHECK(shown(shading, 1, 1.0 / 3.0, 1.0 / 3.0) == doctest::Approx(6.0).epsilon(1e-13)); // symmetric, so exact
+    for (const double u : {0.0, 0.1, 1.0 / 3.0, 0.6, 0.9})
+        for (const double v : {0.0, 0.05, 1.0 / 3.0})
+            if (u + v <= 1.0)
+                CHECK(shown(shading, 1, u, v) == doctest::Approx(1.0 + 6.0 * u + 9.0 * v).epsilon(1e-12)); // rounding
+}
+
+TEST_CASE("a ramp over patches of different sizes is reproduced")
+{
+    for (const bool triangle : {false, true}) {
+        SceneBuilder builder = with_lamp();
+        const std::uint32_t paint = builder.grey(0.5, 0.0);
+        if (triangle)
+            builder.triangle({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, paint);
+        else
+            builder.rectangle({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, paint);
+        const Scene scene = unevenly_refined(builder.scene(triangle ? 1.5 : 1.0));
+        REQUIRE(scene.patch_count() > 40);
+        const std::vector<Rgb> values = at_centres(scene, [](Vec3 p) { return 1.0 + 2.0 * p.x + 3.0 * p.y; });
+        const SmoothShading shading(scene, values, 1);
+        for (double u = 0.0; u <= 1.0; u += 0.03)
+            for (double v = 0.0; v <= (triangle ? 1.0 - u : 1.0); v += 0.03)
+                CHECK(shown(shading, 1, u, v) == doctest::Approx(1.0 + 8.0 * u + 12.0 * v).epsilon(1e-12)); // rounding
+    }
+}
+
+// On both sides of the edges, whatever the values.
+TEST_CASE("patches of different sizes meet without a step")
+{
+    SceneBuilder builder = with_lamp();
+    builder.rectangle({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, builder.grey(0.5, 0.0));
+    const Scene scene = unevenly_refined(builder.scene(1.0));
+    const std::vector<Rgb> values =
+        at_centres(scene, [](Vec3 p) { return 5.0 + std::sin(7.0 * p.x + 3.0 * p.y * p.y); });
+    const SmoothShading shading(scene, values, 1);
+    for (std::uint32_t patch = scene.first_patch(1); patch < scene.patch_count(); ++patch) {
+        const Surface shape = scene.patch(patch).shape;
+        for (const double along : {0.1, 0.3, 0.5, 0.8}) {
+            const Vec3 place = 0.25 * shape.at(along, 0.0);
+            constexpr double beside = 1e-9;
+            if (place.y > beside)
+                CHECK(shown(shading, 1, place.x, place.y - beside) ==
+                      doctest::Approx(shown(shading, 1, place.x, place.y + beside)).epsilon(1e-6));
+        }
+    }
 }
 
 // Bright against dark in the middle: straight extrapolation would leave the range of the values.
@@ -230,8 +273,9 @@ TEST_CASE("a step does not overshoot and nothing becomes negative")
     }
 }
 
-// By hand: from the border inward 5, 1, 0.9 the slopes are 4 and 0.1, so the corner is 5 + 0.1 / 2; for 2, 1, 2 they
-// disagree in sign, so the border patch goes on level.
+// By hand: from the border inward 5, 1, 0.9 the border patch has the slope 4; the next one 0.2, with which it does not
+// go below 0.9 at its edge: so the corner is 5 + 0.2 / 2. For 2, 1, 2 the next one is level, and so is the border
+// patch.
 TEST_CASE("the border continues the smaller slope, and none where slopes disagree")
 {
     SceneBuilder builder = with_lamp();
@@ -242,7 +286,7 @@ TEST_CASE("the border continues the smaller slope, and none where slopes disagre
     values[scene.patch_at(1, 0.5, 0.5, true)] = {1.0, 1.0, 0.0};
     values[scene.patch_at(1, 0.9, 0.5, true)] = {0.9, 2.0, 0.0};
     const SmoothShading shading(scene, values, 1);
-    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).r == doctest::Approx(5.05));
+    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).r == doctest::Approx(5.1));
     CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).g == doctest::Approx(2.0));
 }
 

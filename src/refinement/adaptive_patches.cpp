@@ -1,0 +1,86 @@
+#include "refinement/adaptive_patches.h"
+
+#include "image/shading/smooth_shading.h"
+#include "radiosity/solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+/// [m^2 (W/m^2)^2] Per cell of all surfaces, both sides together.
+std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
+{
+    // A patch without neighbours has no slope to tell; it is taken to vary by so much of its square.
+    constexpr double unknown = 0.03;
+    std::vector<double> residuals;
+    const SmoothShading shading(scene, radiosity, threads, residuals);
+    std::vector<double> result(scene.two_sided() ? scene.patch_count() / 2 : scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const std::uint32_t surface = scene.surface_of(i);
+        const bool source = scene.surface_material(surface).emittance != Rgb{};
+        const bool alone = !source && scene.tessellation(surface).cell_count() == 1;
+        const double square = alone ? unknown * mean(radiosity[i] * radiosity[i]) : residuals[i];
+        result[i % result.size()] += scene.area(i) * square;
+    }
+    return result;
+}
+
+/// Cuts the cells with the largest errors until there are about `wanted` patches.
+Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wanted)
+{
+    const auto cells = static_cast<std::uint32_t>(error.size());
+    std::vector<std::uint8_t> level(cells);
+    for (std::uint32_t surface = 0, i = 0; surface < scene.surfaces().size(); ++surface)
+        for (std::uint32_t cell = 0; cell < scene.tessellation(surface).cell_count(); ++cell, ++i)
+            level[i] = scene.tessellation(surface).level(cell);
+    std::vector<std::uint32_t> order(cells);
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return error[a] != error[b] ? error[a] > error[b] : a < b; });
+    std::vector<std::uint8_t> parts(cells, 1);
+    const std::uint64_t more = (scene.two_sided() ? 6 : 3);
+    std::uint64_t count = scene.patch_count();
+    for (const std::uint32_t i : order) {
+        if (count + more > wanted || !(error[i] > 0.0))
+            break;
+        const std::uint32_t surface = scene.surface_of(i);
+        const Tessellation whole = scene.tessellation(surface).uniform(0);
+        if (level[i] == CellTrees::deepest || !CellTrees::fit(whole, static_cast<std::uint8_t>(level[i] + 1)))
+            continue;
+        parts[i] = 4;
+        count += more;
+    }
+    std::vector<std::uint8_t> levels;
+    for (std::uint32_t i = 0; i < cells; ++i)
+        levels.insert(levels.end(), parts[i], static_cast<std::uint8_t>(level[i] + (parts[i] == 4 ? 1 : 0)));
+    return scene.refined(levels);
+}
+
+} // namespace
+
+Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads)
+{
+    constexpr int rounds = 4;
+    constexpr std::uint64_t lines_per_patch = 64;
+    Scene scene = coarse;
+    const double growth = static_cast<double>(most) / coarse.patch_count();
+    for (int round = 1; round <= rounds && growth > 1.0; ++round) {
+        SolveOptions quick;
+        quick.method = Method::reuse;
+        quick.lines = lines_per_patch * scene.patch_count();
+        quick.memory = memory;
+        quick.threads = threads;
+        const Solution solution = solve(scene, quick, [](double) {});
+        const double wanted = coarse.patch_count() * std::pow(growth, static_cast<double>(round) / rounds);
+        scene = cut(scene, errors(scene, solution.radiosity, threads),
+                    std::min(most, static_cast<std::uint64_t>(std::lround(wanted))));
+    }
+    return scene;
+}
+
+} // namespace multipath

@@ -1,0 +1,196 @@
+#include "refinement/shown_error.h"
+
+#include "geometry/pi.h"
+#include "radiosity/solve.h"
+#include "refinement/adaptive_patches.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace refinement_test {
+
+using namespace multipath;
+
+namespace {
+
+Rgb grey(double value)
+{
+    return {value, value, value};
+}
+
+/// A rectangle parallel to a floor, x and z from low to high.
+struct Level
+{
+    std::array<double, 2> x;
+    std::array<double, 2> z;
+    double height;
+};
+
+constexpr Level lamp = {{-0.5, 0.5}, {-0.35, 0.35}, 2.5};
+constexpr Level blocker = {{-0.6, 0.15}, {-0.5, 0.4}, 1.1};
+
+/// A floor of 4 x 4 m that reflects half, under a lamp of 10 W/m^2 and a black sheet between them.
+Scene penumbra(double patch_size)
+{
+    SceneBuilder builder;
+    builder.rectangle({-2.0, 0.0, -2.0}, {0.0, 0.0, 4.0}, {4.0, 0.0, 0.0}, builder.grey(0.5, 0.0));
+    const auto sheet = [&](const Level& at, bool up, std::uint32_t paint) {
+        const Vec3 corner = {at.x[0], at.height, at.z[0]};
+        const Vec3 along_x = {at.x[1] - at.x[0], 0.0, 0.0};
+        const Vec3 along_z = {0.0, 0.0, at.z[1] - at.z[0]};
+        builder.rectangle(corner, up ? along_z : along_x, up ? along_x : along_z, paint);
+    };
+    sheet(lamp, false, builder.grey(0.0, 10.0));
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    sheet(blocker, true, black);
+    sheet(blocker, false, black);
+    return builder.scene(patch_size);
+}
+
+/// Configuration factor from a point of a floor to a rectangle parallel to it with a corner above the point (Howell,
+/// B-1), for signed edges.
+double corner_factor(double a, double b)
+{
+    const double sign = (a < 0.0) == (b < 0.0) ? 1.0 : -1.0;
+    a = std::abs(a);
+    b = std::abs(b);
+    const double p = std::hypot(1.0, a);
+    const double q = std::hypot(1.0, b);
+    return sign * (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2.0 * pi);
+}
+
+double factor(double x, double z, std::array<double, 2> x_range, std::array<double, 2> z_range)
+{
+    if (!(x_range[0] < x_range[1] && z_range[0] < z_range[1]))
+        return 0.0;
+    const auto at = [&](int i, int j) {
+        return corner_factor((x_range[static_cast<std::size_t>(i)] - x) / lamp.height,
+                             (z_range[static_cast<std::size_t>(j)] - z) / lamp.height);
+    };
+    return at(1, 1) - at(0, 1) - at(1, 0) + at(0, 0);
+}
+
+/// [W/m^2] Radiosity of the floor: what the shadow of the blocker on the plane of the lamp leaves of it, by Lambert.
+double exact_floor(double x, double z)
+{
+    const double k = lamp.height / blocker.height;
+    const auto hidden = [&](double from, std::array<double, 2> by, std::array<double, 2> of) {
+        return std::array<double, 2>{std::max(of[0], from + k * (by[0] - from)),
+                                     std::min(of[1], from + k * (by[1] - from))};
+    };
+    return 0.5 * 10.0 *
+           (factor(x, z, lamp.x, lamp.z) - factor(x, z, hidden(x, blocker.x, lamp.x), hidden(z, blocker.z, lamp.z)));
+}
+
+TruthAtPoint exact(const Scene& scene, const Hit& hit)
+{
+    const Vec3 point = scene.surfaces()[hit.surface].at(hit.u, hit.v);
+    const Rgb value =
+        hit.surface == 0 ? grey(exact_floor(point.x, point.z)) : scene.surface_material(hit.surface).emittance;
+    return {value, value};
+}
+
+double error_of(const Scene& scene, std::uint64_t lines)
+{
+    SolveOptions options;
+    options.method = Method::reuse;
+    options.lines = lines;
+    const Solution solution = solve(scene, options, [](double) {});
+    const Truth truth = [&](const Hit& hit, std::uint64_t) { return exact(scene, hit); };
+    return shown_error(scene, solution.radiosity, truth, 16384, 2).relative_mean_square;
+}
+
+} // namespace
+
+// 3 shown instead of 2: (3 - 2)^2 / 2^2. Noise of +-1 in both estimates, independent, leaves the mean.
+TEST_CASE("the error is that of what is shown, and noise of the truth does not add to it")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 3.0));
+    const Scene scene = builder.scene(0.4);
+    const std::vector<Rgb> shown(scene.patch_count(), grey(3.0));
+    const auto noisy = [](double noise) {
+        return [noise](const Hit&, std::uint64_t number) {
+            return TruthAtPoint{grey(2.0 + (number % 2 == 0 ? noise : -noise)),
+                                grey(2.0 + (number % 4 < 2 ? noise : -noise))};
+        };
+    };
+    const ShownError sharp = shown_error(scene, shown, noisy(0.0), 4096, 1);
+    CHECK(sharp.points == 4096);
+    CHECK(sharp.area == doctest::Approx(2.0));
+    CHECK(sharp.relative_mean_square == doctest::Approx(0.25).epsilon(1e-12)); // rounding
+    CHECK(sharp.standard_error < 1e-8);
+    const ShownError noise = shown_error(scene, shown, noisy(1.0), 4096, 1);
+    CHECK(noise.relative_mean_square == doctest::Approx(0.25).epsilon(0.1));
+    CHECK(std::abs(noise.relative_mean_square - 0.25) < 4.0 * noise.standard_error);
+    CHECK(noise.standard_error > 0.0);
+}
+
+TEST_CASE("gathered truth is the exact solution")
+{
+    const Scene scene = penumbra(0.1);
+    SolveOptions options;
+    options.lines = 1u << 16;
+    const Solution solution = solve(scene, options, [](double) {});
+    const Truth truth = gathered_truth(scene, solution.radiosity, 256, 1);
+    double difference = 0.0;
+    double light = 0.0;
+    for (std::uint64_t k = 0; k < 400; ++k) {
+        const Hit hit = {0.0, 0, (static_cast<double>(k % 20) + 0.5) / 20.0, (static_cast<double>(k) + 0.5) / 400.0,
+                         true};
+        const TruthAtPoint found = truth(hit, k);
+        const Rgb expected = exact(scene, hit).one;
+        difference += mean((found.one - expected) * (found.one - expected));
+        light += mean(expected * expected);
+    }
+    CHECK(difference < 1e-4 * light); // noise of 256 rays to the lamp
+}
+
+// A quarter of the error per patch would be first order in the number of patches; 4^1.5 = 8 is asked for.
+TEST_CASE("with adaptive patches the error falls faster than n^-1.5, and below that of equal ones")
+{
+    const auto adaptive = [](std::uint64_t patches) {
+        return adapted(penumbra(std::sqrt(3.0 * 16.0 / static_cast<double>(patches))), patches, 2e9, 2);
+    };
+    const Scene few = adaptive(250);
+    const Scene many = adaptive(1000);
+    REQUIRE(few.patch_count() <= 250);
+    REQUIRE(many.patch_count() <= 1000);
+    REQUIRE(many.patch_count() > 990);
+    const double error = error_of(many, 1u << 20);
+    CHECK(error < error_of(few, 1u << 20) / 8.0);
+    const Scene equal = penumbra(std::sqrt(16.0 / 1000.0));
+    REQUIRE(equal.patch_count() > 1000);
+    CHECK(error < 0.5 * error_of(equal, 1u << 20));
+}
+
+// Where the lamp is seen in part.
+TEST_CASE("the smallest patches lie in the penumbra, and are the same for any number of threads")
+{
+    const Scene coarse = penumbra(0.25);
+    const Scene scene = adapted(coarse, 1200, 2e9, 2);
+    CHECK(adapted(coarse, 1200, 2e9, 1).hash() == scene.hash());
+    const std::vector<std::uint8_t> levels = scene.levels();
+    const std::uint8_t highest = *std::max_element(levels.begin(), levels.end());
+    REQUIRE(highest >= 2);
+    int smallest = 0;
+    int in_penumbra = 0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        if (levels[i] < highest)
+            continue;
+        const Vec3 centre = scene.patch(i).shape.centre();
+        const double all = 5.0 * factor(centre.x, centre.z, lamp.x, lamp.z);
+        const double share = exact_floor(centre.x, centre.z) / all;
+        ++smallest;
+        in_penumbra += share > 0.0 && share < 1.0 ? 1 : 0;
+    }
+    CHECK(in_penumbra > 0.8 * smallest);
+}
+
+} // namespace refinement_test
