@@ -26,6 +26,24 @@ namespace multipath {
 
 namespace {
 
+/// The table that `solve -o FILE.csv` would have written.
+PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene& scene)
+{
+    const Solution solution = finished_solution(saved, scene);
+    PatchTable table;
+    table.path = path;
+    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        table.surfaces.push_back(scene.surface_of(i));
+        table.materials.push_back(scene.material_of(i).name);
+        table.centres.push_back(scene.patch(i).shape.centre());
+    }
+    table.areas = scene.areas();
+    table.radiosity = solution.radiosity;
+    table.standard_error = solution.standard_error;
+    return table;
+}
+
 /// The result in a table (.csv) or in the state of a finished run, whatever the file is called.
 struct Result
 {
@@ -43,27 +61,7 @@ struct Result
         scene = std::make_unique<const Scene>(restored(saved.description.scene));
         table = table_of(path, saved, *scene);
     }
-
-private:
-    static PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene& scene);
 };
-
-PatchTable Result::table_of(const std::string& path, const SavedRun& saved, const Scene& scene)
-{
-    const Solution solution = finished_solution(saved, scene);
-    PatchTable table;
-    table.path = path;
-    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        table.surfaces.push_back(scene.surface_of(i));
-        table.materials.push_back(scene.material_of(i).name);
-        table.centres.push_back(scene.patch(i).shape.centre());
-    }
-    table.areas = scene.areas();
-    table.radiosity = solution.radiosity;
-    table.standard_error = solution.standard_error;
-    return table;
-}
 
 /// In one channel of one patch.
 struct Deviation

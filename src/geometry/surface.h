@@ -35,12 +35,12 @@ struct Surface
     }
 };
 
-/// The surfaces of a scene, often a million.
 inline bool operator==(const Surface& a, const Surface& b)
 {
     return a.shape == b.shape && a.origin == b.origin && a.edge_u == b.edge_u && a.edge_v == b.edge_v;
 }
 
+/// The surfaces of a scene, often a million.
 using SurfaceList = LargeVector<Surface>;
 
 } // namespace multipath

@@ -109,6 +109,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
         throw InputError(file_->path + ": the scene has no surface; expected at least one face with an area");
 
     number_cells();
+    cell_area_.reserve(tessellations_.size());
     Rgb reflecting_area;
     for (std::uint32_t s = 0; s < file_->surfaces.size(); ++s) {
         const Material& material = surface_material(s);
