@@ -301,11 +301,13 @@ bool have_other_patches(const Result& a, const Result& b)
 }
 
 /// Some lines for a person.
-std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownError& e)
+std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownError& e, bool alone)
 {
     std::string text =
         "A          " + a.path + ", " + grouped(a.areas.size()) + " patches, as smooth shading shows it\n";
-    text += "B          " + b.path + ", " + grouped(b.areas.size()) + " patches, the reference, gathered at points\n";
+    text += alone ? "B          light gathered from A itself at points\n"
+                  : "B          " + b.path + ", " + grouped(b.areas.size()) +
+                        " patches, the reference, gathered at points\n";
     text += format("points     %s, %.6g m^2\n", grouped(e.points).c_str(), e.area);
     text += format("total      relative MSE %.3g +- %.2g, its root %.3g %%: of patches and noise together\n",
                    e.relative_mean_square, e.standard_error, 100.0 * e.root());
@@ -337,11 +339,11 @@ CommandTable compare_table()
 {
     return {"compare",
             "how far one result is from another of the same scene",
-            {{"A", false, false, {".csv", ".state"}}, {"B", false, false, {".csv", ".state"}}},
+            {{"A", false, false, {".csv", ".state"}}, {"B", false, true, {".csv", ".state"}}},
             {{"Report",
               {{"worst", 0, "N", "5", "Name the N patches with the largest shares of the mean square error."},
                {"points", 0, "N", "10000",
-                "Of results with other patches of the same surfaces: at how many points what A shows is compared."},
+                "At how many points what A shows is compared: without B, or where B has other patches."},
                {"tolerance", 0, "SHARE", "",
                 "End with exit code 1 when the root of the relative mean square error exceeds this, such as 1%."},
                {"json", 0, "", "", "Print the report as JSON on standard output."},
@@ -350,7 +352,9 @@ CommandTable compare_table()
             "wrote, or states of finished runs, of the same patches. Where they have standard errors\n"
             "(solve --replicates), the report tells whether these explain the difference.\n\n"
             "States of the same surfaces with other patches, B with many more than A, are compared by what\n"
-            "A shows: at points, with smooth shading, against light gathered from B.\n\n"
+            "A shows: at points, with smooth shading, against light gathered from B. Without B the light is\n"
+            "gathered from A itself: an estimate of its whole error, of patches and noise together, except\n"
+            "for what is common to all that a point sees, such as noise of few lines in bright rooms.\n\n"
             "Exit code 0, whatever the difference, unless --tolerance says otherwise; 1 where the tables\n"
             "cannot be compared.\n"};
 }
@@ -372,20 +376,24 @@ int run_compare(const CommandLine& line)
     if (line.has("tolerance"))
         tolerance = read_share("--tolerance", line.text("tolerance"));
     const Result result(line.operands()[0]);
-    const Result reference(line.operands()[1]);
     const PatchTable& a = result.table;
+    const bool alone = line.operands().size() == 1;
+    if (alone && !result.scene)
+        throw InputError(a.path + ": a table of patches has no surfaces, expected a state or a second result");
+    const std::optional<Result> other = alone ? std::nullopt : std::optional<Result>(line.operands()[1]);
+    const Result& reference = alone ? result : *other;
     const PatchTable& b = reference.table;
     const bool json = line.has("json");
     double root = 0.0;
-    if (have_other_patches(result, reference)) {
+    if (alone || have_other_patches(result, reference)) {
         constexpr int rays = 512; // for each of two estimates at a point
         const int threads = thread_count(line);
         const Truth truth = gathered_truth(*reference.scene, b.radiosity, rays, threads);
         const ShownError error = shown_error(*result.scene, a.radiosity, truth, points, threads);
         if (!(error.mean_true > 0.0))
-            throw InputError(b.path + ": dark at all points, expected a reference with light");
+            throw InputError(b.path + ": dark at all points, expected a result with light");
         root = error.root();
-        print(json ? shown_json(a, b, error).document() : shown_text(a, b, error));
+        print(json ? shown_json(a, b, error).document() : shown_text(a, b, error, alone));
     } else {
         require_same_patches(a, b);
         warn_of_other_scene(a, b);

@@ -120,21 +120,22 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
 {
     const auto sources = std::make_shared<const SourceLight>(finer);
     const auto indirect = std::make_shared<const IndirectLight>(finer, radiosity, rays, threads);
-    const std::shared_ptr<const Sequence> sequence = make_sequence("sobol-owen", 4);
-    return [&finer, sources, indirect, sequence, rays](const Hit& hit, std::uint64_t number) {
+    return [&finer, sources, indirect, rays](const Hit& hit, std::uint64_t number) {
         const Place place = place_of(finer, hit);
         const Material& material = finer.surface_material(hit.surface);
-        const auto estimate = [&](std::uint64_t item) {
+        // Each with sequences of its own: items of one complement each other, so that the estimates would depend on
+        // each other, and the standard error would not hold.
+        const auto estimate = [&](RandomStream stream) {
+            const std::uint64_t bits = random_bits(random_key(stream), number);
+            const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
+            const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
             RayFan fan;
             const auto count = static_cast<std::size_t>(rays);
-            const SourceLight::Items items{*sequence, item * count, count};
-            const double offset = bits_to_unit(0x9e3779b97f4a7c15u * item); // multiples of the golden section
-            Rgb irradiance = sources->irradiance(place, items, offset, fan);
-            irradiance += indirect->at(place, item, fan).irradiance;
+            Rgb irradiance = sources->irradiance(place, {*to_sources, 0, count}, bits_to_unit(bits), fan);
+            irradiance += indirect->at(place, *around, 0, fan).irradiance;
             return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
         };
-        constexpr std::uint64_t others = std::uint64_t{1} << 30;
-        return TruthAtPoint{estimate(number), estimate(others + number)};
+        return TruthAtPoint{estimate(RandomStream::first_truth), estimate(RandomStream::second_truth)};
     };
 }
 

@@ -151,7 +151,6 @@ wrong() {
     shift
     ends 2 compare "$@" && silent out && says err "$text"
 }
-check "one table is not enough" wrong "missing B" a.csv
 check "three are too many" wrong "b.csv" a.csv b.csv b.csv
 check "a number of patches that is none is refused" wrong "--worst: expected a count" a.csv b.csv --worst some
 check "a tolerance that could mean two things is refused" wrong "--tolerance: expected a share" a.csv b.csv --tolerance 1
@@ -176,4 +175,15 @@ shown_as_asked() {
         ends 1 compare size-1.state size-0.2.state --points 500 --tolerance 1% && says err "expected at most 1 %"
 }
 check "the same for any number of threads, and held to a tolerance" shown_as_asked
+
+# Within a factor of two of what the finer solution tells.
+alone() {
+    ends 0 compare size-0.5.state --points 4000 && says out "light gathered from A itself" &&
+        ends 0 compare size-0.5.state --points 4000 --json || return
+    sed -n 's/.*"relative_mean_square_error": \([-0-9.e]*\).*/\1/p' out >>shown_errors
+    awk 'NR == 2 { known = $1 } END { exit !(NR == 3 && $1 < 2 * known && known < 2 * $1) }' shown_errors ||
+        { cat shown_errors; return 1; }
+}
+check "a state alone tells about how far what it shows is from the truth" alone
+check "a table alone is refused" refused "expected a state or a second result" a.csv
 finish

@@ -132,6 +132,34 @@ TEST_CASE("the error is that of what is shown, and noise of the truth does not a
     CHECK(noise.standard_error > 0.0);
 }
 
+// With few rays, so that both estimates are noisy: the product of their deviations has the mean 0.
+TEST_CASE("the two estimates of a point are independent, and so are those of different points")
+{
+    const Scene scene = penumbra(0.5);
+    SolveOptions options;
+    options.lines = 1u << 14;
+    const Solution solution = solve(scene, options, [](double) {});
+    const Truth truth = gathered_truth(scene, solution.radiosity, 4, 1);
+    constexpr std::uint64_t points = 20000;
+    double one = 0.0;
+    double square = 0.0;
+    double product = 0.0;
+    for (std::uint64_t k = 0; k < points; ++k) {
+        const Hit hit = {0.0, 0, 0.5, 0.5 + 0.12 * (static_cast<double>(k) + 0.5) / points, true}; // half hidden
+        const TruthAtPoint found = truth(hit, k);
+        const Rgb expected = exact(scene, hit).one;
+        const double first = mean(found.one - expected);
+        const double second = mean(found.other - expected);
+        one += first;
+        square += 0.5 * (first * first + second * second);
+        product += first * second;
+    }
+    const double variance = square / points;
+    CHECK(variance > 1e-4);
+    CHECK(std::abs(one / points) < 4.0 * std::sqrt(variance / points));
+    CHECK(std::abs(product / points) < 4.0 * variance / std::sqrt(points));
+}
+
 TEST_CASE("gathered truth is the exact solution")
 {
     const Scene scene = penumbra(0.1);

@@ -30,7 +30,8 @@ FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, 
       width_(width),
       height_(height),
       rays_to_sources_(static_cast<std::size_t>(rays.to_sources)),
-      sequence_(make_sequence("sobol-owen", 2)),
+      sequence_around_(make_sequence("sobol-owen", 1)),
+      sequence_to_sources_(make_sequence("sobol-owen", 2)),
       source_light_(scene),
       indirect_light_(scene, radiosity, rays.around, threads),
       grid_(width, height),
@@ -66,12 +67,12 @@ void FinalGather::gather_indirect_light(int threads)
         });
     };
     for_each_middle(2, [&](const Place& place, int x, int y, RayFan& fan) {
-        grid_.set(x, y, indirect_light_.at(place, number_in_squares(x / 2, y / 2), fan));
+        grid_.set(x, y, indirect_light_.at(place, *sequence_around_, number_in_squares(x / 2, y / 2), fan));
     });
     const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
     for_each_middle(1, [&](const Place& place, int x, int y, RayFan& fan) {
         if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(place, x, y))
-            grid_.set(x, y, indirect_light_.at(place, used + number_in_squares(x, y), fan));
+            grid_.set(x, y, indirect_light_.at(place, *sequence_around_, used + number_in_squares(x, y), fan));
     });
     for_each_middle(1, [&](const Place& place, int x, int y, RayFan&) {
         if (grid_.is_supported(place, x, y))
@@ -84,7 +85,7 @@ Rgb FinalGather::indirect_irradiance(const Place& place, int x, int y, RayFan& f
     if (const std::optional<Rgb> shared = grid_.irradiance(place, x, y))
         return *shared;
     // Something that no middle of a pixel around shows.
-    return indirect_light_.at(place, number_in_squares(x, y), fan).irradiance;
+    return indirect_light_.at(place, *sequence_around_, number_in_squares(x, y), fan).irradiance;
 }
 
 Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
@@ -95,7 +96,7 @@ Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFa
     const Middle& middle = middles_[pixel_index(width_, x, y)];
     const bool is_level = middle.indirect && middle.hit->surface == hit.surface && middle.hit->front == hit.front;
     Rgb irradiance = is_level ? *middle.indirect : indirect_irradiance(place, x, y, fan);
-    const SourceLight::Items items{*sequence_, number * rays_to_sources_, rays_to_sources_};
+    const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
     irradiance += source_light_.irradiance(place, items, offset, fan);
     const Material& material = scene_.surface_material(hit.surface);

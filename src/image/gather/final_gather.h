@@ -55,7 +55,8 @@ private:
     int width_;
     int height_;
     std::size_t rays_to_sources_;
-    std::unique_ptr<Sequence> sequence_;
+    std::unique_ptr<Sequence> sequence_around_;
+    std::unique_ptr<Sequence> sequence_to_sources_;
     SourceLight source_light_;
     IndirectLight indirect_light_;
     IndirectGrid grid_;

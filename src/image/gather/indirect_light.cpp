@@ -28,18 +28,17 @@ std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radi
 IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
     : scene_(scene),
       rays_(static_cast<std::size_t>(rays)),
-      sequence_(make_sequence("sobol-owen", 1)),
       reflected_(reflected_part(scene, radiosity)),
       reflected_light_(scene, reflected_, threads)
 {
 }
 
-IndirectSample IndirectLight::at(const Place& place, std::uint64_t number, RayFan& fan) const
+IndirectSample IndirectLight::at(const Place& place, const Sequence& sequence, std::uint64_t number, RayFan& fan) const
 {
     if (rays_ == 0)
         return {place, {}, 0.0};
     fan.items.resize(rays_);
-    sequence_->generate(number * rays_, fan.items);
+    sequence.generate(number * rays_, fan.items);
     const ObliqueAxes axes(scene_.surfaces()[place.surface], place.normal);
     fan.rays.clear();
     for (const Item& item : fan.items)

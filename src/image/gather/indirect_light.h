@@ -7,7 +7,6 @@
 #include "scene/scene.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,13 +31,13 @@ public:
     IndirectLight(const IndirectLight&) = delete;
     IndirectLight& operator=(const IndirectLight&) = delete;
 
-    /// Places with neighbouring numbers get rays that complement each other. `fan` is room to work in.
-    IndirectSample at(const Place& place, std::uint64_t number, RayFan& fan) const;
+    /// Rays from the items of a sequence that belong to this number: places with neighbouring numbers get rays that
+    /// complement each other. `fan` is room to work in.
+    IndirectSample at(const Place& place, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
 
 private:
     const Scene& scene_;
     std::size_t rays_;
-    std::unique_ptr<Sequence> sequence_;
     std::vector<Rgb> reflected_; ///< [W/m^2] per patch
     SmoothShading reflected_light_;
 };

@@ -23,8 +23,11 @@ struct GridPlace
 struct Neighbours
 {
     std::array<std::uint32_t, 8> list;
-    std::size_t count = 0;
+    std::uint8_t count = 0;
     bool at_border = false; ///< some halves have none
+
+    const std::uint32_t* begin() const { return list.data(); }
+    const std::uint32_t* end() const { return list.data() + count; }
 };
 
 /// A vector from the centre of a patch, in its edges.
@@ -67,24 +70,38 @@ class Slopes
 {
 public:
     Slopes(const VisiblePatches& patches, int threads)
-        : patches_(patches), scene_(patches.scene()), fitted_(scene_.patch_count()), at_border_(scene_.patch_count())
+        : patches_(patches), scene_(patches.scene()), threads_(threads), around_(scene_.patch_count())
     {
-        const auto for_all = [&](const auto& make) {
-            constexpr std::uint32_t patches_at_a_time = 256;
-            parallel_ranges(scene_.patch_count(), patches_at_a_time, threads,
-                            [&](std::uint32_t first, std::uint32_t end) {
-                                for (std::uint32_t i = first; i < end; ++i)
-                                    make(i);
-                            });
-        };
-        for_all([&](std::uint32_t i) { fitted_[i] = fitted(i, at_border_[i]); });
-        result_.resize(fitted_.size());
-        for_all([&](std::uint32_t i) { result_[i] = at_border_[i] != 0 ? continued(i) : fitted_[i]; });
+        for_all([&](std::uint32_t i) { around_[i] = neighbours(i); });
     }
 
-    std::vector<PatchSlope> result() && { return std::move(result_); }
+    std::vector<PatchSlope> slopes() const
+    {
+        std::vector<PatchSlope> fits(around_.size());
+        for_all([&](std::uint32_t i) { fits[i] = fitted(i); });
+        std::vector<PatchSlope> result(fits.size());
+        for_all([&](std::uint32_t i) { result[i] = around_[i].at_border ? continued(i, fits) : fits[i]; });
+        return result;
+    }
+
+    std::vector<double> bends(const std::vector<PatchSlope>& slopes) const
+    {
+        std::vector<double> result(slopes.size());
+        for_all([&](std::uint32_t i) { result[i] = bend(i, slopes); });
+        return result;
+    }
 
 private:
+    template <class Make>
+    void for_all(const Make& make) const
+    {
+        constexpr std::uint32_t patches_at_a_time = 256;
+        parallel_ranges(scene_.patch_count(), patches_at_a_time, threads_, [&](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t i = first; i < end; ++i)
+                make(i);
+        });
+    }
+
     Neighbours neighbours(std::uint32_t patch) const
     {
         Neighbours result;
@@ -153,12 +170,17 @@ private:
             const double dj = to.j - centre.j;
             return {(di * v.j - dj * v.i) / det, (u.i * dj - u.j * di) / det};
         }
+        /// Of a function with this slope, over a step on the grid.
+        Rgb change(const PatchSlope& slope, GridPlace step) const
+        {
+            const Way there = way({centre.i + step.i, centre.j + step.j});
+            return there.x * slope.along_u + there.y * slope.along_v;
+        }
     };
 
-    PatchSlope fitted(std::uint32_t patch, char& at_border) const
+    PatchSlope fitted(std::uint32_t patch) const
     {
-        const Neighbours around = neighbours(patch);
-        at_border = around.at_border ? 1 : 0;
+        const Neighbours& around = around_[patch];
         PatchSlope slope;
         if (around.count == 0)
             return slope;
@@ -169,9 +191,9 @@ private:
         Rgb y_value;
         Rgb low;
         Rgb high;
-        for (std::size_t k = 0; k < around.count; ++k) {
-            const Way way = frame.way(Frame(scene_.corners(around.list[k])).centre);
-            const Rgb more = patches_.value(around.list[k]) - own;
+        for (const std::uint32_t other : around) {
+            const Way way = frame.way(Frame(scene_.corners(other)).centre);
+            const Rgb more = patches_.value(other) - own;
             moments.add(way);
             x_value += way.x * more;
             y_value += way.y * more;
@@ -188,8 +210,8 @@ private:
             slope.along_v = scale * (moments.xx * y_value - moments.xy * x_value);
         }
         Rgb factor = {1.0, 1.0, 1.0}; // that keeps the function half way to the neighbours within the values around
-        for (std::size_t k = 0; k < around.count; ++k) {
-            const Way way = frame.way(Frame(scene_.corners(around.list[k])).centre);
+        for (const std::uint32_t other : around) {
+            const Way way = frame.way(Frame(scene_.corners(other)).centre);
             const Rgb change = 0.5 * (way.x * slope.along_u + way.y * slope.along_v);
             factor.r = std::min(factor.r, within(change.r, low.r, high.r));
             factor.g = std::min(factor.g, within(change.g, low.g, high.g));
@@ -203,52 +225,78 @@ private:
         return change > high ? high / change : change < low ? low / change : 1.0;
     }
 
-    static double smaller(double a, double b) { return a * b <= 0.0 ? 0.0 : std::abs(a) < std::abs(b) ? a : b; }
-    static Rgb smaller(Rgb a, Rgb b) { return {smaller(a.r, b.r), smaller(a.g, b.g), smaller(a.b, b.b)}; }
-
-    /// At a border: the smaller of the fitted slope and that of the neighbours; across a line on which all
-    /// neighbours lie, theirs.
-    PatchSlope continued(std::uint32_t patch) const
+    /// Of a quadratic function, at its end: `own` is the slope half a step inside, `inner` a whole step further. At
+    /// most twice the inner one, and 0 where they disagree.
+    static double at_end(double own, double inner)
     {
-        const Neighbours around = neighbours(patch);
+        const double slope = 2.0 * own - inner;
+        return inner > 0.0 ? std::clamp(slope, 0.0, 2.0 * inner) : std::clamp(slope, 2.0 * inner, 0.0);
+    }
+    static Rgb at_end(Rgb own, Rgb inner)
+    {
+        return {at_end(own.r, inner.r), at_end(own.g, inner.g), at_end(own.b, inner.b)};
+    }
+
+    /// At a border: what patch and neighbours tell together; across a line on which all neighbours lie, theirs.
+    PatchSlope continued(std::uint32_t patch, const std::vector<PatchSlope>& fits) const
+    {
+        const Neighbours& around = around_[patch];
         if (around.count == 0)
-            return fitted_[patch];
+            return fits[patch];
         const Frame frame(scene_.corners(patch));
         PatchSlope theirs;
         Moments moments;
-        for (std::size_t k = 0; k < around.count; ++k) {
-            const std::uint32_t other = around.list[k];
+        for (const std::uint32_t other : around) {
             const Frame its(scene_.corners(other));
-            const Way u = its.way({its.centre.i + frame.u.i, its.centre.j + frame.u.j}); // in its edges
-            const Way v = its.way({its.centre.i + frame.v.i, its.centre.j + frame.v.j});
-            theirs.along_u += u.x * fitted_[other].along_u + u.y * fitted_[other].along_v;
-            theirs.along_v += v.x * fitted_[other].along_u + v.y * fitted_[other].along_v;
+            theirs.along_u += its.change(fits[other], frame.u);
+            theirs.along_v += its.change(fits[other], frame.v);
             moments.add(frame.way(its.centre));
         }
         const double share = 1.0 / static_cast<double>(around.count);
         theirs = {share * theirs.along_u, share * theirs.along_v};
-        const PatchSlope& own = fitted_[patch];
+        const PatchSlope& own = fits[patch];
         if (!moments.on_one_line())
-            return {smaller(own.along_u, theirs.along_u), smaller(own.along_v, theirs.along_v)};
+            return {at_end(own.along_u, theirs.along_u), at_end(own.along_v, theirs.along_v)};
         const Way line = frame.way(Frame(scene_.corners(around.list[0])).centre);
         const double square = line.x * line.x + line.y * line.y;
         const Rgb its = line.x * theirs.along_u + line.y * theirs.along_v;
-        const Rgb change = smaller(line.x * own.along_u + line.y * own.along_v, its) - its;
+        const Rgb change = at_end(line.x * own.along_u + line.y * own.along_v, its) - its;
         return {theirs.along_u + (line.x / square) * change, theirs.along_v + (line.y / square) * change};
+    }
+
+    double bend(std::uint32_t patch, const std::vector<PatchSlope>& slopes) const
+    {
+        const Neighbours& around = around_[patch];
+        if (around.count == 0)
+            return 0.0;
+        const Frame frame(scene_.corners(patch));
+        double sum = 0.0;
+        for (const std::uint32_t other : around) {
+            const Frame its(scene_.corners(other));
+            const GridPlace step = {its.centre.i - frame.centre.i, its.centre.j - frame.centre.j};
+            const Way way = frame.way(its.centre);
+            const Rgb turn = its.change(slopes[other], step) - frame.change(slopes[patch], step);
+            const double square = way.x * way.x + way.y * way.y;
+            sum += mean(turn * turn) / (square * square);
+        }
+        return sum / static_cast<double>(around.count);
     }
 
     const VisiblePatches& patches_;
     const Scene& scene_;
-    std::vector<PatchSlope> fitted_;
-    std::vector<char> at_border_; ///< 1 where a part of an edge has no neighbour
-    std::vector<PatchSlope> result_;
+    int threads_;
+    std::vector<Neighbours> around_; ///< per patch
 };
 
 } // namespace
 
-std::vector<PatchSlope> patch_slopes(const VisiblePatches& patches, int threads)
+std::vector<PatchSlope> patch_slopes(const VisiblePatches& patches, int threads, std::vector<double>* bends)
 {
-    return Slopes(patches, threads).result();
+    const Slopes found(patches, threads);
+    std::vector<PatchSlope> result = found.slopes();
+    if (bends != nullptr)
+        *bends = found.bends(result);
+    return result;
 }
 
 } // namespace multipath

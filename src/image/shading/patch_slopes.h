@@ -29,8 +29,12 @@ struct PatchSlope
 /// A linear function for every patch, made from one value per patch: its mean is the value of the patch, and its slope
 /// a fit by least squares to the values of the patches across its edges, as finite volume methods reconstruct them,
 /// limited to what these have (Barth and Jespersen 1989). Neighbours belong to the same surface, and nothing stands
-/// between them and the patch. At a border, where the neighbours of one side are missing, the smaller of the slopes of
-/// patch and neighbours continues, and none where they disagree.
-std::vector<PatchSlope> patch_slopes(const VisiblePatches& patches, int threads);
+/// between them and the patch. At a border, where the neighbours of one side are missing, the slope is that of the
+/// quadratic function that patch and neighbours tell, between 0 and twice that of the neighbours.
+///
+/// `bends`, if wanted: per patch the square of the change of slope towards a neighbour over one step of the size of the
+/// patch, as the mean over neighbours and channels: of b x^2 / 2 per step it is b^2 in the direction of x. 0 without
+/// neighbours.
+std::vector<PatchSlope> patch_slopes(const VisiblePatches& patches, int threads, std::vector<double>* bends = nullptr);
 
 } // namespace multipath

@@ -25,8 +25,8 @@ public:
                   const std::vector<char>& shown = {});
 
     /// The same of all surfaces, and how well the patches fit together: for each patch the square of what the values at
-    /// its corners differ from its own linear function (patch_slopes), as the mean over corners and channels times the
-    /// share of the patch that is open. 0 for sources.
+    /// its corners differ from its own linear function, as the mean over corners and channels, and a share of its bend
+    /// (patch_slopes), times the share of the patch that is open. 0 for sources.
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   std::vector<double>& residuals);
 

@@ -19,6 +19,12 @@ Rgb grey(double value)
     return {value, value, value};
 }
 
+IndirectSample sample_at(const IndirectLight& light, const Place& place)
+{
+    RayFan fan;
+    return light.at(place, *make_sequence("sobol-owen", 1), 0, fan);
+}
+
 const Place floor_place = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
 } // namespace
@@ -32,9 +38,8 @@ TEST_CASE("indirect light is what a patch reflects times its form factor, withou
     builder.rectangle({-0.5, 1.0, -0.5}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.5, 10.0));
     const Scene scene = builder.scene(1.0);
     const IndirectLight light(scene, {grey(0.0), grey(13.0)}, 4096, 1);
-    RayFan fan;
     // The outline crosses about the root of the number of the strata: 4 of the resulting errors.
-    CHECK(light.at(floor_place, 0, fan).irradiance.g ==
+    CHECK(sample_at(light, floor_place).irradiance.g ==
           doctest::Approx(3.0 * 0.239456).epsilon(4.0 * std::pow(4096.0, -0.75) / 0.239456));
 }
 
@@ -44,12 +49,11 @@ TEST_CASE("backs give indirect light in two-sided scenes alone")
     SceneBuilder builder;
     builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
     builder.rectangle({-1e4, 1.0, -1e4}, {0.0, 0.0, 2e4}, {2e4, 0.0, 0.0}, builder.grey(0.5, 10.0));
-    RayFan fan;
     const Scene one_sided = builder.scene(1e5);
-    CHECK(IndirectLight(one_sided, {grey(0.0), grey(13.0)}, 64, 1).at(floor_place, 0, fan).irradiance == Rgb{});
+    CHECK(sample_at({one_sided, {grey(0.0), grey(13.0)}, 64, 1}, floor_place).irradiance == Rgb{});
     const Scene two_sided = builder.scene(1e5, true); // fronts first
     const IndirectLight light(two_sided, {grey(0.0), grey(13.0), grey(0.0), grey(3.0)}, 64, 1);
-    CHECK(light.at(floor_place, 0, fan).irradiance.g == doctest::Approx(3.0));
+    CHECK(sample_at(light, floor_place).irradiance.g == doctest::Approx(3.0));
 }
 
 // The harmonic mean of the way to a ceiling at height 1, in cosine-distributed directions: the mean of cos(theta) is
@@ -60,8 +64,7 @@ TEST_CASE("the distance of a sample is the harmonic mean of what it sees")
     builder.rectangle({-0.1, 0.0, -0.1}, {0.0, 0.0, 0.2}, {0.2, 0.0, 0.0}, builder.grey(0.5, 0.0));
     builder.rectangle({-1e4, 1.0, -1e4}, {2e4, 0.0, 0.0}, {0.0, 0.0, 2e4}, builder.grey(0.5, 1.0));
     const Scene scene = builder.scene(1e5);
-    RayFan fan;
-    const IndirectSample sample = IndirectLight(scene, {grey(0.0), grey(1.0)}, 1024, 1).at(floor_place, 0, fan);
+    const IndirectSample sample = sample_at({scene, {grey(0.0), grey(1.0)}, 1024, 1}, floor_place);
     CHECK(sample.distance == doctest::Approx(1.5).epsilon(0.01)); // smooth: far below the error of random rays, 0.015
 }
 

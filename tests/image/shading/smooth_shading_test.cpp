@@ -273,21 +273,24 @@ TEST_CASE("a step does not overshoot and nothing becomes negative")
     }
 }
 
-// By hand: from the border inward 5, 1, 0.9 the border patch has the slope 4; the next one 0.2, with which it does not
-// go below 0.9 at its edge: so the corner is 5 + 0.2 / 2. For 2, 1, 2 the next one is level, and so is the border
-// patch.
-TEST_CASE("the border continues the smaller slope, and none where slopes disagree")
+// By hand: from the border inward 5, 1, 0.9 the slope is 4 half a step inside, and that of the next patch 0.2, with
+// which it does not go below 0.9 at its edge: so the border patch has 0.4, and the corner is 5 + 0.4 / 2. For 2, 1, 2
+// the next patch is level, and so is that at the border. For 2, 3, 5, 7 the slopes are 1 half a step inside and 1.5 at
+// the next patch: 0.5 at the border, as of a quadratic function.
+TEST_CASE("slopes at a border continue those inside, and are none where they disagree")
 {
     SceneBuilder builder = with_lamp();
-    builder.rectangle({0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
     const Scene scene = builder.scene(1.0);
     std::vector<Rgb> values(scene.patch_count());
-    values[scene.patch_at(1, 0.1, 0.5, true)] = {5.0, 2.0, 0.0};
-    values[scene.patch_at(1, 0.5, 0.5, true)] = {1.0, 1.0, 0.0};
-    values[scene.patch_at(1, 0.9, 0.5, true)] = {0.9, 2.0, 0.0};
+    values[scene.patch_at(1, 0.1, 0.5, true)] = {5.0, 2.0, 2.0};
+    values[scene.patch_at(1, 0.3, 0.5, true)] = {1.0, 1.0, 3.0};
+    values[scene.patch_at(1, 0.6, 0.5, true)] = {0.9, 2.0, 5.0};
+    values[scene.patch_at(1, 0.9, 0.5, true)] = {0.8, 2.0, 7.0};
     const SmoothShading shading(scene, values, 1);
-    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).r == doctest::Approx(5.1));
+    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).r == doctest::Approx(5.2));
     CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).g == doctest::Approx(2.0));
+    CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).b == doctest::Approx(1.75));
 }
 
 // A floor on which something stands.
