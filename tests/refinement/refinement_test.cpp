@@ -105,6 +105,14 @@ double error_of(const Scene& scene, std::uint64_t lines)
     return shown_error(scene, solution.radiosity, truth, 16384, 2).relative_mean_square;
 }
 
+/// From a solution of the scene itself.
+Truth gathered(const Scene& scene, std::uint64_t lines, int rays)
+{
+    SolveOptions options;
+    options.lines = lines;
+    return gathered_truth(scene, solve(scene, options, [](double) {}).radiosity, rays, 1);
+}
+
 } // namespace
 
 // 3 shown instead of 2: (3 - 2)^2 / 2^2. Noise of +-1 in both estimates, independent, leaves the mean.
@@ -136,10 +144,7 @@ TEST_CASE("the error is that of what is shown, and noise of the truth does not a
 TEST_CASE("the two estimates of a point are independent, and so are those of different points")
 {
     const Scene scene = penumbra(0.5);
-    SolveOptions options;
-    options.lines = 1u << 14;
-    const Solution solution = solve(scene, options, [](double) {});
-    const Truth truth = gathered_truth(scene, solution.radiosity, 4, 1);
+    const Truth truth = gathered(scene, 1u << 14, 4);
     constexpr std::uint64_t points = 20000;
     double one = 0.0;
     double square = 0.0;
@@ -163,10 +168,7 @@ TEST_CASE("the two estimates of a point are independent, and so are those of dif
 TEST_CASE("gathered truth is the exact solution")
 {
     const Scene scene = penumbra(0.1);
-    SolveOptions options;
-    options.lines = 1u << 16;
-    const Solution solution = solve(scene, options, [](double) {});
-    const Truth truth = gathered_truth(scene, solution.radiosity, 256, 1);
+    const Truth truth = gathered(scene, 1u << 16, 256);
     double difference = 0.0;
     double light = 0.0;
     for (std::uint64_t k = 0; k < 400; ++k) {

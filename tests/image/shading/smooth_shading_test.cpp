@@ -293,6 +293,22 @@ TEST_CASE("slopes at a border continue those inside, and are none where they dis
     CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).b == doctest::Approx(1.75));
 }
 
+// k^2: linear functions of slope 2 k meet at the corners, and the slope changes by 2 from patch to patch.
+TEST_CASE("the residual of a quadratic function is its bend alone")
+{
+    SceneBuilder builder = with_lamp();
+    builder.rectangle({0.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(1.0);
+    std::vector<Rgb> values(scene.patch_count());
+    for (int k = 0; k < 8; ++k) {
+        const double square = (k + 1.0) * (k + 1.0);
+        values[scene.patch_at(1, (k + 0.5) / 8.0, 0.5, true)] = {square, square, square};
+    }
+    std::vector<double> residuals;
+    const SmoothShading shading(scene, values, 1, residuals);
+    CHECK(residuals[scene.patch_at(1, 0.5, 0.5, true)] == doctest::Approx(2.0 * 2.0 / 40.0));
+}
+
 // A floor on which something stands.
 
 namespace {
