@@ -43,8 +43,8 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
                        int threads);
 
 /// The truth as far as a much finer solution of the same scene tells it: the last reflection is computed for each point
-/// (final gathering), with `rays` to the sources and `rays` over the hemisphere for each of the two estimates. The scene
-/// must outlive the result.
+/// (final gathering), with `rays` to the sources and `rays` over the hemisphere for each of the two estimates. The
+/// scene must outlive the result.
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads);
 
 } // namespace multipath
