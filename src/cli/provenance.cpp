@@ -23,15 +23,16 @@ struct DependentDefault
     std::string_view value{};
 };
 
-constexpr std::array<DependentDefault, 9> dependent_defaults = {{{"ratio", "power-per-line"},
-                                                                 {"lines", "tolerance"},
-                                                                 {"lines", "time"},
-                                                                 {"replicates", "tolerance"},
-                                                                 {"replicates", "time"},
-                                                                 {"shading", "show"},
-                                                                 {"exposure", "show"},
-                                                                 {"tone-map", "show"},
-                                                                 {"gather-rays", "shading", "gather"}}};
+constexpr std::array<DependentDefault, 10> dependent_defaults = {{{"ratio", "power-per-line"},
+                                                                  {"lines", "tolerance"},
+                                                                  {"lines", "time"},
+                                                                  {"replicates", "tolerance"},
+                                                                  {"replicates", "time"},
+                                                                  {"adaptive", "tolerance"},
+                                                                  {"shading", "show"},
+                                                                  {"exposure", "show"},
+                                                                  {"tone-map", "show"},
+                                                                  {"gather-rays", "shading", "gather"}}};
 
 /// Read back as they are by every shell.
 constexpr std::string_view plain_characters =

@@ -1,5 +1,6 @@
 #include "cli/files/standard_streams.h"
 #include "cli/options/usage_error.h"
+#include "cli/progress.h"
 #include "commands/commands.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
@@ -7,10 +8,12 @@
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
 #include "refinement/adaptive_patches.h"
+#include "refinement/shown_error.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -96,18 +99,50 @@ CommandTable solve_table()
             "  multipath solve room.obj -o room.html\n"};
 }
 
-/// With --adaptive the scene that was read is cut further.
-Scene as_adaptive_as_asked(const SolveJob& job, Scene coarse)
+/// The scene that was read, cut further where adaptive patches are asked for.
+Scene as_adaptive_as_asked(SolveJob& job, Scene coarse)
 {
-    if (!job.line.has("adaptive"))
+    const std::uint64_t most = adaptive_patches(job.line, coarse.surfaces());
+    if (most == 0)
         return coarse;
-    const std::uint64_t most = adaptive_patches(job.line);
-    if (coarse.patch_count() >= most)
+    job.line.settle_default("adaptive", std::to_string(most));
+    if (job.line.has("adaptive") && coarse.patch_count() >= most)
         throw InputError(coarse.path() + ": --adaptive: has " + grouped(coarse.patch_count()) +
                          " patches before any is cut; expected more than that");
     require_memory_for_reuse(job.line, job.options, coarse);
     require_memory_for_patches(job.line, coarse.file(), static_cast<double>(most));
-    return adapted(coarse, most, job.options.memory, job.options.threads);
+    Progress progress("choosing patches", progress_style(job.line));
+    return adapted(coarse, most, job.options.memory, job.options.threads, [&](double done) { progress.show(done); });
+}
+
+/// With replicates the patches' error is told beside the noise. A tolerance has them cut until their error is at most
+/// its share, equal to that of the noise, unless options fix them.
+Scene as_accurate_as_asked(SolveJob& job, Scene scene)
+{
+    if (job.accuracy.replicates < 2)
+        return scene;
+    constexpr double most = 1e6;              // patches
+    constexpr double order = 1.3;             // of the MSE in the number of patches, in rooms
+    constexpr double least = 1.5, step = 8.0; // growth at a time
+    const bool fixed =
+        !job.accuracy.tolerance || job.line.has("adaptive") || job.line.has("patches") || job.line.has("patch-size");
+    const double wanted = job.accuracy.tolerance.value_or(0.0) / std::sqrt(2.0);
+    Progress progress("choosing patches", progress_style(job.line));
+    const auto show = [&](double done) { progress.show(done); };
+    for (;;) {
+        const double error = patch_error(scene, wanted, job.options.memory, job.options.threads, show).root_at_most();
+        job.accuracy.patch_error = error;
+        const double room = most / scene.patch_count();
+        if (fixed || error <= wanted || room < least)
+            return scene;
+        const double growth = std::clamp(std::pow(error / wanted, 2.0 / order), least, std::min(step, room));
+        const auto patches = static_cast<std::uint64_t>(growth * scene.patch_count());
+        require_memory_for_patches(job.line, scene.file(), static_cast<double>(patches));
+        Scene finer = adapted(scene, patches, job.options.memory, job.options.threads, show);
+        if (finer.patch_count() == scene.patch_count()) // all that differ are as small as can be
+            return scene;
+        scene = std::move(finer);
+    }
 }
 
 int run_solve(const CommandLine& line)
@@ -122,7 +157,7 @@ int run_solve(const CommandLine& line)
             inputs.push_back(path);
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs);
 
-    const Scene scene = as_adaptive_as_asked(job, read_scene(line, thread_count(line)));
+    const Scene scene = as_accurate_as_asked(job, as_adaptive_as_asked(job, read_scene(line, thread_count(line))));
     settle_lines(scene, job.line, job.options);
     require_no_input(outputs, scene.file().material_files);
     require_results_possible(job, scene, outputs);

@@ -1,7 +1,6 @@
 #include "refinement/adaptive_patches.h"
 
 #include "image/shading/smooth_shading.h"
-#include "radiosity/solve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,20 +62,22 @@ Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wa
 
 } // namespace
 
-Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads)
+Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads, const ProgressCallback& progress)
 {
-    constexpr int rounds = 4;
-    constexpr std::uint64_t lines_per_patch = 64;
-    Scene scene = coarse;
+    // A round cuts a patch once. Where few are cut, the patches that matter are small after fewer rounds.
+    constexpr int most_rounds = 4;
+    constexpr std::uint64_t lines_per_patch = 24;
     const double growth = static_cast<double>(most) / coarse.patch_count();
-    for (int round = 1; round <= rounds && growth > 1.0; ++round) {
+    const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * std::log2(growth))), 0, most_rounds);
+    Scene scene = coarse;
+    for (int round = 0; round < rounds; ++round) {
         SolveOptions quick;
         quick.method = Method::reuse;
         quick.lines = lines_per_patch * scene.patch_count();
         quick.memory = memory;
         quick.threads = threads;
-        const Solution solution = solve(scene, quick, [](double) {});
-        const double wanted = coarse.patch_count() * std::pow(growth, static_cast<double>(round) / rounds);
+        const Solution solution = solve(scene, quick, [&](double done) { progress((round + done) / rounds); });
+        const double wanted = coarse.patch_count() * std::pow(growth, (round + 1.0) / rounds);
         scene = cut(scene, errors(scene, solution.radiosity, threads),
                     std::min(most, static_cast<std::uint64_t>(std::lround(wanted))));
     }

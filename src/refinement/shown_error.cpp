@@ -6,44 +6,91 @@
 #include "image/shading/smooth_shading.h"
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
+#include "radiosity/runs/replicates.h"
 #include "sampling/random.h"
 #include "sampling/sequence.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 namespace multipath {
 
 namespace {
 
-/// Places on the sides of a scene by their area.
-class Places
+/// A point of a side, and what it counts.
+struct SamplePoint
+{
+    Hit hit;
+    double weight; ///< [1] mean 1
+};
+
+/// Points of a scene, half of them by area and half of them as many in each patch: where patches are small there is
+/// more to see. A point counts by the inverse of the density of the two together.
+class SamplePoints
 {
 public:
-    explicit Places(const Scene& scene) : scene_(scene)
+    explicit SamplePoints(const Scene& scene) : scene_(scene)
     {
         double sum = 0.0;
         for (const Surface& surface : scene.surfaces())
             ends_.push_back(sum += surface.area());
     }
 
-    /// For numbers in [0, 1).
-    Hit at(double which, double a, double b) const
+    SamplePoint at(const Item& item) const
+    {
+        const Hit hit = item[3] < 0.5 ? by_area(item[0], item[1], item[2]) : in_patch(item[0], item[1], item[2]);
+        const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
+        return {hit, 2.0 / (1.0 + scene_.total_area() / (scene_.patch_count() * scene_.area(patch)))};
+    }
+
+private:
+    Hit by_area(double which, double a, double b) const
     {
         const double sides = scene_.two_sided() ? 2.0 : 1.0;
         const bool front = which * sides < 1.0;
         const double place = (front ? which * sides : which * sides - 1.0) * ends_.back();
         const auto found = std::upper_bound(ends_.begin(), ends_.end() - 1, place);
         const auto surface = static_cast<std::uint32_t>(found - ends_.begin());
-        if (scene_.surfaces()[surface].shape == Shape::parallelogram)
-            return {0.0, surface, a, b, front};
-        const Barycentric inside = square_to_uniform_triangle(a, b);
+        const GridPlace inside = in_shape(scene_.surfaces()[surface].shape, a, b);
         return {0.0, surface, inside.u, inside.v, front};
     }
 
-private:
+    Hit in_patch(double which, double a, double b) const
+    {
+        const auto patch = static_cast<std::uint32_t>(which * scene_.patch_count());
+        const std::uint32_t surface = scene_.surface_of(patch);
+        const bool front = scene_.is_front(patch);
+        const Tessellation& cells = scene_.tessellation(surface);
+        const CellCorners corners = scene_.corners(patch);
+        const GridPlace inside = in_shape(cells.shape, a, b);
+        const GridPoint& origin = corners.points[0];
+        const GridPoint& along_u = corners.points[1];
+        const GridPoint& along_v = corners.points[corners.count - 1];
+        const auto between = [&](double from, double to_u, double to_v, double whole) {
+            return (from + inside.u * (to_u - from) + inside.v * (to_v - from)) / whole;
+        };
+        return {0.0, surface, between(origin.i, along_u.i, along_v.i, cells.grid_u()),
+                between(origin.j, along_u.j, along_v.j, cells.grid_v()), front};
+    }
+
+    struct GridPlace
+    {
+        double u;
+        double v;
+    };
+
+    /// Uniform, for numbers in [0, 1).
+    static GridPlace in_shape(Shape shape, double a, double b)
+    {
+        if (shape == Shape::parallelogram)
+            return {a, b};
+        const Barycentric inside = square_to_uniform_triangle(a, b);
+        return {inside.u, inside.v};
+    }
+
     const Scene& scene_;
     std::vector<double> ends_; ///< [m^2] of the surfaces, one after the other
 };
@@ -52,19 +99,27 @@ private:
 struct Sums
 {
     std::uint64_t points = 0;
-    Rgb shown;
+    double weights = 0.0;
+    Rgb shown; ///< these by their weights
     Rgb truth;
     double product = 0.0; ///< [(W/m^2)^2] of the two deviations, mean of the channels
     double square = 0.0;  ///< of the products
 };
 
-} // namespace
-
-ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const Truth& truth, std::uint64_t points,
-                       int threads)
+/// Two independent estimates at a point of how far what is shown is from the truth.
+struct Deviations
 {
-    const SmoothShading shading(scene, radiosity, threads);
-    const Places places(scene);
+    Rgb one;
+    Rgb other;
+    Rgb shown;
+};
+
+using DeviationsAt = std::function<Deviations(const Hit& hit, std::uint64_t number)>;
+
+/// The mean product of the two at points spread evenly over the area.
+ShownError mean_product(const Scene& scene, const DeviationsAt& deviations, std::uint64_t points, int threads)
+{
+    const SamplePoints places(scene);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol-owen", 3);
     constexpr std::uint64_t points_at_a_time = 64;
     const Blocks blocks = {points, points_at_a_time};
@@ -77,25 +132,26 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
             std::vector<Item> items(static_cast<std::size_t>(blocks.first(block + 1) - blocks.first(block)));
             sequence->generate(blocks.first(block), items);
             for (std::size_t k = 0; k < items.size(); ++k) {
-                const Hit hit = places.at(items[k][0], items[k][1], items[k][2]);
+                const auto [hit, weight] = places.at(items[k]);
                 Surface side = scene.surfaces()[hit.surface];
                 const Vec3 point = side.at(hit.u, hit.v);
                 if (!hit.front)
                     std::swap(side.edge_u, side.edge_v);
                 if (is_covered(scene, hit.surface, side, point))
                     continue;
-                const Rgb shown = shading.at(hit);
-                const TruthAtPoint there = truth(hit, blocks.first(block) + k);
-                const double product = mean((shown - there.one) * (shown - there.other));
+                const Deviations there = deviations(hit, blocks.first(block) + k);
+                const double product = weight * mean(there.one * there.other);
                 ++sums.points;
-                sums.shown += shown;
-                sums.truth += 0.5 * (there.one + there.other);
+                sums.weights += weight;
+                sums.shown += weight * there.shown;
+                sums.truth += weight * (there.shown - 0.5 * (there.one + there.other));
                 sums.product += product;
                 sums.square += product * product;
             }
         },
         [&](std::uint64_t, int slot) {
             all.points += parts[slot].points;
+            all.weights += parts[slot].weights;
             all.shown += parts[slot].shown;
             all.truth += parts[slot].truth;
             all.product += parts[slot].product;
@@ -106,37 +162,114 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
     if (all.points == 0)
         return result;
     const auto n = static_cast<double>(all.points);
-    result.area = scene.total_area() * n / static_cast<double>(points);
-    result.mean_shown = mean(all.shown) / n;
-    result.mean_true = mean(all.truth) / n;
-    const double scale = result.mean_true * result.mean_true;
+    result.area = scene.total_area() * all.weights / static_cast<double>(points);
+    result.mean_shown = mean(all.shown) / all.weights;
+    result.mean_true = mean(all.truth) / all.weights;
+    const double scale = result.mean_true * result.mean_true * all.weights / n;
     result.relative_mean_square = all.product / n / scale;
     const double variance = std::max(0.0, all.square / n - all.product / n * (all.product / n));
     result.standard_error = std::sqrt(variance / n) / scale;
     return result;
 }
 
+/// Final gathering at places, from a solution.
+class PointRadiosity
+{
+public:
+    PointRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
+        : scene_(scene), sources_(scene), indirect_(scene, radiosity, rays, threads), rays_(rays)
+    {
+    }
+
+    /// [W/m^2] Radiosity. Estimates with other numbers or of another stream are independent: each has sequences of its
+    /// own, since items of one complement each other.
+    Rgb at(const Hit& hit, std::uint64_t number, RandomStream stream) const
+    {
+        const Place place = place_of(scene_, hit);
+        const Material& material = scene_.surface_material(hit.surface);
+        const std::uint64_t bits = random_bits(random_key(stream), number);
+        const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
+        const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
+        RayFan fan;
+        const auto count = static_cast<std::size_t>(rays_);
+        Rgb irradiance = sources_.irradiance(place, {*to_sources, 0, count}, bits_to_unit(bits), fan);
+        irradiance += indirect_.at(place, *around, 0, fan).irradiance;
+        return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
+    }
+
+private:
+    const Scene& scene_;
+    SourceLight sources_;
+    IndirectLight indirect_;
+    int rays_;
+};
+
+} // namespace
+
+ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const Truth& truth, std::uint64_t points,
+                       int threads)
+{
+    const SmoothShading shading(scene, radiosity, threads);
+    const auto deviations = [&](const Hit& hit, std::uint64_t number) {
+        const Rgb shown = shading.at(hit);
+        const TruthAtPoint there = truth(hit, number);
+        return Deviations{shown - there.one, shown - there.other, shown};
+    };
+    return mean_product(scene, deviations, points, threads);
+}
+
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads)
 {
-    const auto sources = std::make_shared<const SourceLight>(finer);
-    const auto indirect = std::make_shared<const IndirectLight>(finer, radiosity, rays, threads);
-    return [&finer, sources, indirect, rays](const Hit& hit, std::uint64_t number) {
-        const Place place = place_of(finer, hit);
-        const Material& material = finer.surface_material(hit.surface);
-        // Each with sequences of its own: items of one complement each other, so that the estimates would depend on
-        // each other, and the standard error would not hold.
-        const auto estimate = [&](RandomStream stream) {
-            const std::uint64_t bits = random_bits(random_key(stream), number);
-            const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
-            const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
-            RayFan fan;
-            const auto count = static_cast<std::size_t>(rays);
-            Rgb irradiance = sources->irradiance(place, {*to_sources, 0, count}, bits_to_unit(bits), fan);
-            irradiance += indirect->at(place, *around, 0, fan).irradiance;
-            return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
-        };
-        return TruthAtPoint{estimate(RandomStream::first_truth), estimate(RandomStream::second_truth)};
+    const auto light = std::make_shared<const PointRadiosity>(finer, radiosity, rays, threads);
+    return [light](const Hit& hit, std::uint64_t number) {
+        return TruthAtPoint{light->at(hit, number, RandomStream::first_truth),
+                            light->at(hit, number, RandomStream::second_truth)};
     };
+}
+
+ShownError patch_error(const Scene& scene, double enough, double memory, int threads, const ProgressCallback& progress)
+{
+    constexpr std::uint64_t lines_per_patch = 64;
+    constexpr std::uint64_t few_points = 4096;
+    constexpr std::uint64_t many_points = 65536;
+    constexpr int rays = 128;
+    SolveOptions quick;
+    quick.method = Method::reuse;
+    quick.sequence = "sobol-owen";
+    quick.lines = lines_per_patch * scene.patch_count();
+    quick.memory = memory;
+    quick.threads = threads;
+    const auto solved = [&](std::uint64_t number) {
+        return solve(scene, independent_run(quick, RandomStream::patch_error, quick.seed, number, 0),
+                     [&](double done) { progress(0.4 * (static_cast<double>(number) + done)); })
+            .radiosity;
+    };
+    struct Half
+    {
+        std::vector<Rgb> radiosity;
+        SmoothShading shading;
+        PointRadiosity light;
+
+        Half(const Scene& scene, std::vector<Rgb> found, int threads)
+            : radiosity(std::move(found)), shading(scene, radiosity, threads), light(scene, radiosity, rays, threads)
+        {
+        }
+    };
+    const Half one(scene, solved(0), threads);
+    const Half other(scene, solved(1), threads);
+    const auto deviations = [&](const Hit& hit, std::uint64_t number) {
+        const Rgb shown = one.shading.at(hit);
+        const Rgb shown_by_other = other.shading.at(hit);
+        return Deviations{shown - one.light.at(hit, number, RandomStream::first_truth),
+                          shown_by_other - other.light.at(hit, number, RandomStream::second_truth),
+                          0.5 * (shown + shown_by_other)};
+    };
+    for (std::uint64_t points = few_points;; points *= 4) {
+        const ShownError error = mean_product(scene, deviations, points, threads);
+        const bool undecided = error.root() < enough && enough < error.root_at_most();
+        if (!undecided || points >= many_points)
+            return error;
+    }
 }
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/hit.h"
+#include "radiosity/solve.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,13 @@ struct ShownError
 
     /// [1] 0 where chance makes the mean square negative.
     double root() const { return std::sqrt(std::max(0.0, relative_mean_square)); }
+
+    /// [1] What the root stays below in nine of ten cases, as far as the mean of the points is normally distributed.
+    double root_at_most() const
+    {
+        constexpr double nine_of_ten = 1.2816;
+        return std::sqrt(std::max(0.0, relative_mean_square + nine_of_ten * standard_error));
+    }
 };
 
 /// A point of a side that exists, with two independent, unbiased estimates of the true radiosity there [W/m^2].
@@ -46,5 +54,12 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
 /// (final gathering), with `rays` to the sources and `rays` over the hemisphere for each of the two estimates. The
 /// scene must outlive the result.
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads);
+
+/// The part of the error that no lines make smaller: that of the patches. Two independent solutions by line reuse are
+/// each compared with light gathered from themselves; of the product of the deviations the noise of the lines has the
+/// mean 0. It does not see the errors of the patches' averages, which all that a point sees makes small. So many points
+/// that it is clear whether the root is below `enough` [1], as far as 65,536 tell. `memory`: [bytes] that solving may
+/// take. The same for any number of threads. Throws InputError where the scene has no solution.
+ShownError patch_error(const Scene& scene, double enough, double memory, int threads, const ProgressCallback& progress);
 
 } // namespace multipath

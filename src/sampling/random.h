@@ -33,6 +33,7 @@ enum class RandomStream : std::uint64_t {
     chosen_patches = 0x6c69676874,     ///< of the search for direct light
     first_truth = 0xa4093822299f31d0u, ///< rays of the two estimates at a point (shown_error.h)
     second_truth = 0x082efa98ec4e6c89u,
+    patch_error = 0xc0ac29b7c97c50ddu, ///< of the two solutions that tell it
 };
 
 /// Key of a stream that no seed changes.

@@ -75,7 +75,7 @@ copies() {
         says out "lines were cast for the figures instead of") || return
     copies_of 8000
     for method in $(methods | grep -v reuse) "reuse --direct shoot"; do
-        (ulimit -v 300000 && ends 0 solve copies.obj --lines 1000 --method $method --threads 1 -o copies.csv --quiet) || return
+        (ulimit -v 300000 && ends 0 solve copies.obj --patches 8100 --lines 1000 --method $method --threads 1 -o copies.csv --quiet) || return
     done
 }
 # A sanitizer takes all addresses there are.

@@ -37,6 +37,13 @@ std::string find_scene(const std::string& name)
     return name;
 }
 
+/// Each surface, and a third of what else there will be.
+std::uint64_t coarse_cells(const SurfaceList& surfaces, double wanted)
+{
+    const auto whole = static_cast<double>(surfaces.size());
+    return static_cast<std::uint64_t>(std::max({1.0, whole, whole + (wanted - whole) / 3.0}));
+}
+
 } // namespace
 
 OptionGroup scene_option_group()
@@ -44,7 +51,8 @@ OptionGroup scene_option_group()
     return {
         "Scene",
         {{"patch-size", 'p', "SIZE", "",
-          "Longest edge of a patch in scene units. Without it, chosen for some thousand patches."},
+          "Longest edge of a patch in scene units. Without it, 'solve' chooses adaptive patches, and other commands a "
+          "size for some thousand."},
          {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
          {"flip", 0, "", "", "Turn every face over, for a room that was modelled to be seen from outside."},
@@ -67,29 +75,36 @@ Scene read_scene(const CommandLine& line, int threads)
     const std::uint64_t wanted =
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
-    // The coarse patches of adaptive ones.
-    const bool adaptive = line.knows("adaptive") && line.has("adaptive") && !line.has("patch-size") && wanted == 0;
-    const std::uint64_t coarse = adaptive ? std::max<std::uint64_t>(1, adaptive_patches(line) / 3) : wanted;
-
     const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
     SceneFile file = read_obj(path, emission);
     if (line.has("flip"))
         file = flipped(std::move(file));
-    double patch_size = given_size;
-    if (coarse > 0)
-        patch_size = patch_size_for_count(file.surfaces, coarse);
-    else if (!line.has("patch-size"))
-        patch_size = default_patch_size(file.surfaces);
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
+    double patch_size = given_size;
+    if (line.has("patches"))
+        patch_size = patch_size_for_count(file.surfaces, wanted);
+    else if (const std::uint64_t adaptive = adaptive_patches(line, file.surfaces); !line.has("patch-size"))
+        patch_size = adaptive > 0
+                         ? patch_size_for_count(file.surfaces,
+                                                coarse_cells(file.surfaces, static_cast<double>(adaptive) / sides))
+                         : default_patch_size(file.surfaces);
     require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
     return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
 }
 
-std::uint64_t adaptive_patches(const CommandLine& line)
+std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces)
 {
-    return read_count("--adaptive", line.text("adaptive"), 1, (1ull << 31) - 1);
+    if (!line.knows("adaptive"))
+        return 0;
+    if (line.has("adaptive"))
+        return read_count("--adaptive", line.text("adaptive"), 1, (1ull << 31) - 1);
+    constexpr std::uint64_t usual = 4000;
+    constexpr std::size_t finely_modelled = 1000000; // the surfaces are small enough, and rounds would take long
+    if (line.has("patches") || line.has("patch-size") || surfaces.size() > finely_modelled)
+        return 0;
+    return (line.has("two-sided") ? 2 : 1) * (usual + surfaces.size() + surfaces.size() / 4);
 }
 
 Option threads_option()

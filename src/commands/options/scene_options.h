@@ -14,11 +14,13 @@ OptionGroup scene_option_group();
 /// The file of the scene that the first operand names: as given, or the bundled one of that name.
 std::string scene_path(const CommandLine& line);
 
-/// That scene, cut into patches as the options say. Throws UsageError, InputError.
+/// That scene, cut into patches as the options say, of adaptive ones into those that they begin with. Throws
+/// UsageError, InputError.
 Scene read_scene(const CommandLine& line, int threads = 1);
 
-/// How many --adaptive asks for. Throws UsageError.
-std::uint64_t adaptive_patches(const CommandLine& line);
+/// How many adaptive patches the options ask for; without --patches and --patch-size `solve` chooses for itself. 0 for
+/// those that are read. Throws UsageError.
+std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces);
 
 /// `--threads`: a definition for the tables, and its value; without it, all processors.
 Option threads_option();

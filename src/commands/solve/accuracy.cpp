@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 namespace multipath {
@@ -18,12 +19,18 @@ constexpr std::uint64_t first_round_lines = 1u << 16;
 
 } // namespace
 
+double Accuracy::noise_tolerance() const
+{
+    const double patches = patch_error.value_or(0.0);
+    return std::max(std::sqrt(std::max(0.0, *tolerance * *tolerance - patches * patches)), 0.5 * *tolerance);
+}
+
 bool RoundLimit::go_on(const Round& round, double seconds)
 {
     const double after_next = seconds + 2.0 * (seconds - round_start_);
     round_start_ = seconds;
-    const bool reached =
-        accuracy_.tolerance && round.lines >= least_lines_ && round.relative_standard_error <= *accuracy_.tolerance;
+    const bool reached = accuracy_.tolerance && round.lines >= least_lines_ &&
+                         round.relative_standard_error <= accuracy_.noise_tolerance();
     const bool too_late = accuracy_.seconds && after_next > *accuracy_.seconds;
     const bool too_many = accuracy_.most_lines && 2 * round.lines > *accuracy_.most_lines;
     return !reached && !too_late && !too_many;
@@ -35,13 +42,15 @@ OptionGroup accuracy_option_group()
         "Accuracy",
         {{"adaptive", 0, "N", "",
           "Cut patches where the light changes most into four, and these again, until there are N. Without "
-          "--patch-size or --patches the largest are those of N / 3."},
+          "--patch-size and --patches this is the default, with some thousand."},
          {"replicates", 0, "R", "1",
           "Solve R times with independent randomisations of the sequence, which share the lines; tells the standard "
           "error of every patch and of the whole."},
          {"tolerance", 0, "SHARE", "",
-          "Double the lines until the relative standard error is below this, such as 1%. Takes 4 replicates unless "
-          "told otherwise; --lines, if given, bounds the last round."},
+          "Cut patches and double the lines until the root of the relative mean square error, of patches and noise "
+          "together, is below this, such as 1%. Takes 4 replicates unless told otherwise; --lines, if given, bounds "
+          "the "
+          "last round; --adaptive, --patches and --patch-size fix the patches."},
          {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s; otherwise the same."}}};
 }
 

@@ -12,11 +12,16 @@ namespace multipath {
 struct Accuracy
 {
     int replicates = 1;
-    std::optional<double> tolerance;         ///< [1] relative standard error to reach
+    std::optional<double> tolerance;         ///< [1] root of the relative total MSE to reach
+    std::optional<double> patch_error;       ///< [1] the patches' part of it, once it is known
     std::optional<double> seconds;           ///< to solve for
     std::optional<std::uint64_t> most_lines; ///< of the last round, where one of these two decides
 
     bool in_rounds() const { return tolerance || seconds; }
+
+    /// [1] What the tolerance leaves for the noise. Half of it where the patches' error leaves less: they are the
+    /// user's choice then.
+    double noise_tolerance() const;
 };
 
 /// Ends the rounds when the tolerance is reached, or where another round, twice as long as the last, would exceed the

@@ -10,6 +10,7 @@
 #include "commands/solve/accuracy.h"
 #include "radiosity/solution.h"
 #include "scene/input_error.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>
@@ -167,6 +168,9 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
         if (fixed && before != now)
             refuse("made with " + before + ", not with " + now);
     }
+    if (saved.scene.hash != wanted.scene.hash && saved.scene.file->surfaces == wanted.scene.file->surfaces &&
+        saved.scene.patches != wanted.scene.patches)
+        refuse("of " + grouped(saved.scene.patches) + " patches, not " + grouped(wanted.scene.patches));
     if (saved.scene.hash != wanted.scene.hash)
         refuse("of the scene " + saved.scene.file->path + " as it was then, which is not the one given now");
 }

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace multipath {
 
@@ -64,6 +65,13 @@ std::vector<double> channels(Rgb c)
 
 } // namespace
 
+std::optional<double> SolveSummary::error() const
+{
+    if (!accuracy.patch_error || !solution.relative_standard_error)
+        return std::nullopt;
+    return std::hypot(*accuracy.patch_error, *solution.relative_standard_error);
+}
+
 std::string summary_text(const SolveSummary& s)
 {
     const PowerBalance& balance = s.solution.balance;
@@ -79,12 +87,18 @@ std::string summary_text(const SolveSummary& s)
                    s.scene.total_area(), mean(s.scene.average_reflectance()));
     text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.sequence.c_str(),
                    grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
-    if (s.solution.relative_standard_error)
-        text += format("error      %.3g %% relative standard error, from %d replicates%s\n",
-                       100.0 * *s.solution.relative_standard_error, s.solution.replicates,
+    if (const std::optional<double> error = s.error())
+        text += format("error      %.2g %% of the mean (patches %.2g %%, noise %.2g %%), by %d replicates%s\n",
+                       100.0 * *error, 100.0 * *s.accuracy.patch_error, 100.0 * *s.solution.relative_standard_error,
+                       s.solution.replicates,
                        s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
                            ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
                            : "");
+    if (s.accuracy.tolerance && s.error() > *s.accuracy.tolerance)
+        text += format("warning    that is above the tolerance of %.3g %%: %s\n", 100.0 * *s.accuracy.tolerance,
+                       *s.accuracy.patch_error > std::sqrt(0.5) * *s.accuracy.tolerance
+                           ? "the patches are too few; up to a million are chosen where no option fixes them"
+                           : "the lines or the time came to their end");
     const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
     if (s.solution.relative_standard_error && lines < lines_for_error(s.scene, s.options.method, s.solution.replicates))
         text += format("warning    with fewer than %d lines per patch in each replicate the error may be several times "
@@ -193,10 +207,10 @@ JsonObject summary_json(const SolveSummary& s)
     json.count("threads", static_cast<std::uint64_t>(s.options.threads));
     json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
     json.count("all_lines", s.solution.all_lines);
-    if (s.solution.relative_standard_error)
-        json.number("relative_standard_error", *s.solution.relative_standard_error);
-    else
-        json.null("relative_standard_error");
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
+    json.number("relative_standard_error", s.solution.relative_standard_error.value_or(unknown));
+    json.number("patch_error", s.accuracy.patch_error.value_or(unknown));
+    json.number("error", s.error().value_or(unknown));
     return json;
 }
 
@@ -345,6 +359,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
                                job.options,
                                solution,
                                job.sequence,
+                               job.accuracy,
                                seconds_since(job.start),
                                seconds_trace,
                                seconds_outputs,

@@ -9,6 +9,7 @@
 #include "radiosity/solve_options.h"
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,13 +50,17 @@ struct SolveSummary
     const Scene& scene;
     const SolveOptions& options;
     const Solution& solution;
-    std::string sequence;                ///< full name
+    std::string sequence; ///< full name
+    Accuracy accuracy{};
     double seconds = 0.0;                ///< from start to end, pictures included
     double seconds_trace = 0.0;          ///< of the solver alone
     double seconds_outputs = 0.0;        ///< of making and writing the outputs
     double seconds_to_first_lines = 0.0; ///< from start to when the first block of lines was done
     bool complete = true;                ///< or was it interrupted?
     bool all_at_once = true;             ///< or were some of the lines traced by an earlier run?
+
+    /// [1] Root of the relative total MSE, of patches and noise; nothing where these are not known.
+    std::optional<double> error() const;
 };
 
 /// Some lines for a person.

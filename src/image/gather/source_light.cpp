@@ -135,8 +135,6 @@ private:
 SourceLight::SourceLight(const Scene& scene)
     : scene_(scene), sources_(sources_of(scene)), clear_sight_(scene, surfaces_of(sources_))
 {
-    for (const Source& source : sources_)
-        power_ += source.power;
 }
 
 std::vector<SourceLight::Source> SourceLight::sources_of(const Scene& scene)
@@ -144,9 +142,14 @@ std::vector<SourceLight::Source> SourceLight::sources_of(const Scene& scene)
     std::vector<Source> sources;
     for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
         const Rgb emittance = scene.surface_material(surface).emittance;
-        const double power = scene.surfaces()[surface].area() * mean(emittance);
-        if (power > 0.0)
-            sources.push_back({surface, emittance, power});
+        const Surface& shape = scene.surfaces()[surface];
+        const double power = shape.area() * mean(emittance);
+        if (!(power > 0.0))
+            continue;
+        double radius = 0.0;
+        for (const Vec3& corner : corners_of(shape))
+            radius = std::max(radius, length(corner - shape.centre()));
+        sources.push_back({surface, emittance, power, shape.centre(), radius});
     }
     return sources;
 }
@@ -159,19 +162,37 @@ std::vector<std::uint32_t> SourceLight::surfaces_of(const std::vector<Source>& s
     return surfaces;
 }
 
+/// About what a source gives to a place where nothing hides it, up to a common factor: its power over the square of the
+/// distance, bounded by its extent. 0 only where it gives nothing.
+double SourceLight::importance(const Source& source, const Place& place)
+{
+    const Vec3 way = source.centre - place.point;
+    if (dot(way, place.normal) <= -source.radius)
+        return 0.0;
+    return source.power / (dot(way, way) + source.radius * source.radius);
+}
+
 /// Views of the sources. Of more than `most_views` sources about that many are chosen with probability proportional to
-/// their power and weighted by its inverse.
+/// their importance and weighted by its inverse.
 SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
 {
     Sight result;
     const bool all = static_cast<double>(sources_.size()) <= most_views;
-    double choices_before = 0.0;
+    double sum = 0.0;
+    for (const Source& source : sources_)
+        sum += all ? 0.0 : importance(source, place);
+    if (!all && !(sum > 0.0))
+        return result;
+    double choices_before = offset;
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const Source& source = sources_[k];
-        const double choices = most_views * source.power / power_;
-        const double chosen = std::floor(choices_before + choices + offset) - std::floor(choices_before + offset);
-        choices_before += choices;
-        const double weight = all ? 1.0 : chosen / choices;
+        double weight = 1.0;
+        if (!all) {
+            const double choices = importance(source, place) * (most_views / sum);
+            const double chosen = std::floor(choices_before + choices) - std::floor(choices_before);
+            choices_before += choices;
+            weight = chosen > 0.0 ? chosen / choices : 0.0;
+        }
         if (!(weight > 0.0))
             continue;
         const FlatPolygon outline = part_above_horizon(scene_.surfaces()[source.surface], place.point, place.normal);

@@ -61,6 +61,8 @@ private:
         std::uint32_t surface;
         Rgb emittance; ///< [W/m^2]
         double power;  ///< [W] mean of the channels
+        Vec3 centre;
+        double radius; ///< of a sphere around the centre that holds it
     };
 
     /// A source as it is seen from a place if nothing stands between.
@@ -81,12 +83,12 @@ private:
 
     static std::vector<Source> sources_of(const Scene& scene);
     static std::vector<std::uint32_t> surfaces_of(const std::vector<Source>& sources);
+    static double importance(const Source& source, const Place& place);
     Sight sight(const Place& place, double offset) const;
 
     const Scene& scene_;
     std::vector<Source> sources_;
     ClearSight clear_sight_; ///< of the sources
-    double power_ = 0.0;     ///< [W] of all sources
 };
 
 } // namespace multipath

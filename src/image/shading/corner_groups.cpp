@@ -131,9 +131,25 @@ public:
         const auto of_edge_only = [](const CornerGroup& group) { return group.places.empty(); };
         groups.erase(std::remove_if(groups.begin() + static_cast<std::ptrdiff_t>(before), groups.end(), of_edge_only),
                      groups.end());
+        lighten_covered(groups.data() + before, groups.data() + groups.size());
     }
 
 private:
+    /// A cell that seems to be covered may be open where no sampled point lies, beside one that is seen to be. Where it
+    /// is covered nobody sees it.
+    static void lighten_covered(CornerGroup* begin, CornerGroup* end)
+    {
+        Rgb sum;
+        double weight = 0.0;
+        for (const CornerGroup* group = begin; group != end; ++group) {
+            sum += group->weight * group->value;
+            weight += group->weight;
+        }
+        for (CornerGroup* group = begin; group != end && weight > 0.0; ++group)
+            if (!(group->weight > 0.0))
+                group->value = 1.0 / weight * sum;
+    }
+
     /// The cells around a corner, and which of them are joined to the next one.
     struct Turn
     {

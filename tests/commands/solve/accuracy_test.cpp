@@ -50,4 +50,19 @@ TEST_CASE("rounds end when the tolerance is reached by as many lines as make the
     CHECK_FALSE(limit.go_on(round_of(4000, 0.01), 3.0));
 }
 
+// 3^2 + 4^2 = 5^2. Where the patches leave nothing, the noise is still to be half the tolerance.
+TEST_CASE("the noise gets what the patches leave of the tolerance")
+{
+    Accuracy accuracy;
+    accuracy.tolerance = 0.05;
+    CHECK(accuracy.noise_tolerance() == doctest::Approx(0.05));
+    accuracy.patch_error = 0.03;
+    CHECK(accuracy.noise_tolerance() == doctest::Approx(0.04));
+    accuracy.patch_error = 0.2;
+    CHECK(accuracy.noise_tolerance() == doctest::Approx(0.025));
+    RoundLimit limit(accuracy, 0);
+    CHECK(limit.go_on(round_of(1000, 0.026), 1.0));
+    CHECK_FALSE(limit.go_on(round_of(1000, 0.025), 2.0));
+}
+
 } // namespace accuracy_test

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <optional>
 #include <string>
 
 namespace solve_job_test {
@@ -14,7 +15,8 @@ namespace {
 
 /// The summary of a run in a cube of this reflectance, of which so much of 1 W is unshot and so much lost behind
 /// surfaces.
-std::string summary_of(double unshot, double behind, double rho = 0.5)
+std::string summary_of(double unshot, double behind, double rho = 0.5, const Accuracy& accuracy = {},
+                       std::optional<double> noise = {})
 {
     SceneBuilder builder;
     const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(rho, 1.0)).scene(1.0);
@@ -28,7 +30,9 @@ std::string summary_of(double unshot, double behind, double rho = 0.5)
     solution.balance.unshot = grey(unshot);
     solution.balance.behind = grey(behind);
     solution.balance.absorbed = grey(1.0 - unshot - behind);
-    return summary_text({scene, options, solution, "sobol"});
+    solution.relative_standard_error = noise;
+    solution.replicates = 4;
+    return summary_text({scene, options, solution, "sobol", accuracy});
 }
 
 bool warns(const std::string& text, const char* of)
@@ -50,6 +54,22 @@ TEST_CASE("little unshot power is warned of where it would be reflected many tim
 {
     CHECK(warns(summary_of(0.02, 0.0, 0.9), "brighter by 20 %"));
     CHECK_FALSE(warns(summary_of(0.02, 0.0, 0.75), ""));
+}
+
+// 3^2 + 4^2 = 5^2
+TEST_CASE("the error is told with its parts, and what keeps it above the tolerance")
+{
+    Accuracy accuracy;
+    CHECK(summary_of(0.0, 0.0, 0.5, accuracy, 0.04).find("error ") == std::string::npos); // the patches' is not known
+    accuracy.patch_error = 0.03;
+    CHECK(summary_of(0.0, 0.0, 0.5, accuracy, 0.04).find("error      5 % of the mean (patches 3 %, noise 4 %)") !=
+          std::string::npos);
+    accuracy.tolerance = 0.051;
+    CHECK_FALSE(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance"));
+    accuracy.tolerance = 0.049;
+    CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 4.9 %: the lines or the time"));
+    accuracy.tolerance = 0.02;
+    CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 2 %: the patches are too few"));
 }
 
 } // namespace solve_job_test
