@@ -150,7 +150,7 @@ power_of_two() {
 }
 check "a number of lines that does not suit Sobol's sequence is remarked on, once" power_of_two
 
-too_short() { ends 2 solve "$scene" --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 3 && says err "ends after 500"; }
+too_short() { ends 2 solve "$scene" --patch-size 1 --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 3 && says err "ends after 500"; }
 check "a sequence that is too short is refused" too_short
 
 budget_options() {
