@@ -146,7 +146,7 @@ TEST_CASE("the error is that of what is shown, and noise of the truth does not a
 }
 
 // A strip cut in two, of which one half is cut much finer: points are drawn from its many small patches more often, and
-// count less. 3 shown instead of 2 on that half alone: 0.5 (3 - 2)^2 / 2.5^2.
+// count less. On that half alone 3 is shown instead of 2.
 TEST_CASE("small patches do not count more than their area")
 {
     SceneBuilder builder;
@@ -264,8 +264,7 @@ TEST_CASE("the patches' error is found from few lines")
     CHECK(patch_error(scene, 0.0, 2e9, 1, [](double) {}).relative_mean_square == patches.relative_mean_square);
 }
 
-// Noise from a tenth to ten times the error of the patches. 54 of 60 are nine of ten; with that probability 50 or fewer
-// happen in 4 % of all cases, so that the told error is to be a little more cautious.
+// 54 of 60 are nine of ten.
 TEST_CASE("what is told of the total error is more than the truth in nine of ten runs" *
           doctest::test_suite("statistics"))
 {

@@ -85,11 +85,13 @@ Scene read_scene(const CommandLine& line, int threads)
     double patch_size = given_size;
     if (line.has("patches"))
         patch_size = patch_size_for_count(file.surfaces, wanted);
-    else if (const std::uint64_t adaptive = adaptive_patches(line, file.surfaces); !line.has("patch-size"))
+    else if (!line.has("patch-size")) {
+        const std::uint64_t adaptive = adaptive_patches(line, file.surfaces);
         patch_size = adaptive > 0
                          ? patch_size_for_count(file.surfaces,
                                                 coarse_cells(file.surfaces, static_cast<double>(adaptive) / sides))
                          : default_patch_size(file.surfaces);
+    }
     require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
     return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
 }

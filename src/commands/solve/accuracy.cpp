@@ -49,8 +49,7 @@ OptionGroup accuracy_option_group()
          {"tolerance", 0, "SHARE", "",
           "Cut patches and double the lines until the root of the relative mean square error, of patches and noise "
           "together, is below this, such as 1%. Takes 4 replicates unless told otherwise; --lines, if given, bounds "
-          "the "
-          "last round; --adaptive, --patches and --patch-size fix the patches."},
+          "the last round; --adaptive, --patches and --patch-size fix the patches."},
          {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s; otherwise the same."}}};
 }
 

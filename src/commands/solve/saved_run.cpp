@@ -168,11 +168,11 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
         if (fixed && before != now)
             refuse("made with " + before + ", not with " + now);
     }
-    if (saved.scene.hash != wanted.scene.hash && saved.scene.file->surfaces == wanted.scene.file->surfaces &&
-        saved.scene.patches != wanted.scene.patches)
+    if (saved.scene.hash == wanted.scene.hash)
+        return;
+    if (saved.scene.patches != wanted.scene.patches && saved.scene.file->surfaces == wanted.scene.file->surfaces)
         refuse("of " + grouped(saved.scene.patches) + " patches, not " + grouped(wanted.scene.patches));
-    if (saved.scene.hash != wanted.scene.hash)
-        refuse("of the scene " + saved.scene.file->path + " as it was then, which is not the one given now");
+    refuse("of the scene " + saved.scene.file->path + " as it was then, which is not the one given now");
 }
 
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays)
