@@ -2,11 +2,15 @@
 // arrival) or the two sides of a thin sheet (arrival, then departure). Which it is depends on where the line comes
 // from: out of a solid, whose inside it left or will leave by a departure, or out of the open, which ends with an
 // arrival. A line that starts with coincident faces is judged by the first hit that is not ambiguous: a gap as well as
-// a sheet leave it where it was before.
+// a sheet leave it where it was before. Where no hit tells, two faces of the same outline are a sheet, and so is what a
+// line meets that meets nothing else: through a gap it would pass from one solid to another without ever having been
+// outside. Of the rest the kind of scene decides: from wall to wall of a room through a cupboard that fills a niche.
 
 #include "geometry/hit.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -22,6 +26,37 @@ std::size_t end_of_group(const Hit* hits, std::size_t count, std::size_t first)
     return last;
 }
 
+/// Distances of a point of a parallelogram from the nearer end of each edge; those of a face with the same corners are
+/// the same, in whichever order it names them.
+std::array<double, 2> places_on_parallelogram(const Hit& hit)
+{
+    const double a = std::min(hit.u, 1.0 - hit.u);
+    const double b = std::min(hit.v, 1.0 - hit.v);
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// Barycentric coordinates on a triangle, from small to large: likewise.
+std::array<double, 3> places_on_triangle(const Hit& hit)
+{
+    std::array<double, 3> places = {hit.u, hit.v, 1.0 - hit.u - hit.v};
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+template <std::size_t n>
+bool agree(const std::array<double, n>& a, const std::array<double, n>& b)
+{
+    constexpr double rounding = 1e-9;
+    return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::abs(x - y) < rounding; });
+}
+
+/// True if two faces that a line meets at one place seem to have the same corners.
+bool have_same_outline(const Hit& a, const Hit& b)
+{
+    return agree(places_on_parallelogram(a), places_on_parallelogram(b)) ||
+           agree(places_on_triangle(a), places_on_triangle(b));
+}
+
 bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
 {
     for (std::size_t first = 0; first < count;) {
@@ -32,7 +67,8 @@ bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
         if (arrivals_too_many != 0)
             return arrivals_too_many > 0;
     }
-    return !starts_in_solid;
+    const std::size_t first_place = end_of_group(hits, count, 0);
+    return !starts_in_solid || first_place == count || (first_place == 2 && have_same_outline(hits[0], hits[1]));
 }
 
 /// Orders the hits first ... last, all of one t.

@@ -19,7 +19,8 @@ struct Hit
 /// Puts hits of equal t, already sorted by t, in the order in which a line passes coincident surfaces: departures
 /// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene. Of several
 /// arrivals the first in the list is met first, of several departures the last one, so that a line and its reverse see
-/// the same. `starts_in_solid`: what the beginning of the line is taken for when nothing along it tells.
+/// the same. `starts_in_solid`: what the beginning of the line is taken for when nothing along it tells; two faces with
+/// the same outline are the sides of a thin sheet then.
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
 
 inline void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)

@@ -61,6 +61,7 @@ struct SolveOptions
     Estimator estimator = Estimator::collision; ///< of the local method
     Direct direct = Direct::gather;             ///< of the method `reuse`
     bool denoise = true;                        ///< of the method `reuse`
+    bool all_pairs = true;                      ///< may `reuse` make a table of all pairs where it pays?
     double memory = 2e9;                        ///< [bytes] that the run may take; `reuse` keeps its pairs within
     int threads = 1;
 };

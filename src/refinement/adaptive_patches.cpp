@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <numeric>
 #include <vector>
 
@@ -20,10 +21,9 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
     const SmoothShading shading(scene, radiosity, threads, residuals);
     std::vector<double> result(scene.two_sided() ? scene.patch_count() / 2 : scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const std::uint32_t surface = scene.surface_of(i);
-        const bool source = scene.surface_material(surface).emittance != Rgb{};
-        const bool alone = !source && scene.tessellation(surface).cell_count() == 1;
-        const double square = alone ? unknown * mean(radiosity[i] * radiosity[i]) : residuals[i];
+        const bool alone = scene.tessellation(scene.surface_of(i)).cell_count() == 1;
+        const Rgb reflected = radiosity[i] - scene.emittance(i);
+        const double square = alone ? unknown * mean(reflected * reflected) : residuals[i];
         result[i % result.size()] += scene.area(i) * square;
     }
     return result;
@@ -66,7 +66,7 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
 {
     // A round cuts a patch once. Where few are cut, the patches that matter are small after fewer rounds.
     constexpr int most_rounds = 4;
-    constexpr std::uint64_t lines_per_patch = 24;
+    constexpr std::uint64_t lines_per_patch = 32;
     const double growth = static_cast<double>(most) / coarse.patch_count();
     const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * std::log2(growth))), 0, most_rounds);
     Scene scene = coarse;
@@ -74,6 +74,7 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
         SolveOptions quick;
         quick.method = Method::reuse;
         quick.lines = lines_per_patch * scene.patch_count();
+        quick.all_pairs = false; // takes longer than all that follows
         quick.memory = memory;
         quick.threads = threads;
         const Solution solution = solve(scene, quick, [&](double done) { progress((round + done) / rounds); });

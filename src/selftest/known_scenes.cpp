@@ -1,7 +1,12 @@
 #include "selftest/known_scenes.h"
 
+#include "geometry/form_factor/gauss_legendre.h"
 #include "scene/scene_builder.h"
+#include "selftest/partly_hidden.h"
 #include "selftest/rectangle_exchange.h"
+
+#include <utility>
+#include <vector>
 
 namespace multipath {
 
@@ -116,6 +121,42 @@ KnownScene screened()
     return {"screened", builder.file(), {exchange_with(1, 0.5, 2.0 * half)}};
 }
 
+/// The mean over a rectangle, by 3 x 3 nodes in each of 64 x 64 parts: shadows have kinks.
+double mean_irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, const Surface& receiver)
+{
+    constexpr int parts = 64;
+    double sum = 0.0;
+    double weights = 0.0;
+    for (int i = 0; i < parts; ++i)
+        for (int j = 0; j < parts; ++j)
+            for (const GaussNode& u : gauss_3)
+                for (const GaussNode& v : gauss_3) {
+                    const Vec3 point = receiver.at((i + u.place) / parts, (j + v.place) / parts);
+                    sum += u.weight * v.weight * irradiance_past(blockers, lamp, point, receiver.normal());
+                    weights += u.weight * v.weight;
+                }
+    return sum / weights;
+}
+
+/// A floor in the penumbra of two black sheets, one of them tilted, that overlap each other before the lamp.
+KnownScene penumbra()
+{
+    const Surface lamp = {Shape::parallelogram, {0, 1, 0}, x_axis, 0.8 * z_axis};
+    const Surface floor = {Shape::parallelogram, {0, 0, 0}, z_axis, x_axis};
+    const Surface level = {Shape::parallelogram, {0.1, 0.5, 0.1}, 0.4 * x_axis, 0.5 * z_axis};
+    const Surface tilted = {Shape::parallelogram, {0.3, 0.55, 0.2}, {0.4, 0.2, 0.1}, {-0.1, 0.1, 0.5}};
+    const auto turned = [](Surface surface) {
+        std::swap(surface.edge_u, surface.edge_v);
+        return surface;
+    };
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    builder.surface(lamp, builder.grey(0.0, 1.0)).surface(floor, builder.grey(0.5, 0.0));
+    for (const Surface& sheet : {level, tilted})
+        builder.surface(sheet, black).surface(turned(sheet), black);
+    return {"penumbra", builder.file(), {exchange_with(1, 0.5, mean_irradiance_past({level, tilted}, lamp, floor))}};
+}
+
 /// A glowing cube in the middle of a closed one. All light of the inner one reaches the outer, so reciprocity gives
 /// F_oi = A_i / A_o, and the rest of the outer one's light comes back to it: B_i = E + rho_i B_o,
 /// B_o = rho_o (F_oi B_i + (1 - F_oi) B_o). The six faces of either are alike.
@@ -151,7 +192,7 @@ KnownScene open_cube()
 
 std::vector<KnownScene> known_scenes()
 {
-    return {furnace(), facing_squares(), parallel(), perpendicular(), screened(), nested_cubes(), open_cube()};
+    return {furnace(), facing_squares(), parallel(), perpendicular(), screened(), penumbra(), nested_cubes(), open_cube()};
 }
 
 } // namespace multipath

@@ -45,7 +45,6 @@ void append_side(const Scene& scene, std::uint32_t surface, bool front, const Sm
 {
     const std::uint32_t first_patch = scene.first_patch(surface, front);
     const Tessellation& tessellation = scene.tessellation(surface);
-    const bool source = scene.surface_material(surface).emittance != Rgb{};
     const std::size_t first = result.shared.size();
     if (tessellation.trees) { // four places for each patch
         for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell)
@@ -63,7 +62,7 @@ void append_side(const Scene& scene, std::uint32_t surface, bool front, const Sm
             if (!known[number]) {
                 known[number] = true;
                 result.shared[first + number] = values[k];
-            } else if (!source && result.shared[first + number] != values[k]) {
+            } else if (result.shared[first + number] != values[k]) {
                 result.places.push_back(4 * (first_patch + cell) + k);
                 result.own.push_back(values[k]);
             }

@@ -236,17 +236,17 @@ check "a gathered picture is the same for any number of threads, and unlike an i
 number() { sed -n "s/^ *\"$1\": \([-0-9.e]*\),*$/\1/p" out; }
 at_most() { awk "BEGIN { exit !($1 <= $2) }"; }
 tolerance() {
-    for share in 0.05 0.012; do
+    for share in 0.05 0.008; do
         ends 0 solve "$scene" --tolerance $share --json -o tolerance.csv && at_most "$(number error)" $share &&
             says err "% of the mean (patches " && grep -q "^# command: .* --tolerance $share" tolerance.csv &&
             ! grep -q "^# command: .*--adaptive" tolerance.csv || return
         eval "patches_$(echo $share | tr . _)=$(number patches)"
     done
-    [ "$patches_0_05" -lt "$patches_0_012" ] || return
+    [ "$patches_0_05" -lt "$patches_0_008" ] || return
     ends 0 solve "$scene" --tolerance 0.05 --state tolerance.state && ends 0 solve "$scene" --tolerance 0.05 --state tolerance.state --resume &&
-        ends 1 solve "$scene" --tolerance 0.012 --state tolerance.state --resume && says err "patches, not" &&
-        ends 0 solve "$scene" --patches 100 --tolerance 0.012 --lines 2^17 --json -o fixed.csv &&
-        at_most 0.012 "$(number patch_error)" && says err "above the tolerance of 1.2 %: the patches are too few"
+        ends 1 solve "$scene" --tolerance 0.008 --state tolerance.state --resume && says err "patches, not" &&
+        ends 0 solve "$scene" --patches 100 --tolerance 0.008 --lines 2^17 --json -o fixed.csv &&
+        at_most 0.008 "$(number patch_error)" && says err "above the tolerance of 0.8 %: the patches are too few"
 }
 check "a tolerance is one of the whole error, and chooses the patches" tolerance
 
@@ -254,7 +254,7 @@ by_default() {
     ends 0 solve "$scene" -o default.csv && grep -q "^# command: .* --adaptive " default.csv &&
         ends 0 solve "$scene" --patches 400 -o equal.csv && ! grep -q "^# command: .*--adaptive" equal.csv &&
         ends 0 solve "$scene" --patch-size 0.4 -o equal.csv && ! grep -q "^# command: .*--adaptive" equal.csv &&
-        [ "$(grep -v '^#' equal.csv | cut -d, -f9 | sort -u | wc -l)" -lt "$(grep -v '^#' default.csv | cut -d, -f9 | sort -u | wc -l)" ]
+        [ "$(grep -v '^#' equal.csv | cut -d, -f10 | sort -u | wc -l)" -lt "$(grep -v '^#' default.csv | cut -d, -f10 | sort -u | wc -l)" ]
 }
 check "patches are adaptive where no option says how many or how large" by_default
 

@@ -19,7 +19,7 @@ std::string ordered(const std::string& pattern, bool starts_in_solid = false)
         if (c == '=')
             t -= 1.0;
         else
-            hits.push_back({t++, static_cast<std::uint32_t>(hits.size()), 0.5, 0.5, c == 'A'});
+            hits.push_back({t++, static_cast<std::uint32_t>(hits.size()), 0.01 * static_cast<double>(hits.size()), 0.3, c == 'A'});
     }
     order_coincident_hits(hits, starts_in_solid);
     std::string order;
@@ -59,9 +59,28 @@ TEST_CASE("at the start of a line the first hit that tells decides")
 TEST_CASE("when no hit tells, the kind of scene decides")
 {
     CHECK(ordered("D=A") == "10"); // a sheet in the open
-    CHECK(ordered("D=A", true) == "01");
     CHECK(ordered("D=AA=D", true) == "0132"); // from wall to wall through a box in a corner
     CHECK(ordered("D=AA=D") == "1023");
+}
+
+TEST_CASE("what a line meets alone is a sheet in any scene")
+{
+    CHECK(ordered("D=A", true) == "10");
+    CHECK(ordered("A=D", true) == "01");
+}
+
+// Corners in another order: u and v change places, or run the other way.
+TEST_CASE("when no hit tells, faces of one outline are a sheet")
+{
+    const auto first_of = [](Hit other) {
+        std::vector<Hit> hits = {{1.0, 0, 0.2, 0.3, false}, other, {2.0, 2, 0.1, 0.4, true}, {2.0, 3, 0.5, 0.6, false}};
+        order_coincident_hits(hits, true);
+        return hits.front().surface;
+    };
+    CHECK(first_of({1.0, 1, 0.3, 0.2, true}) == 1);
+    CHECK(first_of({1.0, 1, 0.7, 0.2, true}) == 1);
+    CHECK(first_of({1.0, 1, 0.3, 0.5, true}) == 1); // barycentric 0.2, 0.3, 0.5
+    CHECK(first_of({1.0, 1, 0.3, 0.4, true}) == 0);
 }
 
 TEST_CASE("no hit is lost when coincident faces do not alternate")

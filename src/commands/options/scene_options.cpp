@@ -102,7 +102,7 @@ std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfa
         return 0;
     if (line.has("adaptive"))
         return read_count("--adaptive", line.text("adaptive"), 1, (1ull << 31) - 1);
-    constexpr std::uint64_t usual = 4000;
+    constexpr std::uint64_t usual = 5000;
     constexpr std::size_t finely_modelled = 1000000; // the surfaces are small enough, and rounds would take long
     if (line.has("patches") || line.has("patch-size") || surfaces.size() > finely_modelled)
         return 0;

@@ -28,11 +28,6 @@ struct BorderGroup
     CornerGroup group;
 };
 
-bool is_source(const Scene& scene, std::uint32_t surface)
-{
-    return scene.surface_material(surface).emittance != Rgb{};
-}
-
 std::uint64_t border_key(const Scene& scene, std::uint32_t surface, bool front, Vec3 corner)
 {
     return place_key(scene, corner, 2 * std::uint64_t{scene.file().material[surface]} + (front ? 1 : 0));
@@ -56,7 +51,7 @@ std::vector<std::vector<Strip>> strips_of(const Scene& scene, const Choice& chos
     std::uint64_t corners = corners_together; // in the last block
     for (const bool front : {true, false})
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if (is_source(scene, surface) || !(front || scene.two_sided()) || !chosen(surface))
+            if (!(front || scene.two_sided()) || !chosen(surface))
                 continue;
             const Tessellation& cut = scene.tessellation(surface);
             const std::uint32_t all_rows = cut.grid_v() + 1;
@@ -242,8 +237,6 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
     constexpr double share_of_bends = 9.0 * 2.0 / 720.0;
     residuals.assign(values_.size(), 0.0);
     parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
-        if (is_source(scene, scene.surface_of(i)))
-            return;
         const std::size_t count = scene.corners(i).count;
         double sum = 0.0;
         for (std::uint32_t k = 0; k < count; ++k) {
@@ -302,9 +295,6 @@ void SmoothShading::find_corners(const VisiblePatches& patches, const std::vecto
 
 Rgb SmoothShading::at(const Hit& hit) const
 {
-    const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
-    if (is_source(scene_, hit.surface))
-        return values_[patch];
     const std::size_t first_patch = scene_.first_patch(hit.surface, hit.front);
     return CornerLattice(scene_.tessellation(hit.surface))
         .interpolated(&corners_[CornerLattice::per_cell * first_patch], hit.u, hit.v);
@@ -313,9 +303,6 @@ Rgb SmoothShading::at(const Hit& hit) const
 std::array<Rgb, 4> SmoothShading::at_corners(std::uint32_t patch) const
 {
     std::array<Rgb, 4> result;
-    result.fill(values_[patch]);
-    if (is_source(scene_, scene_.surface_of(patch)))
-        return result;
     for (std::size_t k = 0; k < scene_.corners(patch).count; ++k)
         result[k] = corners_[CornerLattice::per_cell * patch + k];
     return result;

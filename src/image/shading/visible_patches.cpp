@@ -1,11 +1,13 @@
 #include "image/shading/visible_patches.h"
 
+#include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "parallel/blocks.h"
 #include "scene/tessellation.h"
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -16,46 +18,82 @@ namespace {
 constexpr std::uint64_t most_along = 8;         // 64 points fill one word
 constexpr std::uint64_t most_points = 1u << 21; // of all patches, about: to bound the time
 
+/// The centre of one of along * along equal parts.
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
 {
+    const double step = 1.0 / along;
+    if (shape.shape == Shape::parallelogram)
+        return shape.at((number / along + 0.5) * step, (number % along + 0.5) * step);
     return Tessellation{shape.shape, along, along, nullptr}.cell(shape, number).centre();
 }
 
-/// True if the ray starts where something lies on the surface, or inside a solid.
-bool is_closed_in(const Scene& scene, std::uint32_t surface, const Line& ray)
+/// True if a ray with this first hit starts where something lies on the surface, or inside a solid.
+bool is_closed_in(const Scene& scene, const Hit& hit)
 {
-    const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, ray);
-    return hit && (hit->t <= 1e-9 * scene.bounds().diagonal() || (!hit->front && !scene.two_sided()));
+    return hit.t <= 1e-9 * scene.bounds().diagonal() || (!hit.front && !scene.two_sided());
 }
+
+/// In all of which a covered point is closed in: first straight ahead.
+std::array<Vec3, 5> ways_out(const Surface& shape)
+{
+    const Vec3 normal = shape.normal();
+    const Vec3 aside = normalized(shape.edge_u);
+    const Vec3 along = cross(normal, aside);
+    return {normal, normal + 0.6 * aside + 0.8 * along, normal - 0.8 * aside + 0.6 * along,
+            normal - 0.6 * aside - 0.8 * along, normal + 0.8 * aside - 0.6 * along};
+}
+
+/// The sampled points of patches that are open, traced together.
+class OpenPoints
+{
+public:
+    explicit OpenPoints(const Scene& scene) : scene_(scene) {}
+
+    /// A bit for each of along * along points.
+    std::uint64_t of_patch(std::uint32_t patch, std::uint32_t along)
+    {
+        const Patch place = scene_.patch(patch);
+        points_.clear();
+        for (std::uint32_t n = 0; n < along * along; ++n)
+            points_.push_back(n);
+        for (const Vec3 direction : ways_out(place.shape)) {
+            from_.assign(points_.size(), place.surface);
+            rays_.clear();
+            for (const std::uint32_t n : points_)
+                rays_.push_back({sample_point(place.shape, along, n), direction});
+            scene_.intersector().closest_hits_from(from_.data(), rays_.data(), rays_.size(), hits_);
+            std::size_t kept = 0;
+            for (std::size_t k = 0; k < points_.size(); ++k)
+                if (hits_.is_hit(k) && is_closed_in(scene_, hits_[k]))
+                    points_[kept++] = points_[k];
+            points_.resize(kept);
+            if (points_.empty())
+                break;
+        }
+        std::uint64_t open = ~std::uint64_t{0} >> (64 - along * along);
+        for (const std::uint32_t covered : points_)
+            open &= ~(std::uint64_t{1} << covered);
+        return open;
+    }
+
+private:
+    const Scene& scene_;
+    std::vector<std::uint32_t> points_; ///< that may still be covered
+    std::vector<std::uint32_t> from_;   ///< surfaces
+    std::vector<Line> rays_;
+    FirstHits hits_;
+};
 
 } // namespace
 
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point)
 {
-    const Vec3 normal = shape.normal();
-    const Vec3 aside = normalized(shape.edge_u);
-    const Vec3 along = cross(normal, aside);
-    const std::array<Vec3, 5> directions = {normal, normal + 0.6 * aside + 0.8 * along,
-                                            normal - 0.8 * aside + 0.6 * along, normal - 0.6 * aside - 0.8 * along,
-                                            normal + 0.8 * aside - 0.6 * along};
+    const std::array<Vec3, 5> directions = ways_out(shape);
     return std::all_of(directions.begin(), directions.end(), [&](Vec3 direction) {
-        return is_closed_in(scene, surface, {point, direction});
+        const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, {point, direction});
+        return hit && is_closed_in(scene, *hit);
     });
 }
-
-namespace {
-
-std::uint64_t open_points(const Scene& scene, std::uint32_t patch, std::uint32_t along)
-{
-    const Patch place = scene.patch(patch);
-    std::uint64_t open = 0;
-    for (std::uint32_t n = 0; n < along * along; ++n)
-        if (!is_covered(scene, place.surface, place.shape, sample_point(place.shape, along, n)))
-            open |= std::uint64_t{1} << n;
-    return open;
-}
-
-} // namespace
 
 VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads)
     : scene_(scene),
@@ -67,9 +105,10 @@ VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& value
 {
     constexpr std::uint32_t patches_at_a_time = 64;
     parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        OpenPoints points(scene);
         for (std::uint32_t i = first; i < end; ++i)
             if (const std::uint32_t along = samples_along(i); along > 1) // one would make it open or covered as a whole
-                open_[i] = open_points(scene, i, along);
+                open_[i] = points.of_patch(i, along);
     });
 }
 
@@ -84,17 +123,15 @@ std::uint32_t VisiblePatches::samples_along(std::uint32_t patch) const
 
 double VisiblePatches::open_share(std::uint32_t patch) const
 {
-    double count = 0.0;
-    for (std::uint64_t points = open_[patch]; points != 0; points &= points - 1)
-        count += 1.0;
     const std::uint32_t along = samples_along(patch);
-    return count / (along * along);
+    return static_cast<double>(std::bitset<64>(open_[patch]).count()) / (along * along);
 }
 
 Rgb VisiblePatches::value(std::uint32_t patch) const
 {
     const double share = open_share(patch);
-    return share > 0.0 ? 1.0 / share * values_[patch] : values_[patch];
+    const bool shines = scene_.emittance(patch) != Rgb{};
+    return share > 0.0 && !shines ? 1.0 / share * values_[patch] : values_[patch];
 }
 
 std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 corner) const

@@ -137,15 +137,12 @@ TEST_CASE("triangles of a curved skin share the values at their corners")
     CHECK(shown(shading, 2, 1.0, 0.0) == doctest::Approx(1.5));
 }
 
-TEST_CASE("a source shows the plain values of its patches")
+// What it reflects varies beside a frame as on any wall.
+TEST_CASE("a source is shaded like everything else")
 {
-    const Scene scene = with_lamp().scene(0.5);
-    REQUIRE(scene.patch_count() == 4);
-    std::vector<Rgb> values(4, grey(1.0));
-    values[scene.patch_at(0, 0.9, 0.9, true)] = grey(5.0);
-    const SmoothShading shading(scene, values, 1);
-    CHECK(shown(shading, 0, 0.51, 0.51) == 5.0);
-    CHECK(shown(shading, 0, 0.49, 0.51) == 1.0);
+    const Scene scene = with_lamp().scene(0.1);
+    const SmoothShading shading(scene, at_centres(scene, [](Vec3 p) { return 5.0 + p.x - 2.0 * p.z; }), 1);
+    CHECK(shown(shading, 0, 0.53, 0.21) == doctest::Approx(5.0 + 0.53 - 2.0 * 0.21));
 }
 
 TEST_CASE("the two sides of a surface are shaded each from its own patches")
@@ -178,9 +175,7 @@ TEST_CASE("the values at a patch's corners are those that the corners show")
         for (std::size_t k = 0; k < corners.count; ++k) {
             const double u = static_cast<double>(corners.points[k].i) / scene.tessellation(surface).cells_u;
             const double v = static_cast<double>(corners.points[k].j) / scene.tessellation(surface).cells_v;
-            // The lamp is not interpolated: at its corners its patches differ.
-            const double expected =
-                surface == 0 ? values[patch].r : shown(shading, surface, u, v, scene.is_front(patch));
+            const double expected = shown(shading, surface, u, v, scene.is_front(patch));
             REQUIRE(at_corners[k].r == doctest::Approx(expected).epsilon(1e-12)); // rounding of (u, v)
         }
     }
@@ -293,20 +288,18 @@ TEST_CASE("slopes at a border continue those inside, and are none where they dis
     CHECK(shading.at({0.0, 1, 0.0, 0.0, true}).b == doctest::Approx(1.75));
 }
 
-// k^2: linear functions of slope 2 k meet at the corners, and the slope changes by 2 from patch to patch.
+// x^2: linear functions of slope 2 x meet at the corners, and the slope changes by 2 from patch to patch towards two of
+// four neighbours; at the border towards one of three, and counts 40 times.
 TEST_CASE("the residual of a quadratic function is its bend alone")
 {
     SceneBuilder builder = with_lamp();
-    builder.rectangle({0.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({0.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, {0.0, 8.0, 0.0}, builder.grey(0.5, 0.0));
     const Scene scene = builder.scene(1.0);
-    std::vector<Rgb> values(scene.patch_count());
-    for (int k = 0; k < 8; ++k) {
-        const double square = (k + 1.0) * (k + 1.0);
-        values[scene.patch_at(1, (k + 0.5) / 8.0, 0.5, true)] = {square, square, square};
-    }
+    const auto square = [](Vec3 p) { return (p.x + 0.5) * (p.x + 0.5); };
     std::vector<double> residuals;
-    const SmoothShading shading(scene, values, 1, residuals);
-    CHECK(residuals[scene.patch_at(1, 0.5, 0.5, true)] == doctest::Approx(2.0 * 2.0 / 40.0));
+    const SmoothShading shading(scene, at_centres(scene, square), 1, residuals);
+    CHECK(residuals[scene.patch_at(1, 0.51, 0.51, true)] == doctest::Approx(2.0 * 2.0 / 2.0 / 40.0));
+    CHECK(residuals[scene.patch_at(1, 0.51, 0.01, true)] == doctest::Approx(2.0 * 2.0 * 2.0 / 3.0));
 }
 
 // A floor on which something stands.

@@ -1,0 +1,94 @@
+#include "selftest/partly_hidden.h"
+
+#include "geometry/pi.h"
+#include "geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+using Polygon = std::vector<Vec3>; ///< convex, with any number of corners
+
+/// Of a polygon cut by a plane.
+struct Halves
+{
+    Polygon front;
+    Polygon back;
+};
+
+Halves cut(const Polygon& polygon, Vec3 place, Vec3 normal)
+{
+    Halves result;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 from = polygon[k];
+        const Vec3 to = polygon[(k + 1) % polygon.size()];
+        const double here = dot(from - place, normal);
+        const double there = dot(to - place, normal);
+        if (here >= 0.0)
+            result.front.push_back(from);
+        if (here <= 0.0)
+            result.back.push_back(from);
+        if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0)) {
+            const Vec3 between = from + (here / (here - there)) * (to - from);
+            result.front.push_back(between);
+            result.back.push_back(between);
+        }
+    }
+    return result;
+}
+
+/// Appends what of a polygon is seen past a blocker: for each plane through the point and an edge the part beyond it,
+/// and of the rest the part before the blocker's own plane.
+void add_seen(Polygon rest, const Surface& blocker, Vec3 point, std::vector<Polygon>& seen)
+{
+    const std::vector<Vec3> corners = corners_of(blocker);
+    const double side = dot(blocker.centre() - point, blocker.normal()) < 0.0 ? -1.0 : 1.0;
+    for (std::size_t k = 0; k < corners.size() && rest.size() > 2; ++k) {
+        const Vec3 inward = side * cross(corners[k] - point, corners[(k + 1) % corners.size()] - point);
+        Halves halves = cut(rest, point, inward);
+        seen.push_back(std::move(halves.back));
+        rest = std::move(halves.front);
+    }
+    seen.push_back(cut(rest, blocker.centre(), side * blocker.normal()).back);
+}
+
+/// Lambert's formula (FlatPolygon's irradiance_from) for a front that is turned to the point.
+double irradiance_of(const Polygon& polygon, Vec3 point, Vec3 normal)
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 a = polygon[k] - point;
+        const Vec3 b = polygon[(k + 1) % polygon.size()] - point;
+        const Vec3 across = cross(a, b);
+        const double sine = length(across);
+        if (sine > 0.0)
+            sum -= std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
+    }
+    return sum / (2.0 * pi);
+}
+
+} // namespace
+
+double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, Vec3 point, Vec3 normal)
+{
+    if (dot(point - lamp.centre(), lamp.normal()) <= 0.0)
+        return 0.0;
+    std::vector<Polygon> parts = {cut(corners_of(lamp), point, normal).front};
+    for (const Surface& blocker : blockers) {
+        std::vector<Polygon> seen;
+        for (Polygon& part : parts)
+            add_seen(std::move(part), blocker, point, seen);
+        parts = std::move(seen);
+    }
+    double sum = 0.0;
+    for (const Polygon& part : parts)
+        if (part.size() > 2)
+            sum += irradiance_of(part, point, normal);
+    return sum;
+}
+
+} // namespace multipath
