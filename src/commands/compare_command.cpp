@@ -1,9 +1,8 @@
 #include "cli/files/standard_streams.h"
 #include "cli/options/number_text.h"
-#include "cli/provenance.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
-#include "commands/solve/saved_run.h"
+#include "commands/solve/result_file.h"
 #include "export/csv_text.h"
 #include "export/json.h"
 #include "export/patch_table.h"
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -25,43 +23,6 @@
 namespace multipath {
 
 namespace {
-
-/// The table that `solve -o FILE.csv` would have written.
-PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene& scene)
-{
-    const Solution solution = finished_solution(saved, scene);
-    PatchTable table;
-    table.path = path;
-    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        table.surfaces.push_back(scene.surface_of(i));
-        table.materials.push_back(scene.material_of(i).name);
-        table.centres.push_back(scene.patch(i).shape.centre());
-    }
-    table.areas = scene.areas();
-    table.radiosity = solution.radiosity;
-    table.standard_error = solution.standard_error;
-    return table;
-}
-
-/// The result in a table (.csv) or in the state of a finished run, whatever the file is called.
-struct Result
-{
-    PatchTable table;
-    std::unique_ptr<const Scene> scene; ///< of a state
-
-    /// Throws InputError, ArchiveError.
-    explicit Result(const std::string& path)
-    {
-        if (!is_state_file(path)) {
-            table = read_patch_table(path);
-            return;
-        }
-        const SavedRun saved = read_saved_run(path);
-        scene = std::make_unique<const Scene>(restored(saved.description.scene));
-        table = table_of(path, saved, *scene);
-    }
-};
 
 /// In one channel of one patch.
 struct Deviation
@@ -294,10 +255,9 @@ JsonObject report_json(const Comparison& c)
 
 // Results with other patches of the same surfaces are compared by what they show.
 
-bool have_other_patches(const Result& a, const Result& b)
+bool have_other_patches(const ResultFile& a, const ResultFile& b)
 {
-    return a.scene && b.scene && a.table.areas != b.table.areas && a.scene->two_sided() == b.scene->two_sided() &&
-           a.scene->surfaces() == b.scene->surfaces();
+    return a.scene && b.scene && a.table.areas != b.table.areas && have_same_surfaces(*a.scene, *b.scene);
 }
 
 /// Some lines for a person.
@@ -375,13 +335,13 @@ int run_compare(const CommandLine& line)
     std::optional<double> tolerance;
     if (line.has("tolerance"))
         tolerance = read_share("--tolerance", line.text("tolerance"));
-    const Result result(line.operands()[0]);
+    const ResultFile result(line.operands()[0]);
     const PatchTable& a = result.table;
     const bool alone = line.operands().size() == 1;
     if (alone && !result.scene)
         throw InputError(a.path + ": a table of patches has no surfaces, expected a state or a second result");
-    const std::optional<Result> other = alone ? std::nullopt : std::optional<Result>(line.operands()[1]);
-    const Result& reference = alone ? result : *other;
+    const std::optional<ResultFile> other = alone ? std::nullopt : std::optional<ResultFile>(line.operands()[1]);
+    const ResultFile& reference = alone ? result : *other;
     const PatchTable& b = reference.table;
     const bool json = line.has("json");
     double root = 0.0;

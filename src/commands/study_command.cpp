@@ -12,9 +12,11 @@
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
+#include "commands/solve/result_file.h"
 #include "export/patch_table.h"
 #include "image/checksum.h"
 #include "radiosity/error_measure.h"
+#include "refinement/shown_error.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
 #include "study/convergence.h"
@@ -29,6 +31,7 @@
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace multipath {
@@ -163,7 +166,8 @@ CommandTable study_table()
                 "seed."},
                {"reference", 0, "FILE", "",
                 "Measure the error against this table of patches, as solve writes it. Without it, one is computed "
-                "with 16 times the lines of the last point, and its own error estimated."}}},
+                "with 16 times the lines of the last point, and its own error estimated. Against a state with other, "
+                "much smaller patches it is the total error of what smooth shading shows, as compare tells it."}}},
              {"Every run", settings.options},
              scene_option_group()},
             "The seconds are processor time of one thread; --threads runs go on at a time.\n"
@@ -297,12 +301,34 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
     return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
 }
 
-/// The table that --reference names, else the one kept by a program from the same sources, else a solution with 16
+/// The total error of what is shown, at points, against light gathered from a result with other patches.
+Reference total_reference(ResultFile finer, const Scene& scene, int threads)
+{
+    constexpr std::uint64_t points = 10000;
+    constexpr int rays = 256; // for each of two estimates at a point
+    const Truth truth =
+        remembered(scene, gathered_truth(*finer.scene, finer.table.radiosity, rays, threads), points, threads);
+    Reference reference;
+    reference.radiosity = std::move(finer.table.radiosity);
+    reference.measure = [&scene, truth](const std::vector<Rgb>& radiosity) -> ErrorMeasure {
+        const ShownError error = shown_error(scene, radiosity, truth, points, 1);
+        // Chance can make a small mean square negative, which has no logarithm.
+        const double relative = std::max(error.relative_mean_square, 0.1 * error.standard_error);
+        return {relative * error.mean_true * error.mean_true, relative};
+    };
+    return reference;
+}
+
+/// The result that --reference names, else the one kept by a program from the same sources, else a solution with 16
 /// times the lines of the plan's last point, which is then kept. Throws InputError for a table of another scene.
 Reference study_reference(const CommandLine& line, const Scene& scene, const StudyPlan& plan, const std::string& cache)
 {
-    if (line.has("reference"))
-        return reference_of(read_patch_table(line.text("reference")), scene);
+    if (line.has("reference")) {
+        ResultFile given(line.text("reference"));
+        if (given.scene && given.table.areas != scene.areas() && have_same_surfaces(*given.scene, scene))
+            return total_reference(std::move(given), scene, thread_count(line));
+        return reference_of(given.table, scene);
+    }
     const CommandLine command = reference_command(line, plan.line_counts.back());
     std::vector<std::string> facts = provenance(solve_command().table, command, scene);
     const std::string path = cache + "/reference-" + checksum_of(joined(facts)) + ".csv";

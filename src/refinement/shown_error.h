@@ -41,7 +41,7 @@ struct TruthAtPoint
     Rgb other;
 };
 
-/// Radiosity [W/m^2] at a place of a scene; `number` tells the places apart.
+/// Radiosity [W/m^2] at a place of a scene; the `number` of the place is less than that of points.
 using Truth = std::function<TruthAtPoint(const Hit& hit, std::uint64_t number)>;
 
 /// Compares what smooth shading shows of `radiosity` [W/m^2 per patch] with the truth at about `points` points, spread
@@ -54,6 +54,9 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
 /// (final gathering), with `rays` to the sources and `rays` over the hemisphere for each of the two estimates. The
 /// scene must outlive the result.
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads);
+
+/// The same at the points of shown_error() for this scene, computed beforehand: for many results of one scene.
+Truth remembered(const Scene& scene, const Truth& truth, std::uint64_t points, int threads);
 
 /// The part of the error that no lines make smaller: that of the patches. Two independent solutions by line reuse are
 /// each compared with light gathered from themselves; of the product of the deviations the noise of the lines has the

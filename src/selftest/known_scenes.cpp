@@ -2,7 +2,7 @@
 
 #include "geometry/form_factor/gauss_legendre.h"
 #include "scene/scene_builder.h"
-#include "selftest/partly_hidden.h"
+#include "selftest/occluded_lamp.h"
 #include "selftest/rectangle_exchange.h"
 
 #include <utility>
@@ -192,7 +192,8 @@ KnownScene open_cube()
 
 std::vector<KnownScene> known_scenes()
 {
-    return {furnace(), facing_squares(), parallel(), perpendicular(), screened(), penumbra(), nested_cubes(), open_cube()};
+    return {furnace(),  facing_squares(), parallel(),     perpendicular(),
+            screened(), penumbra(),       nested_cubes(), open_cube()};
 }
 
 } // namespace multipath

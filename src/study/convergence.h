@@ -1,10 +1,12 @@
 #pragma once
 
+#include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
 #include "study/curve.h"
 #include "study/journal.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct Reference
 {
     std::vector<Rgb> radiosity;            ///< [W/m^2] per patch
     std::optional<double> relative_square; ///< [1] its own relative MSE (1), as its standard errors let expect
+    /// How far a radiosity per patch is from it, if not by (1). Called by several threads.
+    std::function<ErrorMeasure(const std::vector<Rgb>& radiosity)> measure{};
 };
 
 /// One curve to be measured; lines, seed, skip and threads of its options are set run by run.

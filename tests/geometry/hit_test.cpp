@@ -19,7 +19,8 @@ std::string ordered(const std::string& pattern, bool starts_in_solid = false)
         if (c == '=')
             t -= 1.0;
         else
-            hits.push_back({t++, static_cast<std::uint32_t>(hits.size()), 0.01 * static_cast<double>(hits.size()), 0.3, c == 'A'});
+            hits.push_back(
+                {t++, static_cast<std::uint32_t>(hits.size()), 0.01 * static_cast<double>(hits.size()), 0.3, c == 'A'});
     }
     order_coincident_hits(hits, starts_in_solid);
     std::string order;
@@ -58,7 +59,7 @@ TEST_CASE("at the start of a line the first hit that tells decides")
 
 TEST_CASE("when no hit tells, the kind of scene decides")
 {
-    CHECK(ordered("D=A") == "10"); // a sheet in the open
+    CHECK(ordered("D=A") == "10");            // a sheet in the open
     CHECK(ordered("D=AA=D", true) == "0132"); // from wall to wall through a box in a corner
     CHECK(ordered("D=AA=D") == "1023");
 }

@@ -1,9 +1,12 @@
 #include "refinement/shown_error.h"
 
 #include "geometry/pi.h"
+#include "image/shading/smooth_shading.h"
 #include "radiosity/runs/replicates.h"
 #include "radiosity/solve.h"
 #include "refinement/adaptive_patches.h"
+#include "scene/tessellation.h"
+#include "selftest/occluded_lamp.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -11,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace refinement_test {
@@ -212,6 +216,52 @@ TEST_CASE("gathered truth is the exact solution")
     CHECK(difference < 1e-4 * light); // noise of 256 rays to the lamp
 }
 
+// Two sheets that are not parallel to the floor, one of them a triangle.
+TEST_CASE("gathered truth is the exact light past tilted sheets")
+{
+    const Surface source = {Shape::parallelogram, {0, 1, 0}, {1, 0, 0}, {0, 0, 0.8}};
+    const std::vector<Surface> sheets = {{Shape::parallelogram, {0.3, 0.55, 0.2}, {0.4, 0.2, 0.1}, {-0.1, 0.1, 0.5}},
+                                         {Shape::triangle, {0.1, 0.4, 0.1}, {0.3, 0.1, 0.0}, {0.0, 0.1, 0.5}}};
+    SceneBuilder builder;
+    const std::uint32_t black = builder.grey(0.0, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 0.0)).surface(source, builder.grey(0.0, 1.0));
+    for (Surface sheet : sheets) {
+        builder.surface(sheet, black);
+        std::swap(sheet.edge_u, sheet.edge_v);
+        builder.surface(sheet, black);
+    }
+    const Scene scene = builder.scene(0.1);
+    const Truth truth = gathered(scene, 1u << 16, 1024);
+    double difference = 0.0;
+    double light = 0.0;
+    for (std::uint64_t k = 0; k < 400; ++k) {
+        const Hit hit = {0.0, 0, (static_cast<double>(k % 20) + 0.5) / 20.0, (static_cast<double>(k) + 0.5) / 400.0,
+                         true};
+        const TruthAtPoint found = truth(hit, k);
+        const Vec3 point = scene.surfaces()[0].at(hit.u, hit.v);
+        const double expected = 0.5 * irradiance_past(sheets, source, point, {0, 1, 0});
+        difference += std::pow(mean(found.one) - expected, 2);
+        light += expected * expected;
+    }
+    CHECK(difference < 1e-4 * light); // noise of 1024 rays to the lamp
+}
+
+TEST_CASE("the shadow of a level sheet is that of the general formula")
+{
+    const auto surface = [](const Level& at) {
+        return Surface{Shape::parallelogram,
+                       {at.x[0], at.height, at.z[0]},
+                       {at.x[1] - at.x[0], 0.0, 0.0},
+                       {0.0, 0.0, at.z[1] - at.z[0]}};
+    };
+    for (int k = 0; k < 100; ++k) {
+        const double x = -1.9 + 0.4 * (k % 10);
+        const double z = -1.9 + 0.4 * (k / 10);
+        const double factor = irradiance_past({surface(blocker)}, surface(lamp), {x, 0.0, z}, {0, 1, 0});
+        CHECK(0.5 * 10.0 * factor == doctest::Approx(exact_floor(x, z)).epsilon(1e-10));
+    }
+}
+
 // A quarter of the error per patch would be first order in the number of patches; 4^1.5 = 8 is asked for.
 TEST_CASE("with adaptive patches the error falls faster than n^-1.5, and below that of equal ones")
 {
@@ -228,6 +278,28 @@ TEST_CASE("with adaptive patches the error falls faster than n^-1.5, and below t
     const Scene equal = penumbra(std::sqrt(16.0 / 1000.0));
     REQUIRE(equal.patch_count() > 1000);
     CHECK(error < 0.5 * error_of(equal, 1u << 20));
+}
+
+// What solve chooses without options: a third of 5,000 patches to begin with, and 2^20 lines.
+TEST_CASE("the default shows the penumbra with an error below 2e-5")
+{
+    const Scene coarse = penumbra(patch_size_for_count(penumbra(10.0).surfaces(), 5000 / 3));
+    const Scene scene = adapted(coarse, 5000, 2e9, 2, [](double) {});
+    SolveOptions options;
+    options.method = Method::reuse;
+    options.threads = 2;
+    const Solution solution = solve(scene, options, [](double) {});
+    const SmoothShading shading(scene, solution.radiosity, 2);
+    double square = 0.0;
+    double mean_true = 0.0;
+    constexpr int along = 400;
+    for (int k = 0; k < along * along; ++k) {
+        const Hit hit = {0.0, 0, (k % along + 0.5) / along, (k / along + 0.5) / along, true};
+        const Rgb expected = exact(scene, hit).one;
+        square += mean((shading.at(hit) - expected) * (shading.at(hit) - expected)) / (along * along);
+        mean_true += mean(expected) / (along * along);
+    }
+    CHECK(square < 2e-5 * mean_true * mean_true);
 }
 
 // Where the lamp is seen in part.

@@ -1,4 +1,4 @@
-#include "selftest/partly_hidden.h"
+#include "selftest/occluded_lamp.h"
 
 #include "geometry/pi.h"
 #include "geometry/polygon.h"
