@@ -431,21 +431,25 @@ private:
             throw no_solution(scene_);
     }
 
-    /// What a patch reflects of what it gets over its hemisphere: the mean over rays that count differently.
+    /// What a patch reflects of what it gets over its hemisphere: the mean over rays that count differently. That few
+    /// rays agree does not prove that one more would: theirs is at least that of the rays around them.
     void add_variance(const Field& radiosity)
     {
+        constexpr double enough = 64.0;
         const std::vector<double> density = densities();
         const double share = 1.0 / static_cast<double>(parts_);
+        Field variances = large_vector<Rgb>(n_);
+        std::vector<RaySums> rays = large_vector<RaySums>(n_); // their value: the variance of one
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             double weight = 0.0;
             double squared_weight = 0.0;
             Rgb sum;   // of w B
             Rgb cross; // of w^2 B
             Rgb squares;
-            for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+            for_row(i, density, [&](double w, double rays_of_weight, std::uint32_t j) {
                 const Rgb light = j != nothing ? radiosity[j] : Rgb{};
-                weight += rays * w;
-                squared_weight += rays * w * w;
+                weight += rays_of_weight * w;
+                squared_weight += rays_of_weight * w * w;
                 sum += w * light; // rays that found nothing are dark
                 cross += (w * w) * light;
                 squares += (w * w) * (light * light);
@@ -456,8 +460,19 @@ private:
                 const double mean = s / weight;
                 return std::max(0.0, square - 2.0 * mean * c + mean * mean * squared_weight) / (weight * weight);
             };
-            const Rgb all = {variance(sum.r, cross.r, squares.r), variance(sum.g, cross.g, squares.g),
-                             variance(sum.b, cross.b, squares.b)};
+            variances[i] = {variance(sum.r, cross.r, squares.r), variance(sum.g, cross.g, squares.g),
+                            variance(sum.b, cross.b, squares.b)};
+            const double count = weight * weight / squared_weight;
+            rays[i] = {count, count, count * count * mean(variances[i]), 0.0};
+        });
+        const std::vector<RaySums> around = pooled(patches_, rays, enough, run_.threads);
+        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
+            if (!(rays[i].rays > 0.0))
+                return;
+            const double least = around[i].value / around[i].weight / rays[i].rays;
+            const double own = mean(variances[i]);
+            const Rgb grey = {least, least, least};
+            const Rgb all = own >= least ? variances[i] : own > 0.0 ? (least / own) * variances[i] : grey;
             variance_[i] += (share * share) * (rho_[i] * rho_[i] * all);
         });
     }

@@ -4,6 +4,7 @@
 #include "paused_work.h"
 #include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
+#include "seeded_runs.h"
 #include "test_scenes.h"
 
 #include <algorithm>
@@ -284,6 +285,23 @@ TEST_CASE("the variance tells the scatter of independent runs, in a room with a 
         seen += scene.area(i) * mean(square[i] - mean_of_runs[i] * mean_of_runs[i]) * runs / (runs - 1);
     CHECK(told > 0.8 * seen);
     CHECK(told < 2.5 * seen);
+}
+
+// The light of the floor comes from a spot on the ceiling that some of the few rays of a patch meet, or none. Believed,
+// those of none would stay dark, and the error would be 1e-2.
+TEST_CASE("patches whose few rays agree by chance do not count as certain")
+{
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 3, 6}, builder.grey(0.5, 0.0));
+    builder.rectangle({2.5, 2.6, 2.5}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.0, 100.0)); // looks up
+    const Scene scene = builder.scene(0.12);
+    SolveOptions options = random_lines(Method::reuse, 1u << 22, 1);
+    options.sequence = "sobol-owen";
+    options.all_pairs = false;
+    options.threads = 2;
+    const std::vector<Rgb> truth = solve(scene, options, silent).radiosity;
+    options.lines = 16 * std::uint64_t{scene.patch_count()};
+    CHECK(relative_error(scene, solve(scene, options, silent).radiosity, truth) < 3e-3);
 }
 
 TEST_CASE("a run that is stopped solves with the rays it has, from the first round on")
