@@ -349,7 +349,7 @@ int run_compare(const CommandLine& line)
         constexpr int rays = 512; // for each of two estimates at a point
         const int threads = thread_count(line);
         const Truth truth = gathered_truth(*reference.scene, b.radiosity, rays, threads);
-        const ShownError error = shown_error(*result.scene, a.radiosity, truth, points, threads);
+        const ShownError error = shown_error(*result.scene, a.radiosity, a.radiosity, truth, points, threads);
         if (!(error.mean_true > 0.0))
             throw InputError(b.path + ": dark at all points, expected a result with light");
         root = error.root();

@@ -301,17 +301,42 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
     return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
 }
 
+/// Of the patches of a scene the mean radiosity [W/m^2] of those patches of a finer one that have their middle there.
+std::vector<Rgb> averaged(const Scene& finer, const std::vector<Rgb>& radiosity, const Scene& scene)
+{
+    std::vector<Rgb> power(scene.patch_count());
+    std::vector<double> area(scene.patch_count());
+    for (std::uint32_t k = 0; k < finer.patch_count(); ++k) {
+        const std::uint32_t surface = finer.surface_of(k);
+        const CellCorners corners = finer.corners(k);
+        const auto share = 1.0 / static_cast<double>(corners.count);
+        double u = 0.0;
+        double v = 0.0;
+        for (const GridPoint point : corners) {
+            u += share * point.i / finer.tessellation(surface).grid_u();
+            v += share * point.j / finer.tessellation(surface).grid_v();
+        }
+        const std::uint32_t i = scene.patch_at(surface, u, v, finer.is_front(k));
+        power[i] += finer.area(k) * radiosity[k];
+        area[i] += finer.area(k);
+    }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        power[i] = area[i] > 0.0 ? 1.0 / area[i] * power[i] : scene.emittance(i);
+    return power;
+}
+
 /// The total error of what is shown, at points, against light gathered from a result with other patches.
 Reference total_reference(ResultFile finer, const Scene& scene, int threads)
 {
     constexpr std::uint64_t points = 10000;
     constexpr int rays = 256; // for each of two estimates at a point
+    const std::vector<Rgb> guide = averaged(*finer.scene, finer.table.radiosity, scene);
     const Truth truth =
-        remembered(scene, gathered_truth(*finer.scene, finer.table.radiosity, rays, threads), points, threads);
+        remembered(scene, guide, gathered_truth(*finer.scene, finer.table.radiosity, rays, threads), points, threads);
     Reference reference;
     reference.radiosity = std::move(finer.table.radiosity);
-    reference.measure = [&scene, truth](const std::vector<Rgb>& radiosity) -> ErrorMeasure {
-        const ShownError error = shown_error(scene, radiosity, truth, points, 1);
+    reference.measure = [&scene, truth, guide](const std::vector<Rgb>& radiosity) -> ErrorMeasure {
+        const ShownError error = shown_error(scene, radiosity, guide, truth, points, 1);
         // Chance can make a small mean square negative, which has no logarithm.
         const double relative = std::max(error.relative_mean_square, 0.1 * error.standard_error);
         return {relative * error.mean_true * error.mean_true, relative};

@@ -65,14 +65,17 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
 {
     // A round cuts a patch once. Where few are cut, the patches that matter are small after fewer rounds.
     constexpr int most_rounds = 4;
-    constexpr std::uint64_t lines_per_patch = 32;
+    constexpr std::uint64_t usual_lines = 32; // per patch
+    constexpr std::uint64_t fewest_lines = 8; // where the patches are very many: as good, if each is only cut once
+    constexpr std::uint64_t many_lines = 1u << 20;
     const double growth = static_cast<double>(most) / coarse.patch_count();
     const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * std::log2(growth))), 0, most_rounds);
     Scene scene = coarse;
     for (int round = 0; round < rounds; ++round) {
         SolveOptions quick;
         quick.method = Method::reuse;
-        quick.lines = lines_per_patch * scene.patch_count();
+        const std::uint64_t patches = scene.patch_count();
+        quick.lines = std::min(usual_lines * patches, std::max(fewest_lines * patches, many_lines));
         quick.all_pairs = false; // takes longer than all that follows
         quick.memory = memory;
         quick.threads = threads;

@@ -27,26 +27,48 @@ struct SamplePoint
     double weight; ///< [1] mean 1
 };
 
-/// Points of a scene, half of them by area and half of them as many in each patch: where patches are small there is
-/// more to see. A point counts by the inverse of the density of the two together.
+/// Points of a scene: a third of them by area; a third as many in each patch, since where patches are small there is
+/// more to see; and a third by the power that patches reflect, since where it is bright errors are large. A point
+/// counts by the inverse of the density of the three together.
 class SamplePoints
 {
 public:
-    explicit SamplePoints(const Scene& scene) : scene_(scene)
+    SamplePoints(const Scene& scene, const std::vector<Rgb>& guide) : scene_(scene), guide_(guide)
     {
         double sum = 0.0;
         for (const Surface& surface : scene.surfaces())
             ends_.push_back(sum += surface.area());
+        sum = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            powers_.push_back(sum += scene.area(i) * reflected(i));
+        if (!(sum > 0.0))
+            powers_.clear();
     }
 
     SamplePoint at(const Item& item) const
     {
-        const Hit hit = item[3] < 0.5 ? by_area(item[0], item[1], item[2]) : in_patch(item[0], item[1], item[2]);
+        const double kinds = powers_.empty() ? 2.0 : 3.0;
+        const double kind = kinds * item[3];
+        const Hit hit = kind < 1.0   ? by_area(item[0], item[1], item[2])
+                        : kind < 2.0 ? in_patch(any_patch(item[0]), item[1], item[2])
+                                     : in_patch(bright_patch(item[0]), item[1], item[2]);
         const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
-        return {hit, 2.0 / (1.0 + scene_.total_area() / (scene_.patch_count() * scene_.area(patch)))};
+        double density = 1.0 + scene_.total_area() / (scene_.patch_count() * scene_.area(patch));
+        if (!powers_.empty())
+            density += scene_.total_area() * reflected(patch) / powers_.back();
+        return {hit, kinds / density};
     }
 
 private:
+    double reflected(std::uint32_t i) const { return std::max(0.0, mean(guide_[i] - scene_.emittance(i))); }
+
+    std::uint32_t any_patch(double x) const { return static_cast<std::uint32_t>(x * scene_.patch_count()); }
+    std::uint32_t bright_patch(double x) const
+    {
+        const auto found = std::upper_bound(powers_.begin(), powers_.end() - 1, x * powers_.back());
+        return static_cast<std::uint32_t>(found - powers_.begin());
+    }
+
     Hit by_area(double which, double a, double b) const
     {
         const double sides = scene_.two_sided() ? 2.0 : 1.0;
@@ -58,9 +80,8 @@ private:
         return {0.0, surface, inside.u, inside.v, front};
     }
 
-    Hit in_patch(double which, double a, double b) const
+    Hit in_patch(std::uint32_t patch, double a, double b) const
     {
-        const auto patch = static_cast<std::uint32_t>(which * scene_.patch_count());
         const std::uint32_t surface = scene_.surface_of(patch);
         const bool front = scene_.is_front(patch);
         const Tessellation& cells = scene_.tessellation(surface);
@@ -92,7 +113,9 @@ private:
     }
 
     const Scene& scene_;
-    std::vector<double> ends_; ///< [m^2] of the surfaces, one after the other
+    const std::vector<Rgb>& guide_;
+    std::vector<double> ends_;   ///< [m^2] of the surfaces, one after the other
+    std::vector<double> powers_; ///< [W] reflected by the patches, one after the other; empty without any
 };
 
 /// Sums over points.
@@ -116,10 +139,11 @@ struct Deviations
 
 using DeviationsAt = std::function<Deviations(const Hit& hit, std::uint64_t number)>;
 
-/// The mean product of the two at points spread evenly over the area.
-ShownError mean_product(const Scene& scene, const DeviationsAt& deviations, std::uint64_t points, int threads)
+/// The mean product of the two over the area. `guide`: the radiosity [W/m^2] of the patches, about.
+ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const DeviationsAt& deviations,
+                        std::uint64_t points, int threads)
 {
-    const SamplePoints places(scene);
+    const SamplePoints places(scene, guide);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol-owen", 3);
     constexpr std::uint64_t points_at_a_time = 64;
     const Blocks blocks = {points, points_at_a_time};
@@ -206,8 +230,8 @@ private:
 
 } // namespace
 
-ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const Truth& truth, std::uint64_t points,
-                       int threads)
+ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
+                       const Truth& truth, std::uint64_t points, int threads)
 {
     const SmoothShading shading(scene, radiosity, threads);
     const auto deviations = [&](const Hit& hit, std::uint64_t number) {
@@ -215,7 +239,7 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
         const TruthAtPoint there = truth(hit, number);
         return Deviations{shown - there.one, shown - there.other, shown};
     };
-    return mean_product(scene, deviations, points, threads);
+    return mean_product(scene, guide, deviations, points, threads);
 }
 
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads)
@@ -227,11 +251,12 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
     };
 }
 
-Truth remembered(const Scene& scene, const Truth& truth, std::uint64_t points, int threads)
+Truth remembered(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
+                 int threads)
 {
     const auto known = std::make_shared<std::vector<TruthAtPoint>>(static_cast<std::size_t>(points));
     const Truth keep = [&](const Hit& hit, std::uint64_t number) { return (*known)[number] = truth(hit, number); };
-    (void)shown_error(scene, std::vector<Rgb>(scene.patch_count()), keep, points, threads);
+    (void)shown_error(scene, guide, guide, keep, points, threads);
     return [known](const Hit&, std::uint64_t number) { return (*known)[number]; };
 }
 
@@ -273,7 +298,7 @@ ShownError patch_error(const Scene& scene, double enough, double memory, int thr
                           0.5 * (shown + shown_by_other)};
     };
     for (std::uint64_t points = few_points;; points *= 4) {
-        const ShownError error = mean_product(scene, deviations, points, threads);
+        const ShownError error = mean_product(scene, one.radiosity, deviations, points, threads);
         const bool undecided = error.root() < enough && enough < error.root_at_most();
         if (!undecided || points >= many_points)
             return error;

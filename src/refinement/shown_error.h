@@ -44,19 +44,22 @@ struct TruthAtPoint
 /// Radiosity [W/m^2] at a place of a scene; the `number` of the place is less than that of points.
 using Truth = std::function<TruthAtPoint(const Hit& hit, std::uint64_t number)>;
 
-/// Compares what smooth shading shows of `radiosity` [W/m^2 per patch] with the truth at about `points` points, spread
-/// evenly over the area by a randomised Sobol' sequence. The product of the deviations from two independent estimates
-/// has the square of the true deviation as its mean, whatever their noise.
-ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const Truth& truth, std::uint64_t points,
-                       int threads);
+/// Compares what smooth shading shows of `radiosity` [W/m^2 per patch] with the truth at about `points` points of a
+/// randomised Sobol' sequence: by area, by patches, and where `guide`, about the radiosity of the patches, is bright.
+/// The product of the deviations from two independent estimates has the square of the true deviation as its mean,
+/// whatever their noise.
+ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
+                       const Truth& truth, std::uint64_t points, int threads);
 
 /// The truth as far as a much finer solution of the same scene tells it: the last reflection is computed for each point
 /// (final gathering), with `rays` to the sources and `rays` over the hemisphere for each of the two estimates. The
 /// scene must outlive the result.
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads);
 
-/// The same at the points of shown_error() for this scene, computed beforehand: for many results of one scene.
-Truth remembered(const Scene& scene, const Truth& truth, std::uint64_t points, int threads);
+/// The same at the points of shown_error() for this scene and guide, computed beforehand: for many results of one
+/// scene.
+Truth remembered(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
+                 int threads);
 
 /// The part of the error that no lines make smaller: that of the patches. Two independent solutions by line reuse are
 /// each compared with light gathered from themselves; of the product of the deviations the noise of the lines has the

@@ -103,7 +103,7 @@ TruthAtPoint exact(const Scene& scene, const Hit& hit)
 ShownError exact_error(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
     const Truth truth = [&](const Hit& hit, std::uint64_t) { return exact(scene, hit); };
-    return shown_error(scene, radiosity, truth, 16384, 2);
+    return shown_error(scene, radiosity, radiosity, truth, 16384, 2);
 }
 
 double error_of(const Scene& scene, std::uint64_t lines)
@@ -132,18 +132,19 @@ TEST_CASE("the error is that of what is shown, and noise of the truth does not a
     builder.rectangle({5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 3.0));
     const Scene scene = builder.scene(0.4);
     const std::vector<Rgb> shown(scene.patch_count(), grey(3.0));
+    const std::vector<Rgb> guide(scene.patch_count()); // nothing reflects: points by area and patches alone
     const auto noisy = [](double noise) {
         return [noise](const Hit&, std::uint64_t number) {
             return TruthAtPoint{grey(2.0 + (number % 2 == 0 ? noise : -noise)),
                                 grey(2.0 + (number % 4 < 2 ? noise : -noise))};
         };
     };
-    const ShownError sharp = shown_error(scene, shown, noisy(0.0), 4096, 1);
+    const ShownError sharp = shown_error(scene, shown, guide, noisy(0.0), 4096, 1);
     CHECK(sharp.points == 4096);
     CHECK(sharp.area == doctest::Approx(2.0));
     CHECK(sharp.relative_mean_square == doctest::Approx(0.25).epsilon(1e-12)); // rounding
     CHECK(sharp.standard_error < 1e-8);
-    const ShownError noise = shown_error(scene, shown, noisy(1.0), 4096, 1);
+    const ShownError noise = shown_error(scene, shown, guide, noisy(1.0), 4096, 1);
     CHECK(noise.relative_mean_square == doctest::Approx(0.25).epsilon(0.1));
     CHECK(std::abs(noise.relative_mean_square - 0.25) < 4.0 * noise.standard_error);
     CHECK(noise.standard_error > 0.0);
@@ -166,12 +167,33 @@ TEST_CASE("small patches do not count more than their area")
         const Rgb value = grey(hit.surface == 0 && hit.u < 0.5 ? 2.0 : 3.0);
         return TruthAtPoint{value, value};
     };
-    const ShownError error = shown_error(scene, shown, truth, 16384, 1);
+    const ShownError error = shown_error(scene, shown, shown, truth, 16384, 1);
     const double mean_true = (1.0 * 2.0 + 1.01 * 3.0) / 2.01;
     const double expected = 1.0 / 2.01 / (mean_true * mean_true);
     CHECK(error.area == doctest::Approx(2.01).epsilon(1e-3));
     CHECK(error.mean_true == doctest::Approx(mean_true).epsilon(1e-3));
     CHECK(error.relative_mean_square == doctest::Approx(expected).epsilon(0.01));
+}
+
+// 3 is shown instead of 2 on the half that has most points, and instead of 3.5 on the other.
+TEST_CASE("bright patches do not count more than their area")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({5.0, 0.0, 0.0}, {0.01, 0.0, 0.0}, {0.0, 0.01, 0.0}, builder.grey(0.5, 2.0));
+    const Scene scene = builder.scene(0.25);
+    std::vector<Rgb> guide(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        guide[i] = grey(scene.patch(i).shape.centre().x < 1.0 ? 10.0 : 0.1);
+    const std::vector<Rgb> shown(scene.patch_count(), grey(3.0));
+    const auto truth = [](const Hit& hit, std::uint64_t) {
+        const Rgb value = grey(hit.surface == 0 && hit.u < 0.5 ? 2.0 : 3.5);
+        return TruthAtPoint{value, value};
+    };
+    const ShownError error = shown_error(scene, shown, guide, truth, 16384, 1);
+    CHECK(error.area == doctest::Approx(2.0).epsilon(2e-3));
+    CHECK(error.mean_true == doctest::Approx(2.75).epsilon(2e-3));
+    CHECK(error.relative_mean_square == doctest::Approx((0.5 + 0.125) / (2.75 * 2.75)).epsilon(0.01));
 }
 
 // With few rays, so that both estimates are noisy: the product of their deviations has the mean 0.
