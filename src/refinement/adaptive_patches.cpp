@@ -11,7 +11,7 @@ namespace multipath {
 
 namespace {
 
-/// [m^2 (W/m^2)^2] Per cell of all surfaces, both sides together.
+/// [m^2 (W/m^2)^2] Per cell of all surfaces, both sides together; 0 where it is none to speak of.
 std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
 {
     // A patch without neighbours has no slope to tell; it is taken to vary by so much of its square.
@@ -19,12 +19,17 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
     std::vector<double> residuals;
     const SmoothShading shading(scene, radiosity, threads, residuals);
     std::vector<double> result(scene.two_sided() ? scene.patch_count() / 2 : scene.patch_count());
+    double all = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const bool alone = scene.tessellation(scene.surface_of(i)).cell_count() == 1;
         const Rgb reflected = radiosity[i] - scene.emittance(i);
         const double square = alone ? unknown * mean(reflected * reflected) : residuals[i];
         result[i % result.size()] += scene.area(i) * square;
+        all += scene.area(i) * mean(radiosity[i] * radiosity[i]);
     }
+    constexpr double negligible = 1e-12; // share of the squared radiosity of all; rounding has less
+    for (double& error : result)
+        error = error > negligible * all ? error : 0.0;
     return result;
 }
 

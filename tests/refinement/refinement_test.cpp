@@ -347,6 +347,14 @@ TEST_CASE("the smallest patches lie in the penumbra, and are the same for any nu
     CHECK(in_penumbra > 0.8 * smallest);
 }
 
+TEST_CASE("where the radiosity is the same everywhere no patch is cut")
+{
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {1, 2, 3}, builder.grey(0.5, 1.0));
+    const Scene coarse = builder.scene(0.3);
+    CHECK(adapted(coarse, 4 * coarse.patch_count(), 2e9, 1, [](double) {}).patch_count() == coarse.patch_count());
+}
+
 // With 2^22 lines next to nothing but the patches is left of the error.
 TEST_CASE("the patches' error is found from few lines")
 {
