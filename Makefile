@@ -11,9 +11,10 @@
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
-# CXX, CXXFLAGS, BUILD (folder of the objects) and DOCTEST (folder that holds doctest/doctest.h) may be set; V=1 shows
-# the commands, WERROR=-Werror makes warnings errors. Each folder of src and of tests is compiled as one file, small ones
-# together; UNITY=no compiles every file by itself, which takes four times as long from scratch and less after a change.
+# CXX, CXXFLAGS, TEST_CXXFLAGS (of the tests, if others), BUILD (folder of the objects) and DOCTEST (folder that holds
+# doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors. Each folder of src and of
+# tests is compiled as one file, small ones together; UNITY=no compiles every file by itself, which takes four times as
+# long from scratch and less after a change.
 
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
@@ -21,7 +22,8 @@ BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
-COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
+FLAGS     = $(CXXFLAGS)
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(FLAGS) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
 
 Q         = $(if $(V),,@)
@@ -80,6 +82,7 @@ $(BUILD)/unit_tests: $(filter-out $(BUILD)/src/main.o,$(objects)) $(test_objects
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
 
+$(test_objects): FLAGS = $(or $(TEST_CXXFLAGS),$(CXXFLAGS))
 $(test_objects): COMPILE += -Itests $(addprefix -isystem ,$(shell cat $(BUILD)/doctest.path 2>/dev/null))
 $(test_objects): | $(BUILD)/doctest.path
 

@@ -41,10 +41,11 @@ results() {
             solved $scene-$method csv scenes/$scene.obj --patches 500 -n 2^13 -m $method -s "$1"
             set -- "$2" "$3" "$1"
         done
-        solved $scene-two-sided csv scenes/$scene.obj --patches 500 -n 2^13 --two-sided --replicates 3
+        solved $scene-two-sided csv scenes/$scene.obj --patches 500 -n 2^13 --two-sided
         solved $scene-gather pfm scenes/$scene.obj --patches 500 -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
     done
     solved all "csv ppm png pfm ply glb obj html" scenes/4chairs.obj --patches 800 -n 2^14 --size 96x72
+    solved replicates csv scenes/sphere.obj --patches 500 -n 2^13 --replicates 3
     solved shot-reuse csv scenes/5cubes.obj --patches 500 -n 2^13 --direct shoot -s kronecker-shift
     solved absorption csv scenes/5cubes.obj -n 2^13 -m local --estimator absorption
     solved one-way csv scenes/4chairs-up.obj -n 2^13 -m global --bidirectional no --chords box --pairing 2d --line-order sequence

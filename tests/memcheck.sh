@@ -17,7 +17,7 @@ cp "$root"/scenes/5cubes.* "$root"/scenes/sphere.* .
 for method in $(methods); do
     check "solve by $method" clean solve 5cubes.obj $few --method $method -o $method.csv
 done
-check "replicates, on both sides" clean solve sphere.obj $few --two-sided --replicates 2 -o sphere.csv
+check "both sides" clean solve sphere.obj $few --two-sided -o sphere.csv
 check "pictures and meshes" clean solve 5cubes.obj $few --size 24x18 --samples 1 -o a.png -o a.pfm -o a.ply -o a.glb -o a_lit.obj
 check "a gathered picture" clean solve sphere.obj $few --size 12x9 --samples 1 --shading gather --gather-rays 2 -o g.ppm
 for shard in 1 2; do

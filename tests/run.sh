@@ -28,7 +28,7 @@ tally() {
 jobs=$(nproc 2>/dev/null || echo 2)
 (cd "$root" && "$unit_tests" $UNIT_ARGS) >"$scratch/unit_tests.log" 2>&1 &
 unit_tests_process=$!
-slow="selftest torture limits study solve memory page install"
+slow="selftest torture tolerance limits study solve memory page install"
 scripts=
 for name in $slow include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p'); do
     case " check $LEAVE_OUT $scripts " in *" $name "*) ;; *) scripts="$scripts $name" ;; esac
