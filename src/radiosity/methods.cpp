@@ -132,8 +132,8 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
 void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation& preparation)
 {
     constexpr double many_pairs = 4096.0;
-    if (options.all_pairs && table_pays(scene, options.lines) && reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) &&
-        affordable_patch_rays(scene) == 1.0 &&
+    if (options.all_pairs && table_pays(scene, options.lines) &&
+        reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
         pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
         preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
     else

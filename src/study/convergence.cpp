@@ -64,9 +64,8 @@ public:
         const ProcessorTime time;
         const Solution solution = solve(scene_, preparation_, options_for(lines, number), progress);
         const double seconds = preparation_seconds_ + time.seconds();
-        const ErrorMeasure error = reference.measure
-                                       ? reference.measure(solution.radiosity)
-                                       : measure_error(areas, solution.radiosity, reference.radiosity);
+        const ErrorMeasure error = reference.measure ? reference.measure(solution.radiosity)
+                                                     : measure_error(areas, solution.radiosity, reference.radiosity);
         return {solution.local_lines, solution.global_lines, error.mean_square, error.relative_mean_square, seconds};
     }
 
