@@ -240,6 +240,9 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
     for (const char* name : {"patch-size", "patches", "emission-from", "memory", "threads", "seed"})
         if (line.has(name))
             words.insert(words.end(), {"--" + std::string(name), line.text(name)});
+    for (const char* name : {"lamp", "ignore"})
+        for (const std::string& value : line.all(name))
+            words.insert(words.end(), {"--" + std::string(name), value});
     for (const char* name : {"two-sided", "flip"})
         if (line.has(name))
             words.push_back("--" + std::string(name));

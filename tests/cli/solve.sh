@@ -98,6 +98,22 @@ check "options that would do nothing or collide are refused" without_effect
 twice() { ends 2 solve "$scene" $quick -o new.png -o ./new.png && says err "twice" && ends 2 solve "$scene" $quick -o new.png -o new.png; }
 check "an output named twice is refused" twice
 
+# The lamp of the file taken out, and put back by an option: the same results, lines and all.
+lamps() {
+    sed 's/^Ke .*//' "$root/scenes/5cubes.mtl" >5cubes.mtl && cp "$scene" dark5.obj &&
+        ends 1 solve dark5.obj $quick && says err "no emitter" && lines_are err 1 || return
+    options=$(sed -n 's/.*multipath solve dark5.obj \(--lamp [^ ]*\)$/\1/p' err)
+    ends 0 solve dark5.obj $quick $options -o first.csv || return # what the error says
+    ends 0 solve dark5.obj $quick --lamp lamp=27,25,23 -q -o lit.csv && ends 0 solve "$scene" $quick -q -o file.csv || return
+    grep -v '^#' lit.csv >lit && grep -v '^#' file.csv >file && cmp lit file && grep -q "^# command: .* --lamp lamp=27,25,23 " lit.csv &&
+        ends 0 solve "$scene" $quick -q --ignore cube_middle -o less.csv && [ "$(wc -l <less.csv)" -lt "$(wc -l <file.csv)" ] &&
+        ends 2 solve "$scene" $quick --lamp nothing=1 && says err "no material or object is called" &&
+        ends 2 solve "$scene" $quick --lamp lamp && says err "expected a name and a power" &&
+        ends 2 solve "$scene" $quick --lamp lamp=1,-1,0 && says err "from 0 to 1e30" &&
+        ends 2 solve "$scene" $quick --lamp lamp=0,0,0 && says err "above 1e-30"
+}
+check "a file without lamps is lit by the option that its error names, and faces are left out by name" lamps
+
 old_file_kept() {
     echo old >kept.csv && ends 1 solve missing.obj $quick -o kept.csv && grep -q old kept.csv && [ -z "$(find . -name '.*part*')" ]
 }

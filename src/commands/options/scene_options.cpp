@@ -57,9 +57,51 @@ OptionGroup scene_option_group()
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
          {"flip", 0, "", "", "Turn every face over, for a room that was modelled to be seen from outside."},
          memory_option(),
+         {"lamp", 0, "NAME=E", "",
+          "Let a material, or else an object or group, emit E in W/m^2, one number or three for red, green and blue, "
+          "in "
+          "the place of what the file says.",
+          true},
+         {"ignore", 0, "NAME", "",
+          "Leave out the faces of a material, or else of an object or group, such as the glass before a lamp.", true},
          {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false,
           names_of(emission_choices)}}};
 }
+
+namespace {
+
+/// Of "NAME=10" or "NAME=10,8,6".
+ObjChanges::Lamp read_lamp(const std::string& text)
+{
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0)
+        throw UsageError("--lamp: expected a name and a power per area such as 'ceiling light=10', got " +
+                         quoted_argument(text));
+    const std::string power = text.substr(equals + 1);
+    Vec3 e;
+    if (power.find(',') == std::string::npos)
+        e.x = e.y = e.z = read_positive("--lamp", power);
+    else
+        e = read_vec3("--lamp", power);
+    constexpr double most = 1e30;
+    for (const double x : {e.x, e.y, e.z})
+        if (!(x >= 0.0 && x <= most))
+            throw UsageError("--lamp: expected powers from 0 to 1e30 W/m^2, got " + quoted_argument(power));
+    if (!(e.x + e.y + e.z >= 1.0 / most))
+        throw UsageError("--lamp: expected a power above 1e-30 W/m^2, got " + quoted_argument(power));
+    return {text.substr(0, equals), {e.x, e.y, e.z}};
+}
+
+ObjChanges read_changes(const CommandLine& line)
+{
+    ObjChanges changes;
+    for (const std::string& lamp : line.all("lamp"))
+        changes.lamps.push_back(read_lamp(lamp));
+    changes.ignored = line.all("ignore");
+    return changes;
+}
+
+} // namespace
 
 std::string scene_path(const CommandLine& line)
 {
@@ -75,10 +117,11 @@ Scene read_scene(const CommandLine& line, int threads)
     const std::uint64_t wanted =
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
+    const ObjChanges changes = read_changes(line);
     const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
-    SceneFile file = read_obj(path, emission);
+    SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
     const double sides = line.has("two-sided") ? 2.0 : 1.0;

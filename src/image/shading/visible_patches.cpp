@@ -21,9 +21,10 @@ constexpr std::uint64_t most_points = 1u << 21; // of all patches, about: to bou
 /// The centre of one of along * along equal parts.
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
 {
-    const double step = 1.0 / along;
-    if (shape.shape == Shape::parallelogram)
-        return shape.at((number / along + 0.5) * step, (number % along + 0.5) * step);
+    if (shape.shape == Shape::parallelogram) {
+        const std::uint32_t row = number / along;
+        return shape.at((row + 0.5) / along, (number % along + 0.5) / along);
+    }
     return Tessellation{shape.shape, along, along, nullptr}.cell(shape, number).centre();
 }
 

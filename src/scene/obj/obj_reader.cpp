@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 
@@ -119,7 +120,7 @@ MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, con
             add_default_material(mesh, mesh.materials[i], list);
         } else {
             list.materials.push_back(library.materials[entry->second].material);
-            is_used[entry->second] = has_pieces[i];
+            is_used[entry->second] = is_used[entry->second] || has_pieces[i];
         }
     }
     for (std::size_t i = 0; i < library.materials.size(); ++i)
@@ -167,10 +168,47 @@ std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
     return lamps.size() < used.size() || used.size() == 1 ? lamps : std::vector<std::string>{};
 }
 
-void require_emitter(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
+void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& materials)
 {
-    if (std::any_of(materials.used.begin(), materials.used.end(), emits))
-        return;
+    for (const LampMaterial& lamp : lamps) {
+        Material& material = materials[lamp.material];
+        material.emittance = lamp.emittance;
+        if (!lamp.object.empty())
+            material.name += " of " + lamp.object;
+    }
+}
+
+bool is_lit(const std::vector<Material>& materials, const std::vector<bool>& has_pieces)
+{
+    for (std::size_t k = 0; k < materials.size(); ++k)
+        if (has_pieces[k] && materials[k].emittance != Rgb{})
+            return true;
+    return false;
+}
+
+/// As a shell reads it back.
+std::string shell_word(const std::string& text)
+{
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,%+@";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos)
+        return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+/// What gives a file without lamps one: a command that does.
+std::string advice_on_lamps(const ObjMesh& mesh)
+{
+    const std::vector<std::string> names = likely_lamps(mesh);
+    const std::string others = names.size() > 1 ? ", or another: " + list_of({names.begin() + 1, names.end()}) : "";
+    return "; to make a lamp of material or object " + in_quotes(names.front()) + others + ": multipath solve " +
+           shell_word(mesh.path) + " --lamp " + shell_word(names.front()) + "=10";
+}
+
+[[noreturn]] void refuse_darkness(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
+{
     const std::string keyword = emission_from == EmissionFrom::ka ? "Ka" : "Ke";
     std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
     const std::vector<std::string> idle = names_where(materials.unused, emits);
@@ -188,6 +226,8 @@ void require_emitter(const UsedMaterials& materials, const ObjMesh& mesh, Emissi
         problem += "; emitting but used by no face: " + list_of(idle);
     if (emission_from == EmissionFrom::ke && !lamps.empty())
         problem += "; Ka makes a lamp of " + list_of(lamps) + ": try --emission-from Ka";
+    else
+        problem += advice_on_lamps(mesh);
     refuse({mesh.path, 0}, problem);
 }
 
@@ -233,11 +273,10 @@ void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMateri
         warnings.push_back(first->material.source + ": " + flaw + ": " + list_of(names_where(used, has_flaw)));
 }
 
-/// Whether there is light, and something that absorbs it. Returns warnings; throws InputError for a scene without an
-/// emitter, and for a closed scene where every material reflects all light of one colour.
-std::vector<std::string> check_light(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
+/// Whether something absorbs the light. Returns warnings; throws InputError for a closed scene where every material
+/// reflects all light of one colour.
+std::vector<std::string> check_absorption(const UsedMaterials& materials, const ObjMesh& mesh)
 {
-    require_emitter(materials, mesh, emission_from);
     require_absorption(materials, mesh);
 
     std::vector<std::string> warnings;
@@ -309,14 +348,17 @@ std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMater
 
 } // namespace
 
-SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
+SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const ObjChanges& changes)
 {
     ObjMesh mesh = parse_obj(path);
+    const std::vector<LampMaterial> lamps = apply(changes, mesh);
     std::vector<std::string> material_files = find_libraries(mesh);
     MaterialLibrary library = read_libraries(material_files, emission_from);
     const SceneScale scale = scale_of(mesh);
     MeshPieces cut = cut_into_pieces(mesh, scale);
-    MaterialList list = look_up_materials(mesh, std::move(library), materials_of(cut.pieces, mesh), material_files);
+    const std::vector<bool> has_pieces = materials_of(cut.pieces, mesh);
+    MaterialList list = look_up_materials(mesh, std::move(library), has_pieces, material_files);
+    make_lamps(lamps, list.materials);
     if (cut.pieces.empty())
         refuse({path, mesh.faces.front().line}, "no face of the file has an area");
     constexpr double smallest_extent = 1e-9; // as largest_coordinate
@@ -329,7 +371,9 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from)
     scene.warnings = std::move(mesh.warnings);
     append(scene.warnings, std::move(list.warnings));
     append(scene.warnings, std::move(cut.warnings));
-    append(scene.warnings, check_light(list.by_origin, mesh, emission_from));
+    if (!is_lit(list.materials, has_pieces))
+        refuse_darkness(list.by_origin, mesh, emission_from);
+    append(scene.warnings, check_absorption(list.by_origin, mesh));
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);

@@ -10,9 +10,9 @@ precision highp float;
 uniform mat4 to_clip;
 in vec3 position;
 in vec2 corner;
-in uvec4 numbers;   // cells along u and v (0: a triangle), the first patch, 1 for sources, which are never smooth
+in uvec3 numbers;   // cells along u and v (0: a triangle), the first patch
 out vec2 place;
-flat out uvec4 surface;
+flat out uvec3 surface;
 void main() {
   place = corner;
   surface = numbers;
@@ -37,7 +37,7 @@ uniform bool false_colours;
 uniform bool borders;
 uniform vec3 nothing;             // colour of patches without a value
 in vec2 place;
-flat in uvec4 surface;
+flat in uvec3 surface;
 out vec4 colour;
 
 // Of rows of 2048 texels; without divisions, which take a fourth of the time where no graphics processor draws.
@@ -97,7 +97,7 @@ void main() {
     shown = value < 0.0 ? nothing : texture(colour_map, vec2(clamp(value * patch_scale, 0.0, 1.0), 0.5)).rgb;
   } else {
     vec2 within = clamp(p - vec2(float(i), float(j)), 0.0, 1.0);
-    vec3 light = smooth_shading && surface.w == 0u ? corner_scale * between_corners(number, within, triangle, upper)
+    vec3 light = smooth_shading ? corner_scale * between_corners(number, within, triangle, upper)
                                                    : patch_scale * texel(patch_values, number);
     if (arrived_scale > 0.0)
       light = 0.1 * light + arrived_scale * texel(arrived, number);
@@ -201,7 +201,7 @@ class Drawing {
 
   // The corners of the pieces of all surfaces; the numbers for the shader stand at each of them.
   make_surfaces() {
-    const gl = this.gl, room = this.room, words = 9; // 3 + 2 numbers, 4 counts
+    const gl = this.gl, room = this.room, words = 8; // 3 + 2 numbers, 3 counts
     const pieces = [];
     for (let s = 0; s < room.surface_count; ++s)
       for (const piece of room.pieces(s))
@@ -214,8 +214,7 @@ class Drawing {
       const first = n;
       corners.forEach(([u, v], k) => {
         numbers.set([...room.point(s, u, v), ...places[k]], words * n);
-        counts.set([cells[0], room.triangles[s] ? 0 : cells[1]], words * n + 5);
-        counts.set([patch, room.is_source(s) ? 1 : 0], words * n + 7);
+        counts.set([cells[0], room.triangles[s] ? 0 : cells[1], patch], words * n + 5);
         ++n;
       });
       for (let k = 2; k < corners.length; ++k) {
@@ -236,7 +235,7 @@ class Drawing {
     gl.enableVertexAttribArray(corner);
     gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 4 * words, 12);
     gl.enableVertexAttribArray(numbers_at);
-    gl.vertexAttribIPointer(numbers_at, 4, gl.UNSIGNED_INT, 4 * words, 20);
+    gl.vertexAttribIPointer(numbers_at, 3, gl.UNSIGNED_INT, 4 * words, 20);
     gl.bindVertexArray(null);
   }
 

@@ -235,7 +235,6 @@ class Room {
   }
 
   material_of(patch) { return this.materials[this.material[this.surface_of(patch)]]; }
-  is_source(s) { return this.materials[this.material[s]].emittance.some(x => x > 0); }
   emittance(patch) { return this.is_back(patch) ? [0, 0, 0] : this.material_of(patch).emittance; }
 
   area(patch) {

@@ -25,10 +25,10 @@ struct SceneText
     std::string obj;
     std::string mtl;
 
-    SceneFile read(EmissionFrom from = EmissionFrom::ke) const
+    SceneFile read(EmissionFrom from = EmissionFrom::ke, const ObjChanges& changes = {}) const
     {
         folder.write("room.mtl", mtl);
-        return read_obj(folder.write("room.obj", obj), from);
+        return read_obj(folder.write("room.obj", obj), from, changes);
     }
     std::string problem(EmissionFrom from = EmissionFrom::ke) const
     {
@@ -139,6 +139,51 @@ TEST_CASE("a lamp without area is no emitter")
     const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 2\nusemtl wall\nf 1 2 3 4\n",
                          "newmtl lamp\nKd 0\nKe 1\nnewmtl wall\nKd 0.5\n"};
     CHECK(contains(text.problem(), "no emitter"));
+}
+
+// Two squares of one material, one of them the object `panel`.
+const SceneText two_squares{"mtllib room.mtl\no floor\n" + square +
+                                "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nusemtl paint\nf 1 2 3 4\no panel\nf 5 6 7 8\n",
+                            "newmtl paint\nKd 0.5\nnewmtl spare\nKd 0.1\n"};
+
+TEST_CASE("a material becomes a lamp, or the faces of an object alone")
+{
+    const SceneFile all = two_squares.read(EmissionFrom::ke, {{{"paint", {1, 2, 3}}}, {}});
+    CHECK(all.materials[all.material[0]].emittance == Rgb{1, 2, 3});
+    CHECK(all.materials[all.material[1]].emittance == Rgb{1, 2, 3});
+    const SceneFile panel = two_squares.read(EmissionFrom::ke, {{{"panel", {4, 4, 4}}}, {}});
+    REQUIRE(panel.surfaces.size() == 2);
+    CHECK(panel.materials[panel.material[0]].emittance == Rgb{});
+    CHECK(panel.materials[panel.material[1]].emittance == Rgb{4, 4, 4});
+    CHECK(panel.materials[panel.material[1]].reflectance == panel.materials[panel.material[0]].reflectance);
+    CHECK(panel.materials[panel.material[1]].name == "paint of panel");
+    CHECK(panel.unused_materials.size() == 1); // `spare` alone
+}
+
+TEST_CASE("what is ignored is left out, and a name that the file does not have is told")
+{
+    const SceneFile rest = two_squares.read(EmissionFrom::ke, {{{"panel", {1, 1, 1}}}, {"floor"}});
+    REQUIRE(rest.surfaces.size() == 1);
+    CHECK(rest.surfaces[0].origin.z == 1.0);
+    const auto problem = [](const ObjChanges& changes) {
+        return problem_of([&] { two_squares.read(EmissionFrom::ke, changes); });
+    };
+    CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "--lamp: no material or object is called `pannel`"));
+    CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "`paint`, `floor`, `panel`"));
+    CHECK(contains(problem({{}, {"spare"}}), "--ignore: no material or object is called `spare`"));
+    CHECK(contains(problem({{}, {"paint"}}), "no face is left"));
+}
+
+TEST_CASE("the error of a file without lamps names one that could be, by its name or else by its area")
+{
+    CHECK(contains(two_squares.problem(), "--lamp paint=10"));
+    const SceneText named{"mtllib room.mtl\n" + square +
+                              "usemtl paint\nf 1 2 3 4\no Desk Lamp's shade\nusemtl cloth\nf 1 2 3\n",
+                          "newmtl paint\nKd 0.5\nnewmtl cloth\nKd 0.5\n"};
+    CHECK(contains(named.problem(), "--lamp 'Desk Lamp'\\''s shade'=10"));
+    const SceneText nameless{square + "f 1 2 3 4\n", ""};
+    CHECK(contains(nameless.problem(), "--lamp default=10"));
+    CHECK(nameless.read(EmissionFrom::ke, {{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
 }
 
 TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open one is not")
