@@ -1,6 +1,7 @@
 #include "cli/provenance.h"
 
 #include "cli/version.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>
@@ -33,39 +34,6 @@ constexpr std::array<DependentDefault, 10> dependent_defaults = {{{"ratio", "pow
                                                                   {"exposure", "show"},
                                                                   {"tone-map", "show"},
                                                                   {"gather-rays", "shading", "gather"}}};
-
-/// Read back as they are by every shell.
-constexpr std::string_view plain_characters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,^%+=@";
-
-bool is_control(char c)
-{
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-
-/// Inside $'...'
-std::string escaped(char c)
-{
-    if (c == '\'' || c == '\\')
-        return {'\\', c};
-    if (!is_control(c))
-        return {c};
-    return {'\\', static_cast<char>('0' + (c >> 6)), static_cast<char>('0' + (c >> 3 & 7)),
-            static_cast<char>('0' + (c & 7))};
-}
-
-/// A word as a POSIX shell reads it back, always on one line: plain, in '...' where it must be, and in $'...' (POSIX
-/// 2024) with octal escapes where it holds control characters.
-std::string shell_word(std::string_view text)
-{
-    if (!text.empty() && text.find_first_not_of(plain_characters) == std::string_view::npos)
-        return std::string(text);
-    const bool escapes = std::any_of(text.begin(), text.end(), is_control);
-    std::string quoted = escapes ? "$'" : "'";
-    for (const char c : text)
-        quoted += escapes ? escaped(c) : c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
 
 bool default_holds(const CommandLine& line, std::string_view option)
 {

@@ -102,21 +102,26 @@ double distance(Vec3 point, const FlatPolygon& polygon)
     return std::sqrt(square);
 }
 
-double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
+double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 normal)
 {
     // Each edge adds the angle under which it is seen times the cosine between the normal and the normal of the plane
     // through edge and point. Edges run counter-clockwise as seen from the point, so that the cross products of their
     // ends point away from the polygon: hence the sign.
     double sum = 0.0;
-    for (std::size_t k = 0; k < polygon.size; ++k) {
-        const Vec3 a = polygon.corners[k] - point;
-        const Vec3 b = polygon.next(k) - point;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3 a = corners[k] - point;
+        const Vec3 b = corners[k + 1 < count ? k + 1 : 0] - point;
         const Vec3 across = cross(a, b);
         const double sine = length(across);
         if (sine > 0.0)
             sum -= std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
     }
-    return std::clamp(sum / (2.0 * pi), 0.0, 1.0);
+    return sum / (2.0 * pi);
+}
+
+double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
+{
+    return std::clamp(lambert_sum(polygon.corners.data(), polygon.size, point, normal), 0.0, 1.0);
 }
 
 } // namespace multipath

@@ -55,4 +55,7 @@ double distance(Vec3 point, const FlatPolygon& polygon);
 /// factor, by Lambert's formula. Nothing of the polygon may lie behind the point's horizon. 0 for a point behind it.
 double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal);
 
+/// The same for any number of corners, not limited to 0 ... 1: below 0 for a polygon that is seen from behind.
+double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 normal);
+
 } // namespace multipath

@@ -1,10 +1,7 @@
 #include "selftest/occluded_lamp.h"
 
-#include "geometry/pi.h"
 #include "geometry/polygon.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace multipath {
@@ -56,21 +53,6 @@ void add_seen(Polygon rest, const Surface& blocker, Vec3 point, std::vector<Poly
     seen.push_back(cut(rest, blocker.centre(), side * blocker.normal()).back);
 }
 
-/// Lambert's formula (FlatPolygon's irradiance_from) for a front that is turned to the point.
-double irradiance_of(const Polygon& polygon, Vec3 point, Vec3 normal)
-{
-    double sum = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec3 a = polygon[k] - point;
-        const Vec3 b = polygon[(k + 1) % polygon.size()] - point;
-        const Vec3 across = cross(a, b);
-        const double sine = length(across);
-        if (sine > 0.0)
-            sum -= std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
-    }
-    return sum / (2.0 * pi);
-}
-
 } // namespace
 
 double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, Vec3 point, Vec3 normal)
@@ -87,7 +69,7 @@ double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp
     double sum = 0.0;
     for (const Polygon& part : parts)
         if (part.size() > 2)
-            sum += irradiance_of(part, point, normal);
+            sum += lambert_sum(part.data(), part.size(), point, normal);
     return sum;
 }
 

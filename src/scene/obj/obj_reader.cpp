@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <string_view>
 #include <unordered_set>
 #include <utility>
 
@@ -184,18 +183,6 @@ bool is_lit(const std::vector<Material>& materials, const std::vector<bool>& has
         if (has_pieces[k] && materials[k].emittance != Rgb{})
             return true;
     return false;
-}
-
-/// As a shell reads it back.
-std::string shell_word(const std::string& text)
-{
-    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,%+@";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos)
-        return text;
-    std::string quoted = "'";
-    for (const char c : text)
-        quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
 }
 
 /// What gives a file without lamps one: a command that does.

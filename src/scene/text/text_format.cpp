@@ -69,4 +69,39 @@ std::size_t column_count(std::string_view text)
     return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation));
 }
 
+namespace {
+
+/// Read back as they are by every shell.
+constexpr std::string_view plain_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,^%+=@";
+
+bool is_control(char c)
+{
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+/// Inside $'...'
+std::string escaped(char c)
+{
+    if (c == '\'' || c == '\\')
+        return {'\\', c};
+    if (!is_control(c))
+        return {c};
+    return {'\\', static_cast<char>('0' + (c >> 6)), static_cast<char>('0' + (c >> 3 & 7)),
+            static_cast<char>('0' + (c & 7))};
+}
+
+} // namespace
+
+std::string shell_word(std::string_view text)
+{
+    if (!text.empty() && text.find_first_not_of(plain_characters) == std::string_view::npos)
+        return std::string(text);
+    const bool escapes = std::any_of(text.begin(), text.end(), is_control);
+    std::string quoted = escapes ? "$'" : "'";
+    for (const char c : text)
+        quoted += escapes ? escaped(c) : c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
 } // namespace multipath

@@ -21,6 +21,10 @@ std::string grouped(std::uint64_t count);
 /// "a, b, c".
 std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
+/// A word as a POSIX shell reads it back, always on one line: plain, in '...' where it must be, and in $'...' (POSIX
+/// 2024) with octal escapes where it holds control characters.
+std::string shell_word(std::string_view text);
+
 /// How many bytes at the beginning of a text make one well-formed character of UTF-8 (RFC 3629); 0 if none do.
 std::size_t utf8_character_size(std::string_view text);
 
