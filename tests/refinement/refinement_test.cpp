@@ -114,6 +114,12 @@ double error_of(const Scene& scene, std::uint64_t lines)
     return exact_error(scene, solve(scene, options, [](double) {}).radiosity).relative_mean_square;
 }
 
+/// One of 400 places spread over the floor.
+Hit floor_point(std::uint64_t k)
+{
+    return {0.0, 0, (static_cast<double>(k % 20) + 0.5) / 20.0, (static_cast<double>(k) + 0.5) / 400.0, true};
+}
+
 /// From a solution of the scene itself.
 Truth gathered(const Scene& scene, std::uint64_t lines, int rays)
 {
@@ -228,8 +234,7 @@ TEST_CASE("gathered truth is the exact solution")
     double difference = 0.0;
     double light = 0.0;
     for (std::uint64_t k = 0; k < 400; ++k) {
-        const Hit hit = {0.0, 0, (static_cast<double>(k % 20) + 0.5) / 20.0, (static_cast<double>(k) + 0.5) / 400.0,
-                         true};
+        const Hit hit = floor_point(k);
         const TruthAtPoint found = truth(hit, k);
         const Rgb expected = exact(scene, hit).one;
         difference += mean((found.one - expected) * (found.one - expected));
@@ -257,8 +262,7 @@ TEST_CASE("gathered truth is the exact light past tilted sheets")
     double difference = 0.0;
     double light = 0.0;
     for (std::uint64_t k = 0; k < 400; ++k) {
-        const Hit hit = {0.0, 0, (static_cast<double>(k % 20) + 0.5) / 20.0, (static_cast<double>(k) + 0.5) / 400.0,
-                         true};
+        const Hit hit = floor_point(k);
         const TruthAtPoint found = truth(hit, k);
         const Vec3 point = scene.surfaces()[0].at(hit.u, hit.v);
         const double expected = 0.5 * irradiance_past(sheets, source, point, {0, 1, 0});
