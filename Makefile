@@ -33,13 +33,19 @@ test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' !
 
 # Compiled by themselves: kernels, which have the same names for every instruction set, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
-# Folders that are compiled as one file.
+# Folders and files that are compiled as one file.
 src/lines    = src/parallel src/sampling src/transport
 src/commands = src/cli src/commands
-src/small    = src/check src/explain src/export src/refinement src/selftest src/study src/viewer
+src/small    = src/check src/explain src/export src/refinement src/selftest src/study src/viewer src/radiosity/runs \
+               src/scene/obj/mtl_reader.cpp src/scene/obj/obj_changes.cpp
 tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
 # What no line flies through.
 cold  = $(src/commands) src/small $(src/small) $(test_units)
+# What runs once for each patch, surface or pixel.
+warm  = src/radiosity src/image src/scene
+
+# Patterns of the files named or lying in the folders named.
+within = $(filter %.cpp,$1) $(patsubst %,%/%,$(filter-out %.cpp,$1))
 
 ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)
@@ -111,6 +117,7 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
+$(warm:%=$(BUILD)/%.o): OPTIMISE = -O2
 $(cold:%=$(BUILD)/%.o): OPTIMISE = -Og
 
 define compile
@@ -129,7 +136,8 @@ $(BUILD)/%.o: $(BUILD)/unity/%.cpp
 .PRECIOUS: $(BUILD)/unity/%.cpp
 $(BUILD)/unity/%.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(patsubst %,%/%,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
+	@printf '#include "%s"\n' $(filter-out $(alone) $(if $($*),,$(call within,$(src/small))), \
+	    $(filter $(call within,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 coverage:

@@ -15,7 +15,7 @@ namespace multipath {
 namespace {
 
 constexpr std::string_view state_kind = "multipath state ";
-constexpr std::string_view first_line = "multipath state 1      \n"; // three words; the number is that of the format
+constexpr std::string_view state_header = "multipath state 1      \n"; // three words; the number is that of the format
 constexpr std::size_t word_size = 8;
 
 std::uint64_t word_at(const char* bytes)
@@ -79,7 +79,7 @@ FileBytes bytes_of_state(const std::string& path)
 
 StateWriter::StateWriter(Sink sink) : Archive(false), sink_(std::move(sink))
 {
-    put(first_line);
+    put(state_header);
 }
 
 void StateWriter::put(std::string_view bytes)
@@ -169,10 +169,10 @@ std::uint64_t StateReader::word(std::size_t place) const
 
 void StateReader::require_version() const
 {
-    const std::string_view start(bytes_.data(), std::min(bytes_.size(), first_line.size()));
+    const std::string_view start(bytes_.data(), std::min(bytes_.size(), state_header.size()));
     if (start.substr(0, state_kind.size()) != state_kind)
         refuse("not a state of multipath; expected a file that --state or -o FILE.state wrote");
-    if (start.size() == first_line.size() && start != first_line)
+    if (start.size() == state_header.size() && start != state_header)
         refuse("written by a newer version of multipath (format " +
                std::string(
                    start.substr(state_kind.size(), start.find_first_of(" \n", state_kind.size()) - state_kind.size())) +
@@ -182,14 +182,14 @@ void StateReader::require_version() const
 void StateReader::require_checksum() const
 {
     const std::size_t end = bytes_.size() - std::min(bytes_.size(), word_size);
-    if (end % word_size != 0 || end < first_line.size() ||
+    if (end % word_size != 0 || end < state_header.size() ||
         checksum(0, std::string_view(bytes_.data(), end)) != word(end))
         refuse("damaged: the checksum is wrong; expected a whole copy");
 }
 
 void StateReader::find_arrays()
 {
-    std::size_t place = first_line.size();
+    std::size_t place = state_header.size();
     while (const std::uint64_t head = word(place)) {
         const auto scalar = static_cast<Scalar>(head >> 32);
         const auto name_size = static_cast<std::size_t>(head & 0xffffffffu);
