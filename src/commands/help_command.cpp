@@ -39,7 +39,7 @@ dropped, and counted. Of two faces in one place that look the same way the
 smaller hides the larger.
 
 Surfaces are cut into patches of constant radiosity: --patch-size is the longest
-edge of one in scene units, --patches how many there may be. Without either,
+edge of one in metres, --patches how many there may be. Without either,
 'solve' cuts them where the light changes, 5,000 and five for every four
 surfaces, and other commands take some thousand equal ones.
 
@@ -59,7 +59,7 @@ up to 2^63. Decimals have a point, in every locale: 0.5, .5, 5e-1.
                                       could be 1 % or everything
   time            --time 90s          250ms, 90s, 5m, 2h; without unit: seconds
   size of memory  --memory 2GB        512MB, 2GB, 1GiB; without unit: bytes
-  point           --eye 1,2.5,-3      x,y,z in scene units, without blanks
+  point           --eye 1,2.5,-3      x,y,z in metres, without blanks
   picture         --size 800x600      width and height in pixels
   part            --shard 3/16        the third of sixteen
 

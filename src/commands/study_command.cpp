@@ -237,7 +237,8 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
     std::vector<std::string> words = {
         line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(lines_beyond * longest),
         "--sequence",       "sobol-owen", "--replicates", "4"};
-    for (const char* name : {"patch-size", "patches", "emission-from", "memory", "threads", "seed"})
+    for (const char* name :
+         {"patch-size", "patches", "unit", "emission-from", "reflectance-limit", "memory", "threads", "seed"})
         if (line.has(name))
             words.insert(words.end(), {"--" + std::string(name), line.text(name)});
     for (const char* name : {"lamp", "ignore"})

@@ -75,22 +75,42 @@ idle_lamp() {
 }
 check "light that reaches nothing is no picture, but a lamp alone is one" idle_lamp
 
-# A cube as a modeller makes it: all faces look outward, and its top is the lamp.
+# In millimetres, white as the sky, and without a lamp: the error's command mends all of it.
+units_and_white() {
+    sed 's/^Kd .*/Kd 1 1 1.2/; /^Ke/d' "${scene%.obj}.mtl" >white.mtl && sed "s/^mtllib .*/mtllib white.mtl/" "$scene" >white.obj || return
+    ends 1 solve white.obj --unit mm $quick && says err "is above 1" && says err "no emitter" || return
+    options=$(sed -n 's/.*multipath solve white.obj \(.*\)$/\1/p' err)
+    says err " --reflectance-limit 0.9 --lamp lamp=10 --unit mm" && ends 0 solve white.obj $options $quick -o white.csv &&
+        says white.csv " --unit mm" && says white.csv " --reflectance-limit 0.9" &&
+        ends 0 solve "$scene" $quick -o m.csv && ends 0 solve "$scene" $quick --unit cm -o cm.csv &&
+        awk -F, '/^[0-9]/ { area[FILENAME] += $10; sum[FILENAME] += $10 * $17 }
+            END { r = area["m.csv"] / area["cm.csv"] / 1e4; b = sum["m.csv"] / sum["cm.csv"] / 1e4
+                  exit r < 0.999999 || r > 1.000001 || b < 0.99 || b > 1.01 }' m.csv cm.csv &&
+        ends 2 solve "$scene" --unit ell && says err "--unit: expected one of" &&
+        ends 2 solve "$scene" --reflectance-limit 1.5 && says err "--reflectance-limit"
+}
+check "coordinates have a unit, and reflectances a limit" units_and_white
+
+# A cube as a modeller makes it: all faces look outward, and its top is the lamp; and one without a floor.
 inside_out() {
     printf '%s\n' 'mtllib cube.mtl' 'v 0 0 0' 'v 2 0 0' 'v 2 0 2' 'v 0 0 2' 'v 0 2 0' 'v 2 2 0' 'v 2 2 2' 'v 0 2 2' \
-        'usemtl wall' 'f 1 2 3 4' 'f 1 5 6 2' 'f 3 7 8 4' 'f 4 8 5 1' 'f 2 6 7 3' 'usemtl lamp' 'f 5 8 7 6' >outward.obj
+        'usemtl wall' 'f 1 5 6 2' 'f 3 7 8 4' 'f 4 8 5 1' 'f 2 6 7 3' 'usemtl lamp' 'f 5 8 7 6' >outward.obj
     printf '%s\n' 'newmtl wall' 'Kd 0.5' 'newmtl lamp' 'Kd 0.5' 'Ke 1' >cube.mtl
     for method in reuse extended local; do
         ends 1 solve outward.obj --lines 4096 --method $method --quiet -o a.csv && says err "inside out; --flip" || return
     done
-    ends 0 solve outward.obj --lines 4096 --flip -o a.csv && says err "0.00 % escaped" && says a.csv " --flip" &&
+    ends 0 solve outward.obj --lines 4096 --flip -o a.csv && says a.csv " --flip" &&
         ends 1 check outward.obj --lines 5000 && says out "--flip" && [ "$(grep -c WRONG out)" = 1 ] &&
-        ends 0 check outward.obj --lines 5000 --flip && says out "nothing suspicious" &&
         ends 0 study outward.obj --flip --methods extended --sequences random --from 1000 --to 2000 -o s.csv --quiet &&
-        ends 0 explain outward.obj --flip -o e.svg &&
-        ends 0 selftest outward.obj --flip --patch-size 1 --quiet
+        ends 0 explain outward.obj --flip -o e.svg && ends 0 selftest outward.obj --flip --patch-size 1 --quiet || return
+    { cat outward.obj && printf '%s\n' 'usemtl wall' 'f 1 2 3 4'; } >closed.obj
+    ends 0 solve closed.obj --lines 4096 -o a.csv && says err "its 6 outer surfaces were turned over" && says err "0.00 % escaped" &&
+        ends 0 solve closed.obj --lines 4096 --flip -o b.csv && ! grep -q "turned over" err && same_patches a.csv b.csv &&
+        ends 0 check closed.obj --lines 5000 && says out "turned over" && ! grep -q WRONG out &&
+        ends 0 solve closed.obj --lines 4096 --two-sided -o a.csv && says err "0.00 % escaped"
 }
-check "--flip lights a room that was modelled inside out, and is named where it helps" inside_out
+same_patches() { grep -v '^#' "$1" >one && grep -v '^#' "$2" >two && cmp -s one two; }
+check "--flip lights a room that was modelled inside out, and is named where it helps; closed walls turn without it" inside_out
 
 without_effect() { ends 2 solve "$scene" --method local --ratio 2 && says err "no effect" && ends 2 solve "$scene" --json -o - && says err "standard output"; }
 check "options that would do nothing or collide are refused" without_effect

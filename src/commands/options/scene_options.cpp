@@ -4,7 +4,9 @@
 #include "cli/options/usage_error.h"
 #include "commands/options/memory_limit.h"
 #include "scene/obj/obj_reader.h"
+#include "scene/room_shell.h"
 #include "scene/tessellation.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr std::array<NamedValue<EmissionFrom>, 2> emission_choices = {
     {{"Ke", EmissionFrom::ke}, {"Ka", EmissionFrom::ka}}};
+
+constexpr std::array<NamedValue<double>, 5> unit_choices = {
+    {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}}; // [m]
 
 /// The path of a scene: the name itself if there is such a file, otherwise for a bare name, with or without `.obj`, the
 /// bundled scene of that name. Without one the name itself, so that the reader's message has what was typed.
@@ -51,19 +56,25 @@ OptionGroup scene_option_group()
     return {
         "Scene",
         {{"patch-size", 'p', "SIZE", "",
-          "Longest edge of a patch in scene units. Without it, 'solve' chooses adaptive patches, and other commands a "
+          "Longest edge of a patch in metres. Without it, 'solve' chooses adaptive patches, and other commands a "
           "size for some thousand."},
          {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
-         {"flip", 0, "", "", "Turn every face over, for a room that was modelled to be seen from outside."},
+         {"flip", 0, "", "",
+          "Turn every face over, for a scene that was modelled to be seen from outside. The walls of a closed room "
+          "that look away from its lamps are turned without it."},
+         {"unit", 0, "UNIT", "m",
+          "Length of 1 in the file's coordinates. All that is told, written or asked for, such as --eye, is in metres.",
+          false, names_of(unit_choices)},
          memory_option(),
          {"lamp", 0, "NAME=E", "",
           "Let a material, or else an object or group, emit E in W/m^2, one number or three for red, green and blue, "
-          "in "
-          "the place of what the file says.",
+          "in the place of what the file says.",
           true},
          {"ignore", 0, "NAME", "",
           "Leave out the faces of a material, or else of an object or group, such as the glass before a lamp.", true},
+         {"reflectance-limit", 0, "X", "1",
+          "Lower reflectances above X to it, from 0 to 1, for files whose white is 1 or more."},
          {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false,
           names_of(emission_choices)}}};
 }
@@ -98,6 +109,17 @@ ObjChanges read_changes(const CommandLine& line)
     for (const std::string& lamp : line.all("lamp"))
         changes.lamps.push_back(read_lamp(lamp));
     changes.ignored = line.all("ignore");
+    changes.unit = line.choice("unit", unit_choices).value;
+    changes.reflectance_limit = read_real("--reflectance-limit", line.text("reflectance-limit"), 0.0, 1.0);
+    for (const char* name : {"two-sided", "flip"})
+        if (line.has(name))
+            changes.options += " --" + std::string(name);
+    for (const char* name : {"unit", "emission-from", "ignore"})
+        if (line.has(name))
+            for (const std::string& value : line.all(name))
+                changes.options += " --" + std::string(name) + " " + shell_word(value);
+    if (changes.reflectance_limit < 1.0)
+        changes.options += " --reflectance-limit " + line.text("reflectance-limit");
     return changes;
 }
 
@@ -124,6 +146,9 @@ Scene read_scene(const CommandLine& line, int threads)
     SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
+    else if (const std::size_t turned = turn_shell_inward(file))
+        file.warnings.push_back(path + ": the room looks outward, away from its light: its " + grouped(turned) +
+                                " outer surfaces were turned over (--flip turns all instead)");
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     double patch_size = given_size;
     if (line.has("patches"))

@@ -34,6 +34,7 @@ private:
     Rgb colour(std::string_view keyword, std::string_view rest, TextPlace place) const;
     void note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place);
     void note_ambient(std::string_view rest);
+    void note_opacity(std::string_view keyword, std::string_view rest);
     MtlMaterial& current_material(std::string_view keyword, TextPlace place);
     const std::string& name_of_current() const;
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
@@ -43,6 +44,7 @@ private:
     MaterialLibrary& library_;
     TextLines lines_;
     std::optional<std::uint32_t> current_;
+    bool has_dissolve_ = false; ///< the current material has a `d`
     IgnoredKeywords ignored_{16};
 };
 
@@ -71,6 +73,8 @@ void MtlParser::statement(const TextLine& line)
         ignored_.note(keyword, line.place);
     if (keyword == "Ka")
         note_ambient(without_comment(rest));
+    if (keyword == "d" || keyword == "Tr")
+        note_opacity(keyword, without_comment(rest));
 }
 
 /// A name defined again starts afresh, in its old place.
@@ -79,6 +83,7 @@ void MtlParser::define(const std::string& name, TextPlace place)
     const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
     const auto [entry, is_new] = library_.number_of_name.emplace(name, next_number);
     current_ = entry->second;
+    has_dissolve_ = false;
     MtlMaterial fresh;
     fresh.material.name = name;
     fresh.material.source = name_of(place);
@@ -98,9 +103,9 @@ void MtlParser::set_reflectance(std::string_view rest, TextPlace place)
     const auto [least, largest] = std::minmax({reflectance.r, reflectance.g, reflectance.b});
     if (least < 0.0)
         refuse(place, "Kd of material " + in_quotes(current.material.name) + " is negative, expected 0 to 1");
-    if (largest > 1.0)
-        refuse(place, "Kd of material " + in_quotes(current.material.name) +
-                          " is above 1, it would reflect more light than it receives; expected 0 to 1");
+    current.flaw = largest > 1.0 ? name_of(place) + ": Kd of material " + in_quotes(current.material.name) +
+                                       " is above 1, it would reflect more light than it receives; expected 0 to 1"
+                                 : "";
     note_repetition("Kd", current.kd_line, place);
     current.material.reflectance = reflectance;
     current.kd_line = place.line;
@@ -154,6 +159,20 @@ void MtlParser::note_ambient(std::string_view rest)
     const double red = to_number(next_word(rest)).value_or(0.0);
     const double green = to_number(next_word(rest)).value_or(red);
     library_.materials[*current_].ambient = {red, green, to_number(next_word(rest)).value_or(red)};
+}
+
+/// Exporters disagree whether `Tr 1` alone is opaque or invisible, so it says nothing.
+void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
+{
+    std::string_view word = next_word(rest);
+    if (word == "-halo")
+        word = next_word(rest);
+    const std::optional<double> value = to_number(word);
+    if (!current_ || !value || !(*value >= 0.0 && *value <= 1.0) ||
+        (keyword == "Tr" && (has_dissolve_ || *value == 1.0)))
+        return;
+    has_dissolve_ = has_dissolve_ || keyword == "d";
+    library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
 }
 
 void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place)
@@ -266,27 +285,39 @@ std::string text_of(std::string_view names, const NamePart& first, const NamePar
     return std::string(names.substr(first.begin, last.end - first.begin));
 }
 
+bool is_mtl_name(const std::string& name)
+{
+    constexpr std::string_view ending = ".mtl";
+    return name.size() > ending.size() &&
+           equal_but_for_case(name.substr(name.size() - ending.size()), std::string(ending));
+}
+
 } // namespace
 
-std::vector<std::string> find_mtl_files(std::string_view names, TextPlace place)
+MtlFiles find_mtl_files(std::string_view names, TextPlace place)
 {
     const std::vector<NamePart> parts = parts_of(names, place);
     if (parts.empty())
         refuse(place, "`mtllib` without a name, expected the name of an MTL file");
     const fs::path folder = fs::path(std::string(place.path)).parent_path();
 
-    std::vector<std::string> files;
+    MtlFiles files;
     for (std::size_t first = 0; first < parts.size();) {
         const std::size_t longest = parts[first].is_quoted ? 1 : parts.size() - first;
         std::optional<std::string> file;
         std::size_t length = longest + 1;
         while (!file && --length > 0)
             file = find_file(folder, text_of(names, parts[first], parts[first + length - 1]));
-        if (!file)
-            refuse(place, "material file " + in_quotes(names.substr(parts[first].begin)) +
-                              " not found in the folder `" + (folder.empty() ? "." : folder.string()) +
-                              "`, without it no surface emits light");
-        files.push_back(*file);
+        if (file) {
+            files.found.push_back(*file);
+        } else {
+            const auto begin = parts.begin() + static_cast<std::ptrdiff_t>(first);
+            const auto last =
+                std::find_if(begin, begin + static_cast<std::ptrdiff_t>(longest) - 1,
+                             [&](const NamePart& part) { return is_mtl_name(text_of(names, part, part)); });
+            files.missing.push_back(text_of(names, *begin, *last));
+            length = static_cast<std::size_t>(last - begin) + 1;
+        }
         first += length;
     }
     return files;

@@ -15,8 +15,10 @@ namespace multipath {
 struct MtlMaterial
 {
     Material material;
+    double opacity = 1.0;            ///< [1] `d`, or without it 1 - `Tr`; only for messages, since all is opaque here
     Rgb ambient;                     ///< `Ka`; in some files the emission of lamps
     std::uint32_t kd_line = 0;       ///< 0: not given, the material reflects nothing
+    std::string flaw;                ///< "file:line: what is wrong": a reflectance above 1; empty if it is not
     std::uint32_t emission_line = 0; ///< of `Ke` or `Ka`, whichever counts; 0: not given
     bool emission_too_small = false; ///< of one colour or more, which therefore count as 0
 };
@@ -29,13 +31,20 @@ struct MaterialLibrary
     std::vector<std::string> warnings;
 };
 
-/// Adds the materials of a file. Of two definitions the last counts, with a warning. Throws InputError for reflectances
-/// outside [0, 1], negative or infinite emission, and what else does not make sense.
+/// Adds the materials of a file. Of two definitions the last counts, with a warning. Throws InputError for negative
+/// reflectances, negative or infinite emission, and what else does not make sense.
 void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library);
 
-/// The files that the argument of `mtllib` names, as paths that can be opened. Names are relative to the folder of the
-/// OBJ file; they may be several, in quotes, contain blanks or backslashes, or have the wrong case.
-/// Throws InputError at `place` for a name without a file.
-std::vector<std::string> find_mtl_files(std::string_view names, TextPlace place);
+/// What a `mtllib` statement names.
+struct MtlFiles
+{
+    std::vector<std::string> found;   ///< paths that can be opened
+    std::vector<std::string> missing; ///< names without a file
+};
+
+/// Finds the files that the argument of `mtllib` names. Names are relative to the folder of the OBJ file; they may be
+/// several, in quotes, contain blanks or backslashes, or have the wrong case. Throws InputError at `place` for an
+/// argument without a name.
+MtlFiles find_mtl_files(std::string_view names, TextPlace place);
 
 } // namespace multipath

@@ -140,8 +140,12 @@ std::vector<LampMaterial> apply(const ObjChanges& changes, ObjMesh& mesh)
 
 std::vector<std::string> likely_lamps(const ObjMesh& mesh)
 {
-    constexpr std::array<std::string_view, 12> words = {"lamp", "light", "bulb", "emit", "lumin",  "neon",
-                                                        "fluo", "glow",  "led_", "sky",  "window", "glass"};
+    // Lamps first, then what daylight comes through, in some languages of public models.
+    constexpr std::array<std::string_view, 32> words = {
+        "lamp",    "light",   "bulb",     "emit",   "emis", "lumi",   "neon",   "fluo",
+        "glow",    "led_",    "licht",    "leucht", "luce", "luz",    "svjetl", "svetl",
+        "lantern", "chandel", "candle",   "sconce", "sky",  "himmel", "window", "fenster",
+        "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
     const std::vector<double> areas = areas_of_materials(mesh);
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, std::string_view word) {

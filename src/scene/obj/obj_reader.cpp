@@ -3,6 +3,7 @@
 
 #include "scene/obj/obj_reader.h"
 
+#include "scene/input_error.h"
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
 #include "scene/obj/obj_mesh.h"
@@ -28,15 +29,33 @@ void append(std::vector<std::string>& list, std::vector<std::string> more)
     list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-std::vector<std::string> find_libraries(const ObjMesh& mesh)
+/// The material files that a mesh names, each once, and warnings of those that do not exist.
+struct Libraries
 {
     std::vector<std::string> files;
+    std::vector<std::string> missing;
+    std::vector<std::string> warnings;
+};
+
+Libraries find_libraries(const ObjMesh& mesh)
+{
+    const std::string folder = std::filesystem::path(mesh.path).parent_path().string();
+    Libraries result;
     std::unordered_set<std::string> known;
-    for (const ObjName& names : mesh.libraries)
-        for (const std::string& file : find_mtl_files(names.name, {mesh.path, names.line}))
+    for (const ObjName& names : mesh.libraries) {
+        const MtlFiles named = find_mtl_files(names.name, {mesh.path, names.line});
+        for (const std::string& file : named.found)
             if (known.insert(file).second)
-                files.push_back(file);
-    return files;
+                result.files.push_back(file);
+        for (const std::string& name : named.missing) {
+            if (!known.insert("no " + name).second)
+                continue;
+            result.missing.push_back(name);
+            result.warnings.push_back(name_of({mesh.path, names.line}) + ": material file " + in_quotes(name) +
+                                      " not found in the folder " + in_quotes(folder.empty() ? "." : folder));
+        }
+    }
+    return result;
 }
 
 MaterialLibrary read_libraries(const std::vector<std::string>& files, EmissionFrom emission_from)
@@ -105,6 +124,21 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
         list.by_origin.unknown_names.push_back(name.name);
 }
 
+/// No more than the limit in each colour. Returns the names of those that had more.
+std::vector<std::string> limit_reflectances(double limit, MaterialLibrary& library)
+{
+    std::vector<std::string> lowered;
+    for (MtlMaterial& material : library.materials) {
+        const Rgb rho = material.material.reflectance;
+        material.material.reflectance = {std::min(rho.r, limit), std::min(rho.g, limit), std::min(rho.b, limit)};
+        if (limit < 1.0)
+            material.flaw.clear();
+        if (limit < 1.0 && material.material.reflectance != rho)
+            lowered.push_back(material.material.name);
+    }
+    return lowered;
+}
+
 MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, const std::vector<bool>& has_pieces,
                                const std::vector<std::string>& files)
 {
@@ -167,6 +201,22 @@ std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
     return lamps.size() < used.size() || used.size() == 1 ? lamps : std::vector<std::string>{};
 }
 
+/// The faces enclose a volume, which lies behind them: a thing seen from outside, or several.
+bool looks_outward(const ObjMesh& mesh)
+{
+    double volume = 0.0; // six times, of the cones from the first vertex
+    const Vec3 origin = mesh.vertices[mesh.corners[0]];
+    std::size_t first = 0;
+    for (const ObjFace& face : mesh.faces) {
+        const Vec3 a = mesh.vertices[mesh.corners[first]] - origin;
+        for (std::size_t k = 1; k + 1 < face.corner_count; ++k)
+            volume += dot(a, cross(mesh.vertices[mesh.corners[first + k]] - origin,
+                                   mesh.vertices[mesh.corners[first + k + 1]] - origin));
+        first += face.corner_count;
+    }
+    return volume > 0.0;
+}
+
 void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& materials)
 {
     for (const LampMaterial& lamp : lamps) {
@@ -185,23 +235,17 @@ bool is_lit(const std::vector<Material>& materials, const std::vector<bool>& has
     return false;
 }
 
-/// What gives a file without lamps one: a command that does.
-std::string advice_on_lamps(const ObjMesh& mesh)
-{
-    const std::vector<std::string> names = likely_lamps(mesh);
-    const std::string others = names.size() > 1 ? ", or another: " + list_of({names.begin() + 1, names.end()}) : "";
-    return "; to make a lamp of material or object " + in_quotes(names.front()) + others + ": multipath solve " +
-           shell_word(mesh.path) + " --lamp " + shell_word(names.front()) + "=10";
-}
-
-[[noreturn]] void refuse_darkness(const UsedMaterials& materials, const ObjMesh& mesh, EmissionFrom emission_from)
+/// What a file lacks to be a scene with light: empty if nothing.
+std::string darkness(const UsedMaterials& materials, const ObjMesh& mesh, const std::vector<std::string>& missing_files,
+                     EmissionFrom emission_from)
 {
     const std::string keyword = emission_from == EmissionFrom::ka ? "Ka" : "Ke";
     std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
     const std::vector<std::string> idle = names_where(materials.unused, emits);
-    const std::vector<std::string> lamps = lamps_by_ambient(materials.used);
     if (mesh.libraries.empty())
         problem += "; no material file is named (`mtllib`)";
+    if (!missing_files.empty())
+        problem += "; no such material file: " + list_of(missing_files);
     if (!materials.unknown_names.empty())
         problem += "; used but defined nowhere: " + list_of(materials.unknown_names) +
                    (materials.files.empty() ? "" : ", read " + list_of(materials.files));
@@ -211,11 +255,7 @@ std::string advice_on_lamps(const ObjMesh& mesh)
         problem += "; below 1e-30, which counts as 0: " + list_of(too_dark);
     if (!idle.empty())
         problem += "; emitting but used by no face: " + list_of(idle);
-    if (emission_from == EmissionFrom::ke && !lamps.empty())
-        problem += "; Ka makes a lamp of " + list_of(lamps) + ": try --emission-from Ka";
-    else
-        problem += advice_on_lamps(mesh);
-    refuse({mesh.path, 0}, problem);
+    return problem;
 }
 
 /// Every edge is run through as often one way as the other, as on the walls of a room or the sides of a block.
@@ -239,17 +279,54 @@ bool is_closed(const ObjMesh& mesh)
     return edges == reversed_edges;
 }
 
-void require_absorption(const UsedMaterials& materials, const ObjMesh& mesh)
+/// Whether light can go round for ever: the surfaces are closed, do not look outward, and all reflect all of a colour.
+bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh)
 {
     const auto all_reflect = [&](double Rgb::*channel) {
         return std::all_of(materials.used.begin(), materials.used.end(),
-                           [&](const MtlMaterial& m) { return m.material.reflectance.*channel == 1.0; });
+                           [&](const MtlMaterial& m) { return m.material.reflectance.*channel >= 1.0; });
     };
     if (materials.default_used || !(all_reflect(&Rgb::r) || all_reflect(&Rgb::g) || all_reflect(&Rgb::b)))
+        return false;
+    return is_closed(mesh) && !looks_outward(mesh);
+}
+
+/// Refuses what would give no result, or a wrong one, with a command that mends all of it.
+void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh,
+                     const std::vector<std::string>& missing_files, EmissionFrom emission_from,
+                     const ObjChanges& changes)
+{
+    std::vector<std::string> problems;
+    std::string options;
+    const auto too_bright = std::find_if(materials.used.begin(), materials.used.end(),
+                                         [](const MtlMaterial& m) { return !m.flaw.empty(); });
+    if (too_bright != materials.used.end())
+        problems.push_back(too_bright->flaw);
+    if (nothing_absorbs(materials, mesh))
+        problems.push_back("nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same colour, "
+                           "expected Kd below 1 in one of them");
+    if (!problems.empty())
+        options += " --reflectance-limit 0.9";
+    if (!lit) {
+        problems.push_back(darkness(materials, mesh, missing_files, emission_from));
+        const std::vector<std::string> by_ambient = lamps_by_ambient(materials.used);
+        if (emission_from == EmissionFrom::ke && !by_ambient.empty()) {
+            problems.push_back("Ka makes a lamp of " + list_of(by_ambient));
+            options += " --emission-from Ka";
+        } else {
+            const std::vector<std::string> names = likely_lamps(mesh);
+            const std::string others =
+                names.size() > 1 ? ", or another: " + list_of({names.begin() + 1, names.end()}) : "";
+            problems.push_back("to make a lamp of material or object " + in_quotes(names.front()) + others);
+            options += " --lamp " + shell_word(names.front()) + "=10";
+        }
+    }
+    if (problems.empty())
         return;
-    if (is_closed(mesh))
-        refuse({mesh.path, 0}, "nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same "
-                               "colour, expected Kd below 1 in one of them");
+    options += changes.options;
+    const std::string text =
+        join(problems, "; ") + (lit ? "; to lower it" : "") + ": multipath solve " + shell_word(mesh.path) + options;
+    throw InputError(too_bright != materials.used.end() ? text : name_of({mesh.path, 0}) + ": " + text);
 }
 
 void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMaterial>& used,
@@ -260,18 +337,17 @@ void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMateri
         warnings.push_back(first->material.source + ": " + flaw + ": " + list_of(names_where(used, has_flaw)));
 }
 
-/// Whether something absorbs the light. Returns warnings; throws InputError for a closed scene where every material
-/// reflects all light of one colour.
-std::vector<std::string> check_absorption(const UsedMaterials& materials, const ObjMesh& mesh)
+std::vector<std::string> warnings_of_materials(const UsedMaterials& materials)
 {
-    require_absorption(materials, mesh);
-
     std::vector<std::string> warnings;
     add_warning(warnings, materials.used, reflects_everything,
                 "Kd = 1 reflects all light of a colour, lower it if that is not meant");
     add_warning(
         warnings, materials.used, [](const MtlMaterial& m) { return m.kd_line == 0; },
         "no Kd, so the material reflects nothing");
+    add_warning(
+        warnings, materials.used, [](const MtlMaterial& m) { return m.opacity < 1.0; },
+        "transparent by `d` or `Tr`, but all is opaque here, --ignore NAME leaves its faces out");
     return warnings;
 }
 
@@ -338,13 +414,16 @@ std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMater
 SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const ObjChanges& changes)
 {
     ObjMesh mesh = parse_obj(path);
+    for (Vec3& vertex : mesh.vertices)
+        vertex = changes.unit * vertex;
     const std::vector<LampMaterial> lamps = apply(changes, mesh);
-    std::vector<std::string> material_files = find_libraries(mesh);
-    MaterialLibrary library = read_libraries(material_files, emission_from);
+    Libraries libraries = find_libraries(mesh);
+    MaterialLibrary library = read_libraries(libraries.files, emission_from);
+    const std::vector<std::string> lowered = limit_reflectances(changes.reflectance_limit, library);
     const SceneScale scale = scale_of(mesh);
     MeshPieces cut = cut_into_pieces(mesh, scale);
     const std::vector<bool> has_pieces = materials_of(cut.pieces, mesh);
-    MaterialList list = look_up_materials(mesh, std::move(library), has_pieces, material_files);
+    MaterialList list = look_up_materials(mesh, std::move(library), has_pieces, libraries.files);
     make_lamps(lamps, list.materials);
     if (cut.pieces.empty())
         refuse({path, mesh.faces.front().line}, "no face of the file has an area");
@@ -354,13 +433,17 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
 
     SceneFile scene;
     scene.path = path;
-    scene.material_files = std::move(material_files);
+    scene.material_files = std::move(libraries.files);
     scene.warnings = std::move(mesh.warnings);
+    append(scene.warnings, std::move(libraries.warnings));
     append(scene.warnings, std::move(list.warnings));
+    if (!lowered.empty())
+        scene.warnings.push_back(path +
+                                 ": reflectance lowered to the limit of --reflectance-limit: " + list_of(lowered));
     append(scene.warnings, std::move(cut.warnings));
-    if (!is_lit(list.materials, has_pieces))
-        refuse_darkness(list.by_origin, mesh, emission_from);
-    append(scene.warnings, check_absorption(list.by_origin, mesh));
+    require_physics(list.by_origin, is_lit(list.materials, has_pieces), mesh, libraries.missing, emission_from,
+                    changes);
+    append(scene.warnings, warnings_of_materials(list.by_origin));
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);

@@ -41,7 +41,8 @@ TEST_CASE("colours are three numbers, or one for grey")
 
 TEST_CASE("values that no material can have are refused with the name of the material")
 {
-    CHECK(contains(problem("newmtl red\nKd 1.01 0 0\n"), "a.mtl:2: Kd of material `red` is above 1"));
+    CHECK(contains(read("newmtl red\nKd 1.01 0 0\n").materials[0].flaw, "a.mtl:2: Kd of material `red` is above 1"));
+    CHECK(read("newmtl red\nKd 1.01 0 0\nKd 1\n").materials[0].flaw.empty());
     CHECK(contains(problem("newmtl red\nKd 0 0 -0.1\n"), "a.mtl:2: Kd of material `red` is negative"));
     CHECK(contains(problem("newmtl red\nKe 0 -1 0\n"), "a.mtl:2: Ke of material `red` is negative"));
     CHECK(contains(problem("newmtl red\nKe inf\n"), "a.mtl:2: Ke of material `red`: `inf` is not a finite number"));
@@ -108,6 +109,21 @@ TEST_CASE("emission comes from Ke or from Ka, never from both")
     CHECK(read("newmtl a\nKa spectral x.rfl\n").materials[0].ambient == Rgb{});
 }
 
+TEST_CASE("opacity is d, or what Tr leaves, or unknown")
+{
+    const auto opacity = [](const std::string& lines) { return read("newmtl a\n" + lines).materials[0].opacity; };
+    CHECK(opacity("Kd 1\n") == 1.0);
+    CHECK(opacity("d 0.25\n") == 0.25);
+    CHECK(opacity("d -halo 0.5\n") == 0.5);
+    CHECK(opacity("Tr 0.75\n") == 0.25);
+    CHECK(opacity("Tr 1\n") == 1.0); // some exporters mean opaque
+    CHECK(opacity("d 1\nTr 0.5\n") == 1.0);
+    CHECK(opacity("Tr 0.5\nd 1\n") == 1.0);
+    CHECK(opacity("d 7\n") == 1.0);
+    CHECK(opacity("d\n") == 1.0);
+    CHECK(read("newmtl a\nd 1\nnewmtl b\nTr 0.5\n").materials[1].opacity == 0.5);
+}
+
 namespace {
 
 /// What each of the found files holds; the files hold their own names.
@@ -115,7 +131,7 @@ std::vector<std::string> found_in(const ScratchFolder& folder, const std::string
 {
     std::vector<std::string> texts;
     const std::string obj = folder.path("room.obj");
-    for (const std::string& path : find_mtl_files(names, {obj, 3})) {
+    for (const std::string& path : find_mtl_files(names, {obj, 3}).found) {
         std::ifstream file(path);
         std::getline(file, texts.emplace_back());
     }
@@ -143,16 +159,23 @@ TEST_CASE("names of material files may be several, quoted, with blanks, backslas
     CHECK(found_in(folder, folder.path("a.mtl")) == Names{"a.mtl"});
 }
 
-TEST_CASE("a material file that does not exist is named, with the place of the statement")
+TEST_CASE("material files that do not exist are named, each up to the end of its name")
 {
+    using Names = std::vector<std::string>;
     const ScratchFolder folder;
     folder.write("a.mtl", "");
     folder.write("folder.mtl/b.mtl", "");
-    const auto problem = [&](const std::string& names) { return problem_of([&] { found_in(folder, names); }); };
-    CHECK(contains(problem("a.mtl none.mtl"), "room.obj:3: material file `none.mtl` not found in the folder `"));
-    CHECK(contains(problem("folder.mtl"), "material file `folder.mtl` not found"));
-    CHECK(contains(problem(""), "`mtllib` without a name"));
-    CHECK(contains(problem("\""), "material file `\"` not found"));
+    const std::string obj = folder.path("room.obj");
+    const auto missing = [&](const std::string& names) { return find_mtl_files(names, {obj, 3}).missing; };
+    CHECK(missing("a.mtl none.mtl") == Names{"none.mtl"});
+    CHECK(missing("none.mtl a.mtl") == Names{"none.mtl"});
+    CHECK(missing("my room.MTL a.mtl other one.mtl") == Names{"my room.MTL", "other one.mtl"});
+    CHECK(missing("'my room' a.mtl") == Names{"my room"});
+    CHECK(missing("my room") == Names{"my room"});
+    CHECK(missing("folder.mtl") == Names{"folder.mtl"});
+    CHECK(missing("\"") == Names{"\""});
+    const auto problem = [&](const std::string& names) { return problem_of([&] { find_mtl_files(names, {obj, 3}); }); };
+    CHECK(contains(problem(""), "room.obj:3: `mtllib` without a name"));
     std::string many;
     for (int i = 0; i < 100; ++i)
         many += "a.mtl ";

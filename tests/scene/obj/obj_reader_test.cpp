@@ -119,7 +119,8 @@ TEST_CASE("a lamp in Ka is found on request, and pointed out without")
 {
     const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\nusemtl wall\nf 4 3 2 1\n",
                          "newmtl lamp\nKa 20 10 5\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
-    CHECK(contains(text.problem(), "Ka makes a lamp of `lamp`: try --emission-from Ka"));
+    CHECK(contains(text.problem(), "Ka makes a lamp of `lamp`: multipath solve "));
+    CHECK(contains(text.problem(), "room.obj --emission-from Ka"));
     const SceneFile scene = text.read(EmissionFrom::ka);
     CHECK(scene.materials[scene.material[0]].emittance == Rgb{20, 10, 5});
     CHECK(scene.materials[scene.material[1]].emittance == Rgb{});
@@ -200,6 +201,53 @@ TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open o
     const std::string last_wall = "usemtl grey\n" + cube.substr(cube.rfind("f "));
     CHECK(SceneText{start + open_cube + last_wall, white + grey}.read().surfaces.size() == 6);
     CHECK(SceneText{start + open_cube + last_wall, white}.read().surfaces.size() == 6); // not defined, so grey
+}
+
+TEST_CASE("reflectances above 1 are refused or lowered, and the error's command mends all that is wrong")
+{
+    const std::string start = "mtllib room.mtl\nusemtl white\n";
+    const SceneText lit{start + square + "f 1 2 3 4\n", "newmtl white\nKe 1\nKd 0.2 1.5 0.95\nnewmtl other\nKd 2\n"};
+    CHECK(contains(lit.problem(), "room.mtl:3: Kd of material `white` is above 1"));
+    CHECK(contains(lit.problem(), "room.obj --reflectance-limit 0.9"));
+    ObjChanges lowered;
+    lowered.reflectance_limit = 0.9;
+    const SceneFile scene = lit.read(EmissionFrom::ke, lowered);
+    CHECK(scene.materials[0].reflectance == Rgb{0.2, 0.9, 0.9});
+    CHECK(any_contains(scene.warnings, "lowered to the limit of --reflectance-limit: `white`"));
+
+    const SceneText dark_cube{start + cube, "newmtl white\nKd 1\n"};
+    CHECK(contains(dark_cube.problem(), "nothing absorbs"));
+    CHECK(contains(dark_cube.problem(), "no emitter"));
+    CHECK(contains(dark_cube.problem(), "room.obj --reflectance-limit 0.9 --lamp white=10"));
+    lowered.lamps.push_back({"white", {10, 10, 10}});
+    CHECK(dark_cube.read(EmissionFrom::ke, lowered).materials[0].emittance == Rgb{10, 10, 10});
+    const SceneText unused{start + square + "f 1 2 3 4\n", "newmtl white\nKe 1\nKd 0.2\nnewmtl other\nKd 2\n"};
+    CHECK(unused.read().materials[0].reflectance == Rgb{0.2, 0.2, 0.2});
+}
+
+TEST_CASE("white things that are seen from outside trap no light")
+{
+    std::string outward = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                          "f 4 3 2 1\nf 5 6 7 8\nf 2 6 5 1\nf 3 7 6 2\nf 4 8 7 3\nf 1 5 8 4\n";
+    const SceneText scene{"mtllib room.mtl\nusemtl white\n" + outward, "newmtl white\nKd 1\nKe 1\n"};
+    CHECK(scene.read().surfaces.size() == 6);
+}
+
+TEST_CASE("a missing material file is told, and grey stands in for its materials")
+{
+    const std::string faces = square + "usemtl paint\nf 1 2 3 4\n";
+    CHECK(contains(SceneText{"mtllib none.mtl\n" + faces, ""}.problem(), "no such material file: `none.mtl`"));
+    const SceneText lit{"mtllib none.mtl room.mtl\n" + faces + "usemtl lamp\nf 1 2 3\n", "newmtl lamp\nKe 1\nKd 0\n"};
+    const SceneFile scene = lit.read();
+    CHECK(any_contains(scene.warnings, "room.obj:1: material file `none.mtl` not found in the folder `"));
+    CHECK(scene.unknown_materials == std::vector<std::string>{"paint"});
+}
+
+TEST_CASE("a transparent material is told")
+{
+    const SceneText scene{"mtllib room.mtl\n" + square + "usemtl glass\nf 1 2 3 4\n",
+                          "newmtl glass\nKd 0.1\nKe 1\nd 0.3\n"};
+    CHECK(any_contains(scene.read().warnings, "room.mtl:1: transparent by `d` or `Tr`"));
 }
 
 TEST_CASE("a material without Kd reflects nothing, with a warning")
