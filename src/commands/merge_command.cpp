@@ -120,7 +120,7 @@ int run_merge(const CommandLine& line)
     inputs.push_back(runs[0].description.scene.file->path);
     const std::vector<std::string> paths =
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path);
-    std::vector<PlannedOutput> outputs = open_solution_outputs(paths, inputs);
+    std::vector<PlannedOutput> outputs = open_solution_outputs(paths, inputs, job.pictures.views);
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =

@@ -27,7 +27,7 @@ int run_render(const CommandLine& line)
     const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
     std::vector<PlannedOutput> outputs =
         open_solution_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),
-                              {line.operands()[0], saved.description.scene.file->path});
+                              {line.operands()[0], saved.description.scene.file->path}, job.pictures.views);
     const Scene scene = restored(saved.description.scene);
     require_results_possible(job, scene, outputs);
     const Solution solution = finished_solution(saved, scene);

@@ -155,7 +155,7 @@ int run_solve(const CommandLine& line)
     for (const std::string& path : {state.path, state.from})
         if (!path.empty())
             inputs.push_back(path);
-    std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs);
+    std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs, job.pictures.views);
 
     const Scene scene = as_accurate_as_asked(job, as_adaptive_as_asked(job, read_scene(line, thread_count(line))));
     settle_lines(scene, job.line, job.options);

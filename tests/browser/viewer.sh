@@ -17,7 +17,7 @@ browse() {
 looks_at() {
     case $1 in
     5cubes) echo patches_found, picture_compared, first_view, click_on_patch, stages_shown, story_told, quantities_shown, \
-        keys_pressed, names_of_controls ;;
+        keys_pressed, view_saved, names_of_controls ;;
     4chairs) echo first_view ;;
     *) echo patches_found, picture_compared ;;
     esac
@@ -117,6 +117,20 @@ check "other quantities, the exposure and the borders of patches change the pict
 # How many frames the browser shows is its own affair: what is asked for is the step that a tap makes.
 moved() { look 5cubes keys_pressed && holds 'walked > 0.0005 && orbited > 0.01 && kept < 0.000001 && nearer < 1 && home == 0 && help == 1 && folded == 1'; }
 check "keys, wheel and drags move the camera" moved
+
+# The program takes the view of the page, from its file and as options, for the same picture.
+view_saved() {
+    look 5cubes view_saved && holds 'width == 1 && bytes > 20000' && value json >seen.json || return
+    "$program" solve "$root/scenes/5cubes.obj" --patch-size 1 --lines 2^10 --camera seen.json -q -o by-file.ppm &&
+        "$program" solve "$root/scenes/5cubes.obj" --patch-size 1 --lines 2^10 $(value options) -q -o by-options.ppm || return
+    for way in file options; do
+        tail -c 1440000 by-$way.ppm >by-$way.pixels
+    done
+    cmp by-file.pixels by-options.pixels &&
+        [ "$(value at | awk '{ for (i = 1; i <= 6; ++i) printf "%.6f ", $i }')" = \
+            "$(tr -d '{}[]":a-z' <seen.json | tr ',' ' ' | awk '{ for (i = 1; i <= 6; ++i) printf "%.6f ", $i }')" ]
+}
+check "a view is saved as a file and as options that the program takes, and as a picture" view_saved
 
 accessible() { look 5cubes names_of_controls && holds 'controls > 12 && nameless == 0 && hidden_focus == 0'; }
 check "every control has a name and can be reached by keyboard" accessible

@@ -202,6 +202,20 @@ async function keys_pressed() {
   find('help', by_id('help').open ? 1 : 0);
 }
 
+function view_saved() {
+  const saved = {}, camera = multipath.camera;
+  view.HTMLAnchorElement.prototype.click = function () { saved[this.download] = this.href; };
+  drag([300, 300], [380, 340]);
+  find('at', ...camera.eye, ...camera.target);
+  by_id('save-view').click();
+  by_id('save-picture').click();
+  find('json', decodeURIComponent(saved['view.json'].split(',')[1]).trim());
+  find('options', multipath.view_options());
+  const bytes = atob(saved['view.png'].split(',')[1]);
+  find('width', (bytes.charCodeAt(18) << 8 | bytes.charCodeAt(19)) / multipath.picture().width);
+  find('bytes', bytes.length); // of a picture of one colour there are few
+}
+
 function names_of_controls() {
   show_controls(true);
   const controls = [...page.querySelectorAll('button, input, select, summary, canvas[tabindex]')];

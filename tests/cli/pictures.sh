@@ -71,6 +71,25 @@ nothing() {
 }
 check "a view of nothing says so" nothing
 
+# A view of the page's; of several each gets its picture, and what is no picture is written once.
+views() {
+    echo '{"eye": [3, 1.5, 4.5], "target": [3, 1, 0], "fov": 50}' >door.json
+    echo '{"eye": [0.5, 1.5, 0.5], "target": [3, 1, 2]}' >corner.json
+    ends 0 solve closed.obj $quick --camera door.json -o one.ppm -o views.state &&
+        ends 0 solve closed.obj $quick --eye 3,1.5,4.5 --target 3,1,0 --fov 50 -o options.ppm &&
+        ends 0 render views.state --size 80x60 --camera door.json --camera corner.json -o both.ppm -o both.glb -o both.csv &&
+        says err "wrote      both-door.ppm" && [ ! -e both.ppm ] && ends 0 render views.state --size 80x60 --camera corner.json -o two.ppm || return
+    for file in one options both-door both-corner two; do
+        tail -c 14400 $file.ppm >$file.pixels
+    done
+    cmp one.pixels options.pixels && cmp one.pixels both-door.pixels && cmp two.pixels both-corner.pixels && ! cmp -s one.pixels two.pixels &&
+        grep -aq '"name": "corner"' both.glb && ends 2 render views.state --size 80x60 --camera door.json --camera door.json -o x.ppm &&
+        says err "named twice" && ends 2 render views.state --size 80x60 --camera door.json --fov 40 -o x.ppm && says err "exclude each other" &&
+        ends 2 render views.state --size 80x60 --camera door.json --camera corner.json -o - && says err "standard output takes one picture" &&
+        ends 1 render views.state --size 80x60 --camera none.json -o x.ppm && says err "none.json: cannot be read"
+}
+check "views come from files, several at once" views
+
 dim() { ends 0 solve closed.obj $quick --exposure -20 -o dim.ppm && says err "--exposure"; }
 check "a picture that is too dim says so" dim
 finish

@@ -247,7 +247,7 @@ std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, c
     }
     std::vector<PlannedOutput> outputs;
     for (std::size_t i = 0; i < paths.size(); ++i)
-        outputs.push_back({chosen[i], OutputFile(paths[i])});
+        outputs.push_back({chosen[i], OutputFile(paths[i]), 0});
     return outputs;
 }
 

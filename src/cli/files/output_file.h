@@ -2,6 +2,7 @@
 
 #include "cli/files/part_file.h"
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -69,6 +70,7 @@ struct PlannedOutput
 {
     std::string_view extension; ///< ".csv"; one of those that the command writes
     OutputFile file;
+    std::size_t view = 0; ///< of several, which a picture shows
 };
 
 /// The one of `extensions`, string literals such as ".csv", that ends a file's name in upper or lower case; the first

@@ -2,6 +2,7 @@
 
 #include "cli/options/number_text.h"
 #include "cli/options/usage_error.h"
+#include "commands/options/camera_file.h"
 #include "image/automatic_camera.h"
 #include "image/false_colour/quantity.h"
 #include "radiosity/reuse/gathered_light.h"
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <utility>
 
 namespace multipath {
@@ -79,6 +81,25 @@ ShownQuantity read_shown(const CommandLine& line)
     return shown;
 }
 
+void read_views(const CommandLine& line, PictureOptions& options)
+{
+    for (const char* other : {"eye", "target", "up", "fov"})
+        if (line.has(other))
+            throw UsageError("--camera and --" + std::string(other) + " exclude each other; expected one of them");
+    for (const std::string& path : line.all("camera")) {
+        if (path.empty())
+            throw UsageError("--camera: the name is empty; expected a file");
+        options.views.push_back({std::filesystem::path(path).stem().string(), read_camera_file(path)});
+    }
+    const Camera first = options.views.front().camera;
+    options.eye = first.eye;
+    options.target = first.target;
+    options.up = first.up;
+    options.field_of_view = first.field_of_view;
+    if (options.views.size() == 1)
+        options.views.clear();
+}
+
 } // namespace
 
 std::vector<ShownQuantity> shown_quantities()
@@ -100,6 +121,10 @@ OptionGroup picture_option_group()
          {"gather-rays", 0, "N", "64",
           "Of --shading gather: rays per pixel in all directions, and twice as many to sources that something may "
           "hide."},
+         {"camera", 0, "FILE.json", "",
+          "A view as the page saves it, instead of --eye, --target, --up and --fov. Several times: several pictures, "
+          "room-door.png of door.json.",
+          true},
          {"eye", 0, "X,Y,Z", "",
           "Where the camera stands. Without it, chosen to show most of the room where light is."},
          {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
@@ -139,6 +164,8 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
         throw UsageError("--up: the camera looks along it; expected another direction");
     if (line.has("fov"))
         options.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
+    if (line.has("camera"))
+        read_views(line, options);
     return options;
 }
 
@@ -146,6 +173,8 @@ void require_view(const Scene& scene, const PictureOptions& options)
 {
     if (options.eye || options.target)
         PixelRays(camera_for(scene, options), options.render.width, options.render.height);
+    for (const View& view : options.views)
+        PixelRays(view.camera, options.render.width, options.render.height);
 }
 
 Camera camera_for(const Scene& scene, const PictureOptions& options)

@@ -41,6 +41,13 @@ struct ShownQuantity
 /// All of them, the radiosity first.
 std::vector<ShownQuantity> shown_quantities();
 
+/// One of several views, each with a picture of its own.
+struct View
+{
+    std::string name; ///< of its file, without folder and extension
+    Camera camera;
+};
+
 /// How the user wants pictures to look.
 struct PictureOptions
 {
@@ -52,6 +59,7 @@ struct PictureOptions
     std::optional<Vec3> target;
     std::optional<double> field_of_view; ///< [degrees]
     Vec3 up;
+    std::vector<View> views; ///< if there are several: all of them, the first as above
 };
 
 /// The options of every command that makes pictures.

@@ -2,7 +2,6 @@
 
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
-#include "export/mesh/glb.h"
 #include "export/mesh/obj_colours.h"
 #include "export/mesh/ply.h"
 #include "export/patch_table.h"
@@ -39,7 +38,8 @@ constexpr std::array known_formats = {
     OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
                  [](SolvedScene& s) {
                      const double scale = linear_scale(s.scene, s.solution.radiosity);
-                     return glb_bytes(s.mesh(), s.scene, std::exp2(s.options.tone.exposure) * scale, s.comments);
+                     return glb_bytes(s.mesh(), s.scene, std::exp2(s.options.tone.exposure) * scale, s.mesh_cameras(),
+                                      s.comments);
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
@@ -134,6 +134,15 @@ SolvedScene::SolvedScene(const Scene& of_scene, const Solution& of_solution, con
 {
 }
 
+void SolvedScene::show(std::size_t view)
+{
+    if (view == view_)
+        return;
+    view_ = view;
+    camera_.reset();
+    screen_.reset();
+}
+
 std::string SolvedScene::one_comment() const
 {
     std::string comment;
@@ -145,7 +154,7 @@ std::string SolvedScene::one_comment() const
 const Camera& SolvedScene::camera()
 {
     if (!camera_)
-        camera_ = camera_for(scene, options);
+        camera_ = options.views.empty() ? camera_for(scene, options) : options.views[view_].camera;
     return *camera_;
 }
 
@@ -187,6 +196,19 @@ ScreenColour SolvedScene::mesh_colour()
     return [tone = options.tone.tone, scale = mesh_scale()](Rgb radiosity) {
         return srgb_encoded(screen_light(radiosity, tone, scale));
     };
+}
+
+std::vector<GlbCamera> SolvedScene::mesh_cameras()
+{
+    const auto glb_camera = [](const std::string& name, const Camera& c) {
+        return GlbCamera{name, c.eye, c.target, c.up, c.field_of_view};
+    };
+    if (options.views.empty())
+        return {glb_camera("camera", camera())};
+    std::vector<GlbCamera> all;
+    for (const View& view : options.views)
+        all.push_back(glb_camera(view.name, view.camera));
+    return all;
 }
 
 std::vector<std::string> SolvedScene::mesh_comments()
@@ -246,14 +268,30 @@ std::vector<std::string> default_outputs(const std::string& path)
 }
 
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
-                                                 const std::vector<std::string>& inputs)
+                                                 const std::vector<std::string>& inputs, const std::vector<View>& views)
 {
-    return open_outputs(paths, inputs, extensions_of_formats());
+    std::vector<std::string> names;
+    std::vector<std::size_t> shown;
+    for (const std::string& path : paths) {
+        const bool several = views.size() > 1 && kind_of(path) == FormatKind::picture;
+        if (several && path == "-")
+            throw UsageError("--camera: standard output takes one picture, not one for each view; expected -o FILE");
+        for (std::size_t k = 0; k < (several ? views.size() : 1); ++k) {
+            const std::size_t end = path.size() - output_extension(path, extensions_of_formats()).size();
+            names.push_back(several ? path.substr(0, end) + "-" + views[k].name + path.substr(end) : path);
+            shown.push_back(k);
+        }
+    }
+    std::vector<PlannedOutput> outputs = open_outputs(names, inputs, extensions_of_formats());
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        outputs[i].view = shown[i];
+    return outputs;
 }
 
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)
 {
     for (PlannedOutput* const output : quickest_first(outputs)) {
+        solved.show(output->view);
         output->file.write(format_of(*output).bytes(solved));
         output->file.complete();
     }

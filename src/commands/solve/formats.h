@@ -3,6 +3,7 @@
 #include "cli/files/output_file.h"
 #include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
+#include "export/mesh/glb.h"
 #include "export/mesh/patch_mesh.h"
 #include "radiosity/solve.h"
 
@@ -34,6 +35,8 @@ public:
     const Bytes state;
     const Bytes page;
 
+    void show(std::size_t view); ///< of the options' views, from now on; the first at the start
+
     std::string one_comment() const;
     const std::vector<Rgb>& shown_values(); ///< of the quantity that pictures show, per patch
     Image light();                          ///< the picture as numbers
@@ -41,11 +44,13 @@ public:
     const PatchMesh& mesh();                ///< with the radiosity at its corners
     double mesh_scale();                    ///< [m^2/W] exposure of the mesh's colours, that of pictures of it
     ScreenColour mesh_colour();
+    std::vector<GlbCamera> mesh_cameras();    ///< of all views
     std::vector<std::string> mesh_comments(); ///< with the scale
 
 private:
     const Camera& camera();
 
+    std::size_t view_ = 0;
     std::optional<Camera> camera_;
     std::optional<std::vector<Rgb>> shown_values_;
     std::optional<ScreenImage> screen_;
@@ -84,9 +89,11 @@ OptionGroup solution_output_group();
 /// For a file NAME.*: NAME.ppm and whatever else is written by default, in the working directory.
 std::vector<std::string> default_outputs(const std::string& path);
 
-/// open_outputs() with these formats.
+/// open_outputs() with these formats. Of several views every picture becomes one for each: "room.png" becomes
+/// "room-door.png" for the view `door`.
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
-                                                 const std::vector<std::string>& inputs);
+                                                 const std::vector<std::string>& inputs,
+                                                 const std::vector<View>& views);
 
 /// Fills every output in its format and puts all into place. Throws OutputError.
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);

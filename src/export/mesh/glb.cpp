@@ -5,6 +5,7 @@
 #include "export/mesh/glb.h"
 
 #include "export/json.h"
+#include "geometry/pi.h"
 #include "scene/input_error.h"
 #include "scene/little_endian.h"
 
@@ -90,6 +91,7 @@ struct GlbFacts
 {
     std::vector<std::string> attributes; ///< names; the first is POSITION
     double scale = 1.0;                  ///< [m^2/W] from radiosity to colour
+    std::vector<GlbCamera> cameras;
     std::vector<std::string> comments;
 };
 
@@ -202,12 +204,39 @@ std::vector<double> numbers_below(std::size_t count)
     return numbers;
 }
 
-/// One for each mesh.
-std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts)
+/// From the camera's coordinates, in which it looks along -z, to the room's; column by column.
+std::vector<double> matrix_of(const GlbCamera& camera)
+{
+    const Vec3 back = normalized(camera.eye - camera.target);
+    const Vec3 right = normalized(cross(camera.up, back));
+    std::vector<double> matrix;
+    for (const Vec3 column : {right, cross(back, right), back, camera.eye}) {
+        matrix.insert(matrix.end(), {column.x, column.y, column.z, 0.0});
+    }
+    matrix.back() = 1.0;
+    return matrix;
+}
+
+JsonObject perspective(const GlbCamera& camera, const Scene& scene)
+{
+    constexpr double near = 0.002; // as far away as the scene is large
+    return JsonObject()
+        .text("type", "perspective")
+        .object("perspective", JsonObject()
+                                   .number("yfov", camera.field_of_view * pi / 180.0)
+                                   .number("znear", near * scene.bounds().diagonal()));
+}
+
+/// One for each mesh, then one for each camera.
+std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts,
+                              const std::vector<GlbCamera>& cameras)
 {
     std::vector<JsonObject> list;
     for (const MaterialPart& part : parts)
         list.push_back(JsonObject().text("name", scene.materials()[part.material].name).count("mesh", list.size()));
+    for (std::size_t k = 0; k < cameras.size(); ++k)
+        list.push_back(
+            JsonObject().text("name", cameras[k].name).count("camera", k).numbers("matrix", matrix_of(cameras[k])));
     return list;
 }
 
@@ -218,18 +247,23 @@ std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std
     std::vector<JsonObject> materials;
     for (const MaterialPart& part : parts)
         materials.push_back(unlit_material(scene.materials()[part.material]));
-    return JsonObject()
-        .object("asset", asset(facts))
+    std::vector<JsonObject> cameras;
+    for (const GlbCamera& camera : facts.cameras)
+        cameras.push_back(perspective(camera, scene));
+    JsonObject description;
+    description.object("asset", asset(facts))
         .texts("extensionsUsed", {"KHR_materials_unlit"})
         .count("scene", 0)
-        .objects("scenes", {JsonObject().numbers("nodes", numbers_below(parts.size()))})
-        .objects("nodes", nodes(scene, parts))
+        .objects("scenes", {JsonObject().numbers("nodes", numbers_below(parts.size() + facts.cameras.size()))})
+        .objects("nodes", nodes(scene, parts, facts.cameras))
         .objects("meshes", meshes(scene, parts, facts.attributes))
         .objects("materials", materials)
         .objects("accessors", accessors(mesh, parts, blocks.attribute_count))
         .objects("bufferViews", views(blocks))
-        .objects("buffers", {JsonObject().count("byteLength", blocks.total())})
-        .document();
+        .objects("buffers", {JsonObject().count("byteLength", blocks.total())});
+    if (!cameras.empty()) // lists must not be empty
+        description.objects("cameras", cameras);
+    return description.document();
 }
 
 constexpr std::uint32_t magic = 0x46546c67; // "glTF"
@@ -347,11 +381,12 @@ double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
     return middle > 0.0 ? std::max(1.0 / bright, 0.18 / middle) : 1.0 / bright;
 }
 
-std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<std::string>& comments)
+std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
+                      const std::vector<std::string>& comments)
 {
     const std::vector<MaterialPart> parts = material_parts(mesh, scene);
     const std::vector<Attribute> attributes = attributes_of(mesh, scale);
-    GlbFacts facts{{}, scale, comments};
+    GlbFacts facts{{}, scale, cameras, comments};
     for (const Attribute& attribute : attributes)
         facts.attributes.push_back(attribute.name);
     const GlbBlocks blocks(parts, attributes.size());

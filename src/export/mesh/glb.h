@@ -13,11 +13,21 @@ namespace multipath {
 /// picture's scale it depends on no camera.
 double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity);
 
-/// A mesh as binary glTF 2.0: one mesh per material, unlit. COLOR_0 is linear, min(1, scale * radiosity); it is a
-/// float, so that dark corners keep their shades when a program brightens them. _RADIOSITY [W/m^2] keeps what COLOR_0
-/// clips; _ERROR is its standard error, if known. The asset's extras hold the scale [m^2/W] and the comments. Throws
-/// InputError for 4 GB or more, which the format cannot hold.
-std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale,
+/// A pinhole camera.
+struct GlbCamera
+{
+    std::string name;
+    Vec3 eye; ///< [m]
+    Vec3 target;
+    Vec3 up;              ///< not along the view
+    double field_of_view; ///< [degrees] vertical
+};
+
+/// A mesh as binary glTF 2.0: one mesh per material, unlit, and the cameras. COLOR_0 is linear, min(1, scale *
+/// radiosity); it is a float, so that dark corners keep their shades when a program brightens them. _RADIOSITY [W/m^2]
+/// keeps what COLOR_0 clips; _ERROR is its standard error, if known. The asset's extras hold the scale [m^2/W] and the
+/// comments. Throws InputError for 4 GB or more, which the format cannot hold.
+std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
                       const std::vector<std::string>& comments);
 
 } // namespace multipath

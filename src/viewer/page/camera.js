@@ -90,6 +90,13 @@ class Camera {
     return 2 * Math.atan(widened);
   }
 
+  // As the program's --camera reads it: metres, and degrees of a picture of this shape.
+  view(aspect) {
+    const rounded = a => a.map(x => Number(x.toPrecision(9)));
+    return { eye: rounded(this.eye), target: rounded(this.target), up: rounded(this.up),
+             fov: Number((this.angle(aspect) * 180 / Math.PI).toPrecision(9)) };
+  }
+
   // The ray through a place of a picture, in pixels from its top left corner.
   ray(x, y, width, height) {
     const pixel = 2 * Math.tan(0.5 * this.angle(width / height)) / height;

@@ -103,6 +103,7 @@ class Controls {
     const shortcuts = {
       v: () => viewer.change({ motion: state.motion === 'orbit' ? 'walk' : 'orbit' }),
       r: () => viewer.go_home(),
+      c: () => panel.copy_view(),
       f: () => viewer.change({ shading: state.shading === 'smooth' ? 'flat' : 'smooth' }),
       m: () => viewer.change({ mesh: !state.mesh }),
       t: () => viewer.change({ quantity: (state.quantity + 1) % quantities.list.length }),

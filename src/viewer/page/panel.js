@@ -41,6 +41,10 @@ class Panel {
     on('tone', 'change', event => viewer.change({ tone: event.target.value }));
     on('lines', 'input', event => viewer.change({ stage: Number(event.target.value) }));
     on('home', 'click', () => viewer.go_home());
+    on('copy-view', 'click', () => this.copy_view());
+    on('save-view', 'click', () => this.save('view.json',
+      'data:application/json,' + encodeURIComponent(JSON.stringify(viewer.view()) + '\n')));
+    on('save-picture', 'click', () => this.save('view.png', viewer.png()));
     on('fold', 'click', () => this.fold(!this.folded));
     on('help-button', 'click', () => this.help());
   }
@@ -55,6 +59,20 @@ class Panel {
   }
 
   help() { element('help').showModal(); }
+
+  save(name, url) { Object.assign(document.createElement('a'), { href: url, download: name }).click(); }
+
+  // Some browsers lend the clipboard to no page that comes from a file.
+  async copy_view() {
+    const text = this.viewer.view_options();
+    try {
+      await navigator.clipboard.writeText(text);
+      element('copy-view').textContent = 'Copied';
+      setTimeout(() => { element('copy-view').textContent = 'Copy'; }, 1500);
+    } catch {
+      window.prompt('Options of this view', text);
+    }
+  }
 
   // Shows the state; called after every change.
   refresh(state) {

@@ -38,6 +38,20 @@ class Viewer {
     this.request_draw();
   }
 
+  view() { return this.camera.view(this.canvas.clientWidth / this.canvas.clientHeight); }
+
+  // The same for a command line.
+  view_options() {
+    const { eye, target, up, fov } = this.view(), usual = up.join() === '0,1,0';
+    return `--eye=${eye} --target=${target}${usual ? '' : ` --up=${up}`} --fov=${fov}`;
+  }
+
+  // The URL of the picture as it is; the canvas keeps it until the next frame only.
+  png() {
+    this.drawing.draw(this.camera, this.look());
+    return this.canvas.toDataURL('image/png');
+  }
+
   // Draws before the browser shows its next frame, however often it is asked for.
   request_draw() {
     if (this.requested)
@@ -126,6 +140,8 @@ function script_interface(viewer) {
     arrived: () => viewer.story.arrived(),
     picture: () => viewer.drawing.pixels(viewer.camera, viewer.look()),
     statistics: () => viewer.statistics(),
+    view: () => viewer.view(),
+    view_options: () => viewer.view_options(),
     camera: viewer.camera,
   };
 }

@@ -3,9 +3,12 @@
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
 #include "export/mesh/ply_reader.h"
+#include "geometry/pi.h"
 #include "image/shading/smooth_shading.h"
 
 #include <doctest/doctest.h>
+
+#include <cmath>
 
 namespace glb_test {
 
@@ -74,7 +77,7 @@ TEST_CASE("a GLB has one unlit mesh per material, with the names and physics of 
     const Scene scene(file, 1.0);
     const std::vector<Rgb> radiosity = some_values(scene);
     const GlbFile glb(
-        glb_bytes(patch_mesh(scene, flat_corners(radiosity), {}), scene, 0.5, {"one", "command: \"two\""}));
+        glb_bytes(patch_mesh(scene, flat_corners(radiosity), {}), scene, 0.5, {}, {"one", "command: \"two\""}));
     CHECK(glb.json["asset"]["version"].text == "2.0");
     CHECK(glb.json["asset"]["extras"]["record"][1].text == "command: \\\"two\\\"");
     CHECK(glb.json["asset"]["extras"]["color_scale"].number() == 0.5);
@@ -95,6 +98,39 @@ TEST_CASE("a GLB has one unlit mesh per material, with the names and physics of 
     CHECK(glb.json["materials"][1]["name"].text == "\\\"red\\\" caf\xc3\xa9");
 }
 
+TEST_CASE("cameras of a GLB stand at their eyes and look along their views")
+{
+    const Scene scene = walls_that_do_not_match().scene(1.0);
+    const PatchMesh mesh = patch_mesh(scene, flat_corners(some_values(scene)), {});
+    const GlbFile without(glb_bytes(mesh, scene, 0.5, {}, {}));
+    CHECK(without.json.members.count("cameras") == 0);
+
+    const GlbCamera door{"door", {1, 2, 3}, {1, 2, 7}, {0, 1, 1}, 60.0};
+    const GlbCamera top{"top", {0, 5, 0}, {1, 1, 0}, {0, 0, 2}, 90.0};
+    const GlbFile glb(glb_bytes(mesh, scene, 0.5, {door, top}, {}));
+    REQUIRE(glb.json["cameras"].list.size() == 2);
+    const std::size_t meshes = glb.json["meshes"].list.size();
+    CHECK(glb.json["scenes"][0]["nodes"].list.size() == meshes + 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const GlbCamera& camera = k == 0 ? door : top;
+        const JsonValue& node = glb.json["nodes"][meshes + k];
+        CHECK(node["name"].text == camera.name);
+        CHECK(node["camera"].count() == k);
+        std::vector<double> m;
+        for (std::size_t i = 0; i < 16; ++i)
+            m.push_back(node["matrix"][i].number());
+        const Vec3 x{m[0], m[1], m[2]}, y{m[4], m[5], m[6]}, z{m[8], m[9], m[10]};
+        CHECK(length(Vec3{m[12], m[13], m[14]} - camera.eye) == 0.0);
+        CHECK(length(normalized(camera.eye - camera.target) - z) < 1e-15);
+        CHECK(length(cross(x, y) - z) < 1e-15);
+        CHECK(dot(y, camera.up) > 0.0);
+        CHECK(std::abs(dot(x, camera.up)) < 1e-15);
+        CHECK(m[15] == 1.0);
+        CHECK(glb.json["cameras"][k]["perspective"]["yfov"].number() ==
+              doctest::Approx(camera.field_of_view * pi / 180));
+    }
+}
+
 // Triangle by triangle: each lies in the scene, looks the right way, and has the radiosity of a smooth picture.
 TEST_CASE("the triangles of a GLB cover the surfaces of their material")
 {
@@ -102,7 +138,7 @@ TEST_CASE("the triangles of a GLB cover the surfaces of their material")
     const std::vector<Rgb> radiosity = some_values(scene);
     const SmoothShading shading(scene, radiosity, 1);
     const PatchMesh mesh = patch_mesh(scene, [&](std::uint32_t patch) { return shading.at_corners(patch); }, {});
-    const GlbFile glb(glb_bytes(mesh, scene, 0.5, {}));
+    const GlbFile glb(glb_bytes(mesh, scene, 0.5, {}, {}));
     for (std::size_t n = 0; n < scene.materials().size(); ++n) {
         const JsonValue& primitive = glb.json["meshes"][n]["primitives"][0];
         const std::vector<double> positions = glb.attribute(primitive, "POSITION");
@@ -132,7 +168,7 @@ TEST_CASE("colours are linear and clipped, radiosity and error are as they are, 
     const Scene scene = builder.scene(1.0);
     const std::vector<Rgb> radiosity = {{0.25, 0.5, 8.0}, {1, 1, 1}, {2, 0.125, 0}};
     const std::vector<Rgb> error = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
-    const GlbFile glb(glb_bytes(patch_mesh(scene, flat_corners(radiosity), flat_corners(error)), scene, 0.25, {}));
+    const GlbFile glb(glb_bytes(patch_mesh(scene, flat_corners(radiosity), flat_corners(error)), scene, 0.25, {}, {}));
     const JsonValue& primitive = glb.json["meshes"][0]["primitives"][0];
     const std::vector<double> colours = glb.attribute(primitive, "COLOR_0");
     CHECK(colours[0] == 0.0625);
@@ -160,7 +196,7 @@ TEST_CASE("a quadrilateral is cut where the light changes less")
             values[along_first ? 1 : 2] = {};
             return values;
         };
-        const GlbFile glb(glb_bytes(patch_mesh(scene, corners, {}), scene, 1.0, {}));
+        const GlbFile glb(glb_bytes(patch_mesh(scene, corners, {}), scene, 1.0, {}, {}));
         const std::vector<double> triangles = glb.values(glb.json["meshes"][0]["primitives"][0]["indices"].count());
         CHECK(triangles ==
               (along_first ? std::vector<double>{0, 1, 2, 0, 2, 3} : std::vector<double>{0, 1, 3, 1, 2, 3}));
