@@ -1,6 +1,7 @@
 #include "doctest/doctest.h"
 #include "export/state_file.h"
 #include "scene/scene_builder.h"
+#include "test_scenes.h"
 
 #include <cmath>
 #include <cstdint>
