@@ -44,14 +44,8 @@ bool default_holds(const CommandLine& line, std::string_view option)
     });
 }
 
-/// " --name value", such that the parser takes the value for one.
-std::string option_text(const std::string& name, const std::string& value)
-{
-    return " --" + name + (value.compare(0, 2, "--") == 0 ? "=" : " ") + shell_word(value);
-}
-
 /// With a blank before it.
-std::string option_text(const Option& option, const CommandLine& line)
+std::string words_of(const Option& option, const CommandLine& line)
 {
     const std::string name(option.name);
     if (option.argument.empty())
@@ -74,7 +68,7 @@ std::string command_text(const CommandTable& table, const CommandLine& line)
     for (const OptionGroup& group : table.groups)
         for (const Option& option : group.options)
             if (is_recorded(option.name))
-                options += option_text(option, line);
+                options += words_of(option, line);
     std::string words;
     for (const std::string& operand : operands)
         words += " " + shell_word(operand);

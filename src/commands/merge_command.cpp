@@ -114,6 +114,9 @@ int run_merge(const CommandLine& line)
     std::vector<SavedRun> runs;
     for (const std::string& path : line.operands())
         runs.push_back(read_saved_run(path));
+    if (runs.size() == 1 && runs[0].description.shard.of == 1)
+        throw InputError(runs[0].name() +
+                         ": of a whole run, not a share of one; 'multipath render' makes outputs of it");
     require_all_shares(runs);
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();

@@ -110,7 +110,8 @@ void require_absorption(const Scene& scene)
     if (!patch)
         return;
     throw InputError(scene.path() + ": light is trapped among surfaces that reflect all of it, such as `" +
-                     scene.material_of(*patch).name + "`, and has no bound; expected Kd below 1 there");
+                     scene.material_of(*patch).name +
+                     "`, and has no bound; expected Kd below 1 there, such as by --reflectance-limit 0.9");
 }
 
 } // namespace multipath

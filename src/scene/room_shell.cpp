@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,17 +38,43 @@ bool emits(const SceneFile& file, std::size_t surface)
     return file.materials[file.material[surface]].emittance != Rgb{};
 }
 
-/// Surfaces that share corners, directly or by others, have the same number.
-std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces)
+/// Closed surfaces of two-sided edges, one after the other: those that share edges, each with one other, in opposite
+/// directions, have the same number, that of the first of them. Things that only touch a wall do not belong to it.
+std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bounds& bounds)
 {
+    // Corners that are computed from edges differ by rounding; in a grid whose lines coordinates avoid they are one.
+    const double cell = 1e-7 * bounds.diagonal();
+    constexpr double offset = 0.1234567;
     LargeVector<Vec3> corners;
-    std::vector<std::uint32_t> owner;
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-        for (const Vec3 corner : corners_of(surfaces[s])) {
-            corners.push_back(corner);
-            owner.push_back(s);
+    std::vector<std::size_t> first_corner;
+    for (const Surface& surface : surfaces) {
+        first_corner.push_back(corners.size());
+        for (const Vec3 corner : corners_of(surface)) {
+            const Vec3 place = (1.0 / cell) * (corner - bounds.low);
+            corners.push_back(
+                {std::round(place.x + offset), std::round(place.y + offset), std::round(place.z + offset)});
         }
+    }
+    first_corner.push_back(corners.size());
     const LargeVector<std::uint32_t> welded = weld(corners);
+
+    struct Edge
+    {
+        std::uint32_t low, high; ///< corners
+        std::uint32_t surface;
+        bool upward;
+    };
+    std::vector<Edge> edges;
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+        for (std::size_t k = first_corner[s]; k < first_corner[s + 1]; ++k) {
+            const std::uint32_t from = welded[k];
+            const std::uint32_t to = welded[k + 1 < first_corner[s + 1] ? k + 1 : first_corner[s]];
+            edges.push_back({std::min(from, to), std::max(from, to), s, from < to});
+        }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::tie(a.low, a.high, a.surface) < std::tie(b.low, b.high, b.surface);
+    });
+
     std::vector<std::uint32_t> parent(surfaces.size());
     std::iota(parent.begin(), parent.end(), 0u);
     const auto root = [&](std::uint32_t s) {
@@ -56,9 +82,13 @@ std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces)
             s = parent[s] = parent[parent[s]];
         return s;
     };
-    for (std::uint32_t k = 0; k < welded.size(); ++k) {
-        const std::uint32_t a = root(owner[k]);
-        const std::uint32_t b = root(owner[welded[k]]);
+    for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+        while (end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high)
+            ++end;
+        if (end - first != 2 || edges[first].upward == edges[first + 1].upward)
+            continue;
+        const std::uint32_t a = root(edges[first].surface);
+        const std::uint32_t b = root(edges[first + 1].surface);
         parent[std::max(a, b)] = std::min(a, b);
     }
     for (std::uint32_t s = 0; s < parent.size(); ++s)
@@ -66,54 +96,59 @@ std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces)
     return parent;
 }
 
-class Shell
+/// The parts of a scene, and what they surround.
+class Parts
 {
 public:
-    /// The part that reaches as far as all surfaces; empty if none or several do.
-    explicit Shell(const SceneFile& file) : file_(file), part_(connected_parts(file.surfaces))
+    explicit Parts(const SceneFile& file) : file_(file)
     {
-        std::vector<Bounds> bounds(file.surfaces.size());
-        for (std::size_t s = 0; s < file.surfaces.size(); ++s) {
-            const Bounds box = file.surfaces[s].bounds();
-            bounds[part_[s]].include(box);
-            all_.include(box);
+        for (const Surface& surface : file.surfaces)
+            all_.include(surface.bounds());
+        part_ = connected_parts(file.surfaces, all_);
+        bounds_.resize(part_.size());
+        areas_.resize(part_.size());
+        for (std::uint32_t s = 0; s < part_.size(); ++s) {
+            bounds_[part_[s]].include(file.surfaces[s].bounds());
+            areas_[part_[s]] += file.surfaces[s].area();
         }
-        const double tolerance = 1e-3 * size();
-        std::vector<std::uint32_t> found;
-        for (std::uint32_t p = 0; p < bounds.size(); ++p)
-            if (part_[p] == p && length(bounds[p].low - all_.low) <= tolerance &&
-                length(bounds[p].high - all_.high) <= tolerance)
-                found.push_back(p);
-        if (found.size() != 1)
-            return;
-        for (std::uint32_t s = 0; s < part_.size(); ++s)
-            if (part_[s] == found[0])
-                surfaces_.push_back(s);
-        in_shell_ = found[0];
     }
 
-    const std::vector<std::uint32_t>& surfaces() const { return surfaces_; }
-    bool has(std::uint32_t surface) const { return !surfaces_.empty() && part_[surface] == in_shell_; }
+    std::uint32_t of(std::uint32_t surface) const { return part_[surface]; }
+    double area(std::uint32_t part) const { return areas_[part]; }
 
-    /// The winding number is 1 within closed surfaces that look outward.
-    bool surrounds(Vec3 point) const
+    /// Those that are closed and look outward around a point: there their winding number is 1.
+    std::vector<std::uint32_t> around(Vec3 point) const
     {
-        double sum = 0.0;
-        for (const std::uint32_t s : surfaces_)
-            sum += solid_angle(file_.surfaces[s], point);
-        return sum > 0.99 * 4.0 * pi;
+        std::vector<double> angles(part_.size());
+        for (std::uint32_t s = 0; s < part_.size(); ++s)
+            angles[part_[s]] += solid_angle(file_.surfaces[s], point);
+        std::vector<std::uint32_t> found;
+        for (std::uint32_t p = 0; p < angles.size(); ++p)
+            if (angles[p] > 0.99 * 4.0 * pi)
+                found.push_back(p);
+        return found;
     }
 
-    bool is_convex() const
+    bool reaches_all_sides(std::uint32_t part) const
+    {
+        const double tolerance = 1e-3 * all_.diagonal();
+        return length(bounds_[part].low - all_.low) <= tolerance && length(bounds_[part].high - all_.high) <= tolerance;
+    }
+
+    bool is_convex(std::uint32_t part) const
     {
         constexpr std::size_t most = 4096; // surfaces; the test takes their square
-        if (surfaces_.size() > most)
+        std::vector<std::uint32_t> own;
+        for (std::uint32_t s = 0; s < part_.size(); ++s)
+            if (part_[s] == part)
+                own.push_back(s);
+        if (own.size() > most)
             return false;
-        const double tolerance = 1e-6 * size();
-        for (const std::uint32_t s : surfaces_) {
+        const double tolerance = 1e-6 * all_.diagonal();
+        for (const std::uint32_t s : own) {
             const Surface& face = file_.surfaces[s];
             const Vec3 normal = face.normal();
-            for (const std::uint32_t other : surfaces_)
+            for (const std::uint32_t other : own)
                 for (const Vec3 corner : corners_of(file_.surfaces[other]))
                     if (dot(normal, corner - face.origin) > tolerance)
                         return false;
@@ -121,54 +156,79 @@ public:
         return true;
     }
 
-    double size() const { return all_.diagonal(); }
-
 private:
     const SceneFile& file_;
-    std::vector<std::uint32_t> part_;
-    std::vector<std::uint32_t> surfaces_;
-    std::uint32_t in_shell_ = 0;
     Bounds all_;
+    std::vector<std::uint32_t> part_;
+    std::vector<Bounds> bounds_; ///< of the part with the number of its first surface
+    std::vector<double> areas_;
 };
+
+/// Of all surfaces.
+double winding_number(const SceneFile& file, Vec3 point)
+{
+    double sum = 0.0;
+    for (const Surface& surface : file.surfaces)
+        sum += solid_angle(surface, point);
+    return sum / (4.0 * pi);
+}
 
 } // namespace
 
-std::size_t turn_shell_inward(SceneFile& file)
+std::size_t turn_shells_inward(SceneFile& file)
 {
     std::vector<std::uint32_t> emitters;
-    for (std::uint32_t s = 0; s < file.surfaces.size(); ++s)
+    Bounds all;
+    for (std::uint32_t s = 0; s < file.surfaces.size(); ++s) {
+        all.include(file.surfaces[s].bounds());
         if (emits(file, s))
             emitters.push_back(s);
+    }
     if (emitters.empty() || emitters.size() == file.surfaces.size())
         return 0;
+    const std::size_t tested = std::clamp<std::size_t>(1'000'000 / file.surfaces.size(), 1, 16);
+    const std::size_t step = (emitters.size() + tested - 1) / tested;
+    const double aside = 1e-5 * all.diagonal();
+    const auto in_front = [&](std::uint32_t s) {
+        return file.surfaces[s].centre() + aside * file.surfaces[s].normal();
+    };
+    const auto behind = [&](std::uint32_t s) { return file.surfaces[s].centre() - aside * file.surfaces[s].normal(); };
 
     // In a room that looks inward the winding number is -1, or 0 in and behind its lamps. Most scenes end here.
-    const Vec3 first = file.surfaces[emitters[0]].centre();
-    double around = 0.0;
-    for (std::uint32_t s = 0; s < file.surfaces.size(); ++s)
-        around += s == emitters[0] ? 0.0 : solid_angle(file.surfaces[s], first);
-    if (around < 0.4 * 4.0 * pi)
+    bool any = false;
+    for (std::size_t k = 0; k < emitters.size() && !any; k += step)
+        any = std::max(winding_number(file, in_front(emitters[k])), winding_number(file, behind(emitters[k]))) > 0.4;
+    if (!any)
         return 0;
 
-    const Shell shell(file);
-    std::optional<bool> convex;
-    constexpr std::size_t most_tested = 16;
-    const std::size_t step = (emitters.size() + most_tested - 1) / most_tested;
+    const Parts parts(file);
+    std::vector<char> turned(file.surfaces.size());
+    std::vector<double> lamps_within(file.surfaces.size()); // [m^2] in each part
+    bool all_own = true;
     for (std::size_t k = 0; k < emitters.size(); k += step) {
-        const Surface& emitter = file.surfaces[emitters[k]];
-        if (!shell.has(emitters[k])) {
-            if (!shell.surrounds(emitter.centre()))
-                return 0;
-            continue;
-        }
-        if (!convex)
-            convex = shell.is_convex();
-        if (!*convex || !shell.surrounds(emitter.centre() - 1e-6 * shell.size() * emitter.normal()))
-            return 0;
+        const std::uint32_t own = parts.of(emitters[k]);
+        for (const std::uint32_t part : parts.around(in_front(emitters[k])))
+            lamps_within[part] += part == own ? 0.0 : static_cast<double>(step) * file.surfaces[emitters[k]].area();
+        all_own = all_own && own == parts.of(emitters[0]);
     }
-    for (const std::uint32_t s : shell.surfaces())
-        std::swap(file.surfaces[s].edge_u, file.surfaces[s].edge_v);
-    return shell.surfaces().size();
+    constexpr double spacious = 4.0; // the housing of a lamp is hardly larger than the lamp
+    for (std::uint32_t p = 0; p < turned.size(); ++p)
+        turned[p] = lamps_within[p] > 0.0 && parts.area(p) > spacious * lamps_within[p];
+    const std::uint32_t first = parts.of(emitters[0]);
+    const auto surrounds = [&](const std::vector<std::uint32_t>& found) {
+        return std::find(found.begin(), found.end(), first) != found.end();
+    };
+    if (all_own && parts.reaches_all_sides(first) && surrounds(parts.around(behind(emitters[0]))) &&
+        parts.is_convex(first))
+        turned[first] = 1;
+
+    std::size_t count = 0;
+    for (std::uint32_t s = 0; s < file.surfaces.size(); ++s)
+        if (turned[parts.of(s)]) {
+            std::swap(file.surfaces[s].edge_u, file.surfaces[s].edge_v);
+            ++count;
+        }
+    return count;
 }
 
 } // namespace multipath

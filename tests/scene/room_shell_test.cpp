@@ -36,7 +36,7 @@ std::vector<bool> turned(const SceneFile& before, const SceneFile& after)
 std::size_t turn(SceneFile file, std::vector<bool>& which)
 {
     const SceneFile before = file;
-    const std::size_t count = turn_shell_inward(file);
+    const std::size_t count = turn_shells_inward(file);
     which = turned(before, file);
     return count;
 }
@@ -70,6 +70,49 @@ TEST_CASE("a convex room with its lamp in its walls is turned, a thing that glow
     CHECK(turn(box(false, false, false), which) == 0);
     CHECK(turn(box(true, true, false), which) == 0);
     CHECK(turn(box(true, false, true), which) == 0); // its lamp may light the lower step
+}
+
+TEST_CASE("a room's walls belong together whatever rounding does, and without what touches them")
+{
+    std::vector<bool> which;
+    const auto room = [](Vec3 low, Vec3 high, double lamp_height) {
+        SceneBuilder builder;
+        const std::uint32_t wall = builder.grey(0.5, 0.0);
+        const Vec3 d = high - low;
+        builder.box(low, high, wall);
+        builder.box(low, low + Vec3{0.3 * d.x, d.y, 0.3 * d.z}, wall); // a pillar in the corner
+        builder.rectangle(low + Vec3{0.5 * d.x, lamp_height * d.y, 0.5 * d.z}, {0.2 * d.x, 0, 0}, {0, 0, 0.2 * d.z},
+                          builder.grey(0.0, 1.0));
+        return builder.file();
+    };
+    const std::vector<bool> walls = {true,  true,  true,  true,  true,  true, false,
+                                     false, false, false, false, false, false};
+    for (const double lamp_height : {0.7, 1.0}) { // below the ceiling, and in it
+        CHECK(turn(room({0, 0, 0}, {4, 4, 4}, lamp_height), which) == 6);
+        CHECK(which == walls);
+        CHECK(turn(room({-2.920992, 2.024814, -1.443876}, {-0.217999, 7.011749, 1.966915}, lamp_height), which) == 6);
+        CHECK(which == walls);
+        CHECK(turn(room({1e6 + 0.1, 0.3, 0}, {1e6 + 4.7, 2.9, 5.3}, lamp_height), which) == 6);
+        CHECK(which == walls);
+    }
+}
+
+TEST_CASE("of two houses on a plain each is turned that surrounds its lamp; the housing of a lamp is not")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.5, 0.0);
+    const std::uint32_t lamp = builder.grey(0.0, 1.0);
+    builder.rectangle({-20, 0, -20}, {0, 0, 40}, {40, 0, 0}, wall);
+    builder.box({0, 0.5, 0}, {4, 4, 4}, wall);
+    builder.rectangle({1, 3, 1}, {1, 0, 0}, {0, 0, 1}, lamp);
+    builder.room({6, 0.5, 0}, {10, 4, 4}, wall);
+    builder.rectangle({7, 3, 1}, {1, 0, 0}, {0, 0, 1}, lamp);
+    builder.box({12, 2, 0}, {13, 2.1, 1}, wall);
+    builder.rectangle({12.02, 2.05, 0.02}, {0.96, 0, 0}, {0, 0, 0.96}, lamp);
+    std::vector<bool> which;
+    CHECK(turn(builder.file(), which) == 6);
+    for (std::size_t s = 0; s < which.size(); ++s)
+        CHECK(which[s] == (s >= 1 && s <= 6));
 }
 
 TEST_CASE("an open room is left as it is")

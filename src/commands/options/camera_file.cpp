@@ -90,7 +90,7 @@ private:
         const std::size_t end = text_.find('"', place_);
         if (end == std::string_view::npos)
             fail("a key has no end, expected a double quote");
-        const std::string result(text_.substr(place_, end - place_));
+        std::string result(text_.substr(place_, end - place_));
         place_ = end + 1;
         return result;
     }

@@ -89,6 +89,10 @@ void read_views(const CommandLine& line, PictureOptions& options)
     for (const std::string& path : line.all("camera")) {
         if (path.empty())
             throw UsageError("--camera: the name is empty; expected a file");
+        for (const View& other : options.views)
+            if (other.name == std::filesystem::path(path).stem())
+                throw UsageError("--camera: two views are called '" + other.name +
+                                 "'; expected files of different names");
         options.views.push_back({std::filesystem::path(path).stem().string(), read_camera_file(path)});
     }
     const Camera first = options.views.front().camera;

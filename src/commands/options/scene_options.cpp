@@ -114,10 +114,10 @@ ObjChanges read_changes(const CommandLine& line)
     for (const char* name : {"two-sided", "flip"})
         if (line.has(name))
             changes.options += " --" + std::string(name);
-    for (const char* name : {"unit", "emission-from", "ignore"})
+    for (const char* name : {"unit", "emission-from", "ignore", "lamp"})
         if (line.has(name))
             for (const std::string& value : line.all(name))
-                changes.options += " --" + std::string(name) + " " + shell_word(value);
+                changes.options += option_text(name, value);
     if (changes.reflectance_limit < 1.0)
         changes.options += " --reflectance-limit " + line.text("reflectance-limit");
     return changes;
@@ -146,7 +146,7 @@ Scene read_scene(const CommandLine& line, int threads)
     SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
-    else if (const std::size_t turned = turn_shell_inward(file))
+    else if (const std::size_t turned = turn_shells_inward(file))
         file.warnings.push_back(path + ": the room looks outward, away from its light: its " + grouped(turned) +
                                 " outer surfaces were turned over (--flip turns all instead)");
     const double sides = line.has("two-sided") ? 2.0 : 1.0;

@@ -138,7 +138,7 @@ std::string summary_text(const SolveSummary& s)
                        percent(balance.unshot), 100.0 * more);
     if (percent(balance.behind) > 0.01)
         text += format(
-            "warning    %.2g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
+            "warning    %.3g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
             "'multipath check' names them, --two-sided gives them backs\n",
             percent(balance.behind));
     if (!s.all_at_once)

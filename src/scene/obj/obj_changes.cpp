@@ -54,8 +54,13 @@ NamedFaces faces_named(const std::string& option, const std::string& name, const
             any = found.materials[k] = true;
     for (std::size_t k = 0; k < mesh.groups.size() && !any; ++k)
         found.groups[k] = !name.empty() && mesh.groups[k] == name;
-    if (any || std::find(found.groups.begin(), found.groups.end(), true) != found.groups.end())
+    if (any || std::find(found.groups.begin(), found.groups.end(), true) != found.groups.end()) {
+        if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); }))
+            throw SettingsError(mesh.path + ": " + option + ": `" + name +
+                                "` has no face, or none that is not ignored; "
+                                "expected the name of one that has");
         return found;
+    }
     throw SettingsError(mesh.path + ": " + option + ": no material or object is called `" + name +
                         "`, expected one of its names: " + some_names(mesh));
 }
@@ -109,10 +114,16 @@ std::string lower_case(std::string text)
     return text;
 }
 
-/// Of the polygons of each material.
-std::vector<double> areas_of_materials(const ObjMesh& mesh)
+/// Of polygons.
+struct Areas
 {
-    std::vector<double> areas(mesh.materials.size());
+    std::vector<double> materials;
+    std::vector<double> groups;
+};
+
+Areas areas_of(const ObjMesh& mesh)
+{
+    Areas areas = {std::vector<double>(mesh.materials.size()), std::vector<double>(mesh.groups.size())};
     std::size_t first = 0;
     for (const ObjFace& face : mesh.faces) {
         Vec3 sum;
@@ -120,7 +131,8 @@ std::vector<double> areas_of_materials(const ObjMesh& mesh)
         for (std::size_t k = 1; k + 1 < face.corner_count; ++k)
             sum = sum + cross(mesh.vertices[mesh.corners[first + k]] - origin,
                               mesh.vertices[mesh.corners[first + k + 1]] - origin);
-        areas[face.material] += 0.5 * length(sum);
+        areas.materials[face.material] += 0.5 * length(sum);
+        areas.groups[face.group] += 0.5 * length(sum);
         first += face.corner_count;
     }
     return areas;
@@ -146,7 +158,10 @@ std::vector<std::string> likely_lamps(const ObjMesh& mesh)
         "glow",    "led_",    "licht",    "leucht", "luce", "luz",    "svjetl", "svetl",
         "lantern", "chandel", "candle",   "sconce", "sky",  "himmel", "window", "fenster",
         "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
-    const std::vector<double> areas = areas_of_materials(mesh);
+    const Areas areas = areas_of(mesh);
+    std::vector<std::string> materials; // --lamp takes a name for that of a material first
+    for (const ObjName& material : mesh.materials)
+        materials.push_back(name_of_material(material));
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, std::string_view word) {
         if (lower_case(name).find(word) != std::string::npos &&
@@ -155,14 +170,16 @@ std::vector<std::string> likely_lamps(const ObjMesh& mesh)
     };
     for (const std::string_view word : words) {
         for (std::size_t k = 0; k < mesh.materials.size(); ++k)
-            if (areas[k] > 0.0)
+            if (areas.materials[k] > 0.0)
                 add(mesh.materials[k].name, word);
-        for (const std::string& group : mesh.groups)
-            add(group, word);
+        for (std::size_t k = 0; k < mesh.groups.size(); ++k)
+            if (areas.groups[k] > 0.0 &&
+                std::find(materials.begin(), materials.end(), mesh.groups[k]) == materials.end())
+                add(mesh.groups[k], word);
     }
     if (names.empty()) {
-        const auto largest = std::max_element(areas.begin(), areas.end());
-        names.push_back(name_of_material(mesh.materials[static_cast<std::size_t>(largest - areas.begin())]));
+        const std::vector<double>& of = areas.materials;
+        names.push_back(materials[static_cast<std::size_t>(std::max_element(of.begin(), of.end()) - of.begin())]);
     }
     return names;
 }

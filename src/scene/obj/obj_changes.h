@@ -23,7 +23,7 @@ struct ObjChanges
     std::vector<std::string> ignored; ///< whose faces are left out
     double reflectance_limit = 1.0;   ///< [1] to which each colour of a reflectance above it is lowered; 1: refused
     double unit = 1.0;                ///< [m] of the file's coordinates
-    std::string options;              ///< " --ignore glass": of the command line, for commands in messages
+    std::string options = {};         ///< " --ignore glass": of the command line, for commands in messages
 };
 
 /// A material of a mesh that becomes a lamp.

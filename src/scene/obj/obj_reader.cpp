@@ -305,7 +305,9 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
     if (nothing_absorbs(materials, mesh))
         problems.push_back("nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same colour, "
                            "expected Kd below 1 in one of them");
-    if (!problems.empty())
+    // Without a lamp nobody knows yet what it would light.
+    const bool may_trap = !names_where(materials.used, reflects_everything).empty();
+    if (!problems.empty() || (!lit && may_trap))
         options += " --reflectance-limit 0.9";
     if (!lit) {
         problems.push_back(darkness(materials, mesh, missing_files, emission_from));
@@ -318,14 +320,14 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
             const std::string others =
                 names.size() > 1 ? ", or another: " + list_of({names.begin() + 1, names.end()}) : "";
             problems.push_back("to make a lamp of material or object " + in_quotes(names.front()) + others);
-            options += " --lamp " + shell_word(names.front()) + "=10";
+            options += option_text("lamp", names.front() + "=10");
         }
     }
     if (problems.empty())
         return;
     options += changes.options;
-    const std::string text =
-        join(problems, "; ") + (lit ? "; to lower it" : "") + ": multipath solve " + shell_word(mesh.path) + options;
+    const std::string text = join(problems, "; ") + (lit ? "; to lower it" : "") + ": multipath solve " +
+                             shell_word((mesh.path[0] == '-' ? "./" : "") + mesh.path) + options;
     throw InputError(too_bright != materials.used.end() ? text : name_of({mesh.path, 0}) + ": " + text);
 }
 

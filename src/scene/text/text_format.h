@@ -25,6 +25,9 @@ std::string join(const std::vector<std::string>& parts, std::string_view separat
 /// 2024) with octal escapes where it holds control characters.
 std::string shell_word(std::string_view text);
 
+/// " --name value", such that a shell and a command line take the value for one.
+std::string option_text(std::string_view name, std::string_view value);
+
 /// How many bytes at the beginning of a text make one well-formed character of UTF-8 (RFC 3629); 0 if none do.
 std::size_t utf8_character_size(std::string_view text);
 

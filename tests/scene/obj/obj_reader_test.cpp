@@ -181,7 +181,7 @@ TEST_CASE("the error of a file without lamps names one that could be, by its nam
     const SceneText named{"mtllib room.mtl\n" + square +
                               "usemtl paint\nf 1 2 3 4\no Desk Lamp's shade\nusemtl cloth\nf 1 2 3\n",
                           "newmtl paint\nKd 0.5\nnewmtl cloth\nKd 0.5\n"};
-    CHECK(contains(named.problem(), "--lamp 'Desk Lamp'\\''s shade'=10"));
+    CHECK(contains(named.problem(), "--lamp 'Desk Lamp'\\''s shade=10'"));
     const SceneText nameless{square + "f 1 2 3 4\n", ""};
     CHECK(contains(nameless.problem(), "--lamp default=10"));
     CHECK(nameless.read(EmissionFrom::ke, {{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
@@ -223,6 +223,24 @@ TEST_CASE("reflectances above 1 are refused or lowered, and the error's command 
     CHECK(dark_cube.read(EmissionFrom::ke, lowered).materials[0].emittance == Rgb{10, 10, 10});
     const SceneText unused{start + square + "f 1 2 3 4\n", "newmtl white\nKe 1\nKd 0.2\nnewmtl other\nKd 2\n"};
     CHECK(unused.read().materials[0].reflectance == Rgb{0.2, 0.2, 0.2});
+}
+
+TEST_CASE("the command of an error keeps what was given, and names only what has faces that are left")
+{
+    const std::string two =
+        square + "o lamp\nusemtl a\nf 1 1 1\no --shade lamp\nusemtl b\nf 1 2 3 4\no rest\nusemtl c\nf 4 3 2 1\n";
+    const SceneText scene{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 0.5\nnewmtl c\nKd 0.5\n"};
+    CHECK(contains(scene.problem(), "room.obj --lamp='--shade lamp=10'"));
+    ObjChanges changes;
+    changes.ignored = {"--shade lamp"};
+    changes.options = " --ignore='--shade lamp' --unit mm";
+    CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }),
+                   "--lamp c=10 --ignore='--shade lamp' --unit mm"));
+    changes.lamps = {{"b", {1, 1, 1}}};
+    CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }), "--lamp: `b` has no face"));
+    const SceneText white{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 1\nnewmtl c\nKd 0.5\n"};
+    CHECK(
+        contains(white.problem(), "room.obj --reflectance-limit 0.9 --lamp='--shade lamp=10'")); // it might trap light
 }
 
 TEST_CASE("white things that are seen from outside trap no light")
