@@ -213,7 +213,7 @@ std::size_t turn_shells_inward(SceneFile& file)
     }
     constexpr double spacious = 4.0; // the housing of a lamp is hardly larger than the lamp
     for (std::uint32_t p = 0; p < turned.size(); ++p)
-        turned[p] = lamps_within[p] > 0.0 && parts.area(p) > spacious * lamps_within[p];
+        turned[p] = lamps_within[p] > 0.0 && parts.area(p) > spacious * lamps_within[p] ? 1 : 0;
     const std::uint32_t first = parts.of(emitters[0]);
     const auto surrounds = [&](const std::vector<std::uint32_t>& found) {
         return std::find(found.begin(), found.end(), first) != found.end();
