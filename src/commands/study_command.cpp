@@ -237,16 +237,11 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
     std::vector<std::string> words = {
         line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(lines_beyond * longest),
         "--sequence",       "sobol-owen", "--replicates", "4"};
-    for (const char* name :
-         {"patch-size", "patches", "unit", "emission-from", "reflectance-limit", "memory", "threads", "seed"})
+    for (const char* name : {"patch-size", "patches", "memory", "threads", "seed"})
         if (line.has(name))
             words.insert(words.end(), {"--" + std::string(name), line.text(name)});
-    for (const char* name : {"lamp", "ignore"})
-        for (const std::string& value : line.all(name))
-            words.insert(words.end(), {"--" + std::string(name), value});
-    for (const char* name : {"two-sided", "flip"})
-        if (line.has(name))
-            words.push_back("--" + std::string(name));
+    for (const GivenOption& option : reading_options(line))
+        words.push_back("--" + option.name + (option.value.empty() ? "" : "=" + option.value));
     return {solve_command().table, words};
 }
 

@@ -38,8 +38,8 @@ bool emits(const SceneFile& file, std::size_t surface)
     return file.materials[file.material[surface]].emittance != Rgb{};
 }
 
-/// Closed surfaces of two-sided edges, one after the other: those that share edges, each with one other, in opposite
-/// directions, have the same number, that of the first of them. Things that only touch a wall do not belong to it.
+/// For each surface the number of the first one of its part. A part hangs together by edges that two surfaces run along
+/// in opposite directions; what touches a wall makes a third at its edge, or shares none, and does not belong to it.
 std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bounds& bounds)
 {
     // Corners that are computed from edges differ by rounding; in a grid whose lines coordinates avoid they are one.

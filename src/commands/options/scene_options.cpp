@@ -111,19 +111,24 @@ ObjChanges read_changes(const CommandLine& line)
     changes.ignored = line.all("ignore");
     changes.unit = line.choice("unit", unit_choices).value;
     changes.reflectance_limit = read_real("--reflectance-limit", line.text("reflectance-limit"), 0.0, 1.0);
-    for (const char* name : {"two-sided", "flip"})
-        if (line.has(name))
-            changes.options += " --" + std::string(name);
-    for (const char* name : {"unit", "emission-from", "ignore", "lamp"})
-        if (line.has(name))
-            for (const std::string& value : line.all(name))
-                changes.options += option_text(name, value);
-    if (changes.reflectance_limit < 1.0)
-        changes.options += " --reflectance-limit " + line.text("reflectance-limit");
+    for (const GivenOption& option : reading_options(line))
+        changes.options += option.value.empty() ? " --" + option.name : option_text(option.name, option.value);
     return changes;
 }
 
 } // namespace
+
+std::vector<GivenOption> reading_options(const CommandLine& line)
+{
+    constexpr std::array<std::string_view, 3> others = {"patch-size", "patches", "memory"};
+    std::vector<GivenOption> result;
+    for (const Option& option : scene_option_group().options)
+        if (std::find(others.begin(), others.end(), option.name) == others.end())
+            for (const std::string& value : line.all(option.name))
+                if (option.argument.empty() || value != option.default_text)
+                    result.push_back({std::string(option.name), option.argument.empty() ? "" : value});
+    return result;
+}
 
 std::string scene_path(const CommandLine& line)
 {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace multipath {
 
@@ -13,6 +14,14 @@ OptionGroup scene_option_group();
 
 /// The file of the scene that the first operand names: as given, or the bundled one of that name.
 std::string scene_path(const CommandLine& line);
+
+/// The given options that change how the file is read, not what is done with it: --flip without a value, --unit, ...
+struct GivenOption
+{
+    std::string name;
+    std::string value; ///< empty: takes none
+};
+std::vector<GivenOption> reading_options(const CommandLine& line);
 
 /// That scene, cut into patches as the options say, of adaptive ones into those that they begin with. Throws
 /// UsageError, InputError.

@@ -210,9 +210,8 @@ std::vector<double> matrix_of(const GlbCamera& camera)
     const Vec3 back = normalized(camera.eye - camera.target);
     const Vec3 right = normalized(cross(camera.up, back));
     std::vector<double> matrix;
-    for (const Vec3 column : {right, cross(back, right), back, camera.eye}) {
+    for (const Vec3 column : {right, cross(back, right), back, camera.eye})
         matrix.insert(matrix.end(), {column.x, column.y, column.z, 0.0});
-    }
     matrix.back() = 1.0;
     return matrix;
 }

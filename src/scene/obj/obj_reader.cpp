@@ -3,6 +3,7 @@
 
 #include "scene/obj/obj_reader.h"
 
+#include "geometry/intersector/surface_sizes.h"
 #include "scene/input_error.h"
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
@@ -201,22 +202,6 @@ std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
     return lamps.size() < used.size() || used.size() == 1 ? lamps : std::vector<std::string>{};
 }
 
-/// The faces enclose a volume, which lies behind them: a thing seen from outside, or several.
-bool looks_outward(const ObjMesh& mesh)
-{
-    double volume = 0.0; // six times, of the cones from the first vertex
-    const Vec3 origin = mesh.vertices[mesh.corners[0]];
-    std::size_t first = 0;
-    for (const ObjFace& face : mesh.faces) {
-        const Vec3 a = mesh.vertices[mesh.corners[first]] - origin;
-        for (std::size_t k = 1; k + 1 < face.corner_count; ++k)
-            volume += dot(a, cross(mesh.vertices[mesh.corners[first + k]] - origin,
-                                   mesh.vertices[mesh.corners[first + k + 1]] - origin));
-        first += face.corner_count;
-    }
-    return volume > 0.0;
-}
-
 void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& materials)
 {
     for (const LampMaterial& lamp : lamps) {
@@ -235,7 +220,7 @@ bool is_lit(const std::vector<Material>& materials, const std::vector<bool>& has
     return false;
 }
 
-/// What a file lacks to be a scene with light: empty if nothing.
+/// Why a scene has no light.
 std::string darkness(const UsedMaterials& materials, const ObjMesh& mesh, const std::vector<std::string>& missing_files,
                      EmissionFrom emission_from)
 {
@@ -279,8 +264,8 @@ bool is_closed(const ObjMesh& mesh)
     return edges == reversed_edges;
 }
 
-/// Whether light can go round for ever: the surfaces are closed, do not look outward, and all reflect all of a colour.
-bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh)
+/// Whether light can go round for ever: the surfaces are a closed room, and all reflect all of a colour.
+bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const SurfaceList& surfaces)
 {
     const auto all_reflect = [&](double Rgb::*channel) {
         return std::all_of(materials.used.begin(), materials.used.end(),
@@ -288,11 +273,11 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh)
     };
     if (materials.default_used || !(all_reflect(&Rgb::r) || all_reflect(&Rgb::g) || all_reflect(&Rgb::b)))
         return false;
-    return is_closed(mesh) && !looks_outward(mesh);
+    return form_a_room(surfaces) && is_closed(mesh);
 }
 
 /// Refuses what would give no result, or a wrong one, with a command that mends all of it.
-void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh,
+void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SurfaceList& surfaces,
                      const std::vector<std::string>& missing_files, EmissionFrom emission_from,
                      const ObjChanges& changes)
 {
@@ -302,7 +287,7 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
                                          [](const MtlMaterial& m) { return !m.flaw.empty(); });
     if (too_bright != materials.used.end())
         problems.push_back(too_bright->flaw);
-    if (nothing_absorbs(materials, mesh))
+    if (nothing_absorbs(materials, mesh, surfaces))
         problems.push_back("nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same colour, "
                            "expected Kd below 1 in one of them");
     // Without a lamp nobody knows yet what it would light.
@@ -443,13 +428,13 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
         scene.warnings.push_back(path +
                                  ": reflectance lowered to the limit of --reflectance-limit: " + list_of(lowered));
     append(scene.warnings, std::move(cut.warnings));
-    require_physics(list.by_origin, is_lit(list.materials, has_pieces), mesh, libraries.missing, emission_from,
-                    changes);
     append(scene.warnings, warnings_of_materials(list.by_origin));
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
     add_surfaces(cut.pieces, mesh, scene);
+    require_physics(list.by_origin, is_lit(scene.materials, has_pieces), mesh, scene.surfaces, libraries.missing,
+                    emission_from, changes);
     scene.unknown_materials = list.by_origin.unknown_names;
     for (const MtlMaterial& unused : list.by_origin.unused)
         scene.unused_materials.push_back(unused.material.source + ": " + unused.material.name);
