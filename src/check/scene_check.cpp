@@ -132,7 +132,7 @@ private:
     {
         return area(surface) * mean(scene_.surface_material(surface).emittance);
     }
-    double area_of_surfaces() const { return scene_.total_area() / (scene_.two_sided() ? 2.0 : 1.0); }
+    double area_of_surfaces() const { return scene_.own_area() / (scene_.two_sided() ? 2.0 : 1.0); }
 
     void idle_emitters()
     {
@@ -162,7 +162,7 @@ private:
     void lost_behind()
     {
         const double lost = share(report_.balance.behind);
-        if (!(lost > least_told))
+        if (file_.sky_surfaces > 0 || !(lost > least_told))
             return;
         const std::string surfaces =
             format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost) +
@@ -179,7 +179,7 @@ private:
     void escaping()
     {
         const double lost = share(report_.balance.escaped);
-        if (!(lost > least_told))
+        if (file_.sky_surfaces > 0 || !(lost > least_told))
             return;
         const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
         std::string edges;
@@ -340,7 +340,7 @@ private:
 
     void scale()
     {
-        const double diagonal = scene_.bounds().diagonal();
+        const double diagonal = scene_.own_bounds().diagonal();
         if (diagonal < 0.1 || diagonal > 500.0)
             add_note("scale", file_.path,
                      format("the scene measures %.3g m across if its unit is the metre; the radiosity does not depend "
@@ -352,14 +352,15 @@ private:
     /// leave large walls nearly uncut.
     void coarse_patches()
     {
-        if (scene_.patch_size() != default_patch_size(scene_.surfaces()))
+        const SurfaceList& all = scene_.surfaces();
+        if (scene_.patch_size() != default_patch_size({all.begin(), all.end() - file_.sky_surfaces}))
             return;
         double longest = 0.0;
-        for (std::uint32_t s = 0; s < scene_.surfaces().size(); ++s) {
+        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
             const Surface cell = scene_.tessellation(s).uniform(0).cell(scene_.surfaces()[s], 0);
             longest = std::max({longest, length(cell.edge_u), length(cell.edge_v)});
         }
-        const double diagonal = scene_.bounds().diagonal();
+        const double diagonal = scene_.own_bounds().diagonal();
         if (longest <= diagonal / 15.0)
             return;
         const double finer = one_digit(diagonal / 50.0);
@@ -368,7 +369,7 @@ private:
                  format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows; "
                         "--patch-size %g gives %s patches instead of %s",
                         longest, 100.0 * longest / diagonal, finer,
-                        grouped(static_cast<std::uint64_t>(sides * cell_count(scene_.surfaces(), finer))).c_str(),
+                        grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))).c_str(),
                         grouped(scene_.patch_count()).c_str()));
     }
 

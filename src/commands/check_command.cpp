@@ -74,12 +74,13 @@ std::string rgb_text(Rgb c)
 std::string materials_text(const Scene& scene)
 {
     std::vector<double> area(scene.materials().size(), 0.0);
-    for (std::size_t s = 0; s < scene.surfaces().size(); ++s)
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
         area[scene.file().material[s]] += scene.surfaces()[s].area();
     std::string text;
     for (std::size_t m = 0; m < area.size(); ++m)
-        text += format("  %-20s reflectance %-26s %10.4g m^2\n", scene.materials()[m].name.c_str(),
-                       rgb_text(scene.materials()[m].reflectance).c_str(), area[m]);
+        if (area[m] > 0.0)
+            text += format("  %-20s reflectance %-26s %10.4g m^2\n", scene.materials()[m].name.c_str(),
+                           rgb_text(scene.materials()[m].reflectance).c_str(), area[m]);
     return text;
 }
 
@@ -89,6 +90,11 @@ std::string emitters_text(const Scene& scene)
     for (const Emitter& e : emitters(scene))
         text += format("  %-20s %.5g W %s from %.4g m^2, faces %s\n", e.material->name.c_str(), mean(e.power()),
                        rgb_text(e.power()).c_str(), e.area, facing_text(e).c_str());
+    if (const std::optional<Sun>& sun = scene.file().sun)
+        text += format("  %-20s %.5g W %s arrive from (%.3g, %.3g, %.3g)\n", "the sun",
+                       mean(scene.source_power() - scene.lamp_power()),
+                       rgb_text(scene.source_power() - scene.lamp_power()).c_str(), sun->direction.x, sun->direction.y,
+                       sun->direction.z);
     return text;
 }
 
@@ -122,12 +128,12 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
 
 std::string report_text(const Scene& scene, const SceneReport& report, const std::vector<Finding>& findings)
 {
-    const Vec3 low = scene.bounds().low;
-    const Vec3 high = scene.bounds().high;
+    const Vec3 low = scene.own_bounds().low;
+    const Vec3 high = scene.own_bounds().high;
     std::string text = scene.path() + ": " + scene.file().counts + "\n";
     text += format("\nsize: %.5g x %.5g x %.5g m from (%.5g, %.5g, %.5g) to (%.5g, %.5g, %.5g)\n", high.x - low.x,
                    high.y - low.y, high.z - low.z, low.x, low.y, low.z, high.x, high.y, high.z);
-    text += format("area: %.6g m^2 in %s patches of at most %.4g; convex hull %.6g m^2\n", scene.total_area(),
+    text += format("area: %.6g m^2 in %s patches of at most %.4g; convex hull %.6g m^2\n", scene.own_area(),
                    grouped(scene.patch_count()).c_str(), scene.patch_size(), report.hull_area);
     text += "\nmaterials:\n" + materials_text(scene);
     text += "\nemitters:\n" + emitters_text(scene);
@@ -145,12 +151,12 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     const auto rgb = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
     JsonObject json;
     json.text("scene", scene.path());
-    json.count("surfaces", scene.surfaces().size());
+    json.count("surfaces", scene.own_surfaces());
     json.count("patches", scene.patch_count());
     json.number("patch_size", scene.patch_size());
-    json.numbers("bounds_low", vector(scene.bounds().low));
-    json.numbers("bounds_high", vector(scene.bounds().high));
-    json.number("area_m2", scene.total_area());
+    json.numbers("bounds_low", vector(scene.own_bounds().low));
+    json.numbers("bounds_high", vector(scene.own_bounds().high));
+    json.number("area_m2", scene.own_area());
     json.number("hull_area_m2", r.hull_area);
     json.number("average_reflectance", r.figures.average_reflectance);
     json.numbers("average_reflectance_rgb", rgb(scene.average_reflectance()));

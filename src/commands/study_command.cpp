@@ -349,7 +349,7 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
 {
     if (line.has("reference")) {
         ResultFile given(line.text("reference"));
-        if (given.scene && given.table.areas != scene.areas() && have_same_surfaces(*given.scene, scene))
+        if (given.scene && given.table.areas != scene.weights() && have_same_surfaces(*given.scene, scene))
             return total_reference(std::move(given), scene, thread_count(line));
         return reference_of(given.table, scene);
     }
@@ -368,7 +368,7 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
         file->write(patch_table(scene, solution.radiosity, solution.standard_error, facts));
         file->commit();
     }
-    return {solution.radiosity, expected_relative_square(scene.areas(), solution.radiosity, solution.standard_error)};
+    return {solution.radiosity, expected_relative_square(scene.weights(), solution.radiosity, solution.standard_error)};
 }
 
 /// Of the runs of this study; without a file if there is no folder. Runs with other settings, another scene or

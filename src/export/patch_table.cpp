@@ -59,7 +59,7 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
         table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + material;
         append(table, patch.shape.centre());
         table += normal;
-        append(table, scene.area(i));
+        append(table, scene.is_sky(patch.surface) ? 0.0 : scene.area(i));
         table += constants;
         append(table, radiosity[i]);
         if (!standard_error.empty())
@@ -142,8 +142,8 @@ std::uint32_t read_surface(const CsvTable& table, const CsvRow& row, std::size_t
 double read_area(const CsvTable& table, const CsvRow& row, std::size_t column)
 {
     const double area = table.number(row, column);
-    if (!(area > 0.0))
-        refuse_field(table, row, column, "more than 0");
+    if (!(area >= 0.0))
+        refuse_field(table, row, column, "0 or more");
     return area;
 }
 
@@ -176,6 +176,7 @@ PatchTable read_patch_table(const std::string& path)
     const std::optional<ThreeColumns> error = error_columns(table);
     if (table.rows.empty())
         refuse(table.place(table.header), "no row behind the header, expected one per patch");
+    double whole_area = 0.0;
     PatchTable patches;
     patches.path = path;
     patches.comments = table.comments;
@@ -185,10 +186,13 @@ PatchTable read_patch_table(const std::string& path)
         patches.materials.push_back(row.fields[material]);
         patches.centres.push_back(read_three<Vec3>(table, row, centre));
         patches.areas.push_back(read_area(table, row, area));
+        whole_area += patches.areas.back();
         patches.radiosity.push_back(read_three<Rgb>(table, row, radiosity));
         if (error)
             patches.standard_error.push_back(read_error(table, row, *error));
     }
+    if (!(whole_area > 0.0))
+        refuse(table.place(table.header), "all areas are 0, expected a patch with an area");
     return patches;
 }
 

@@ -310,6 +310,12 @@ bool is_sound(const Material& material)
            all_within({emittance.r, emittance.g, emittance.b}, 0.0, 1e30);
 }
 
+bool is_sound(const Sun& sun)
+{
+    const Rgb e = sun.irradiance;
+    return all_within({length(sun.direction)}, 1.0 - 1e-9, 1.0 + 1e-9) && all_within({e.r, e.g, e.b}, 0.0, 1e30);
+}
+
 template <class List>
 void require_sound(const List& list)
 {
@@ -342,6 +348,16 @@ void ArchivedScene::visit(Archive& archive)
     archive.list<std::uint32_t>("material", kept.material);
     archive.list<std::uint32_t>("group", kept.group);
     archive.list<std::uint32_t>("line", kept.line);
+    std::vector<std::uint32_t> sky(kept.sky_surfaces > 0 ? 1 : 0, kept.sky_surfaces);
+    archive.optional_list<std::uint32_t>("sky surfaces", sky);
+    if (sky.size() > 1 || (sky.size() == 1 && sky[0] >= kept.surfaces.size()))
+        throw ArchiveError("the state is damaged: no such sky");
+    kept.sky_surfaces = sky.empty() ? 0 : sky[0];
+    std::vector<Sun> sun(kept.sun ? 1 : 0, kept.sun.value_or(Sun{}));
+    archive.optional_list<double>("sun", sun);
+    if (sun.size() > 1 || (sun.size() == 1 && !is_sound(sun[0])))
+        throw ArchiveError("the state is damaged: no such sun");
+    kept.sun = sun.empty() ? std::nullopt : std::optional(sun[0]);
     archive.value<double>("patch size", patch_size);
     archive.value<std::uint64_t>("two-sided", two_sided);
     archive.value<std::uint64_t>("patches", patches);
@@ -364,7 +380,7 @@ ArchivedScene archived(const Scene& scene)
 Scene restored(const ArchivedScene& archived)
 {
     const double sides = archived.two_sided != 0 ? 2.0 : 1.0;
-    const double cells = archived.patch_size > 0.0 ? cell_count(archived.file->surfaces, archived.patch_size) : 0.0;
+    const double cells = archived.patch_size > 0.0 ? cell_count(*archived.file, archived.patch_size) : 0.0;
     const auto patches = static_cast<double>(archived.patches);
     const bool whole = archived.levels.empty();
     const bool fits = whole ? sides * cells == patches

@@ -4,7 +4,9 @@
 // arrival. A line that starts with coincident faces is judged by the first hit that is not ambiguous: a gap as well as
 // a sheet leave it where it was before. Where no hit tells, two faces of the same outline are a sheet, and so is what a
 // line meets that meets nothing else: through a gap it would pass from one solid to another without ever having been
-// outside. Of the rest the kind of scene decides: from wall to wall of a room through a cupboard that fills a niche.
+// outside. A line out of the open that will leave a solid passes two faces of unlike outline as a gap, too: the ground
+// below a house is a sheet that nobody modelled from below. Of the rest the kind of scene decides: from wall to wall of
+// a room through a cupboard that fills a niche.
 
 #include "geometry/hit.h"
 
@@ -50,25 +52,30 @@ bool agree(const std::array<double, n>& a, const std::array<double, n>& b)
     return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::abs(x - y) < rounding; });
 }
 
-/// True if two faces that a line meets at one place seem to have the same corners.
-bool have_same_outline(const Hit& a, const Hit& b)
+/// By how many the arrivals outnumber the departures in the first group where they are not as many; 0 without one.
+std::ptrdiff_t next_balance(const Hit* hits, std::size_t count, std::size_t first)
 {
-    return agree(places_on_parallelogram(a), places_on_parallelogram(b)) ||
-           agree(places_on_triangle(a), places_on_triangle(b));
+    std::ptrdiff_t arrivals_too_many = 0;
+    while (first < count && arrivals_too_many == 0)
+        for (const std::size_t last = end_of_group(hits, count, first); first < last; ++first)
+            arrivals_too_many += hits[first].front ? 1 : -1;
+    return arrivals_too_many;
 }
 
 bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
 {
-    for (std::size_t first = 0; first < count;) {
-        const std::size_t last = end_of_group(hits, count, first);
-        std::ptrdiff_t arrivals_too_many = 0;
-        for (; first < last; ++first)
-            arrivals_too_many += hits[first].front ? 1 : -1;
-        if (arrivals_too_many != 0)
-            return arrivals_too_many > 0;
-    }
+    if (const std::ptrdiff_t balance = next_balance(hits, count, 0); balance != 0)
+        return balance > 0;
     const std::size_t first_place = end_of_group(hits, count, 0);
     return !starts_in_solid || first_place == count || (first_place == 2 && have_same_outline(hits[0], hits[1]));
+}
+
+/// Comes a line out of the open to a floor that is seen from below, and to the bottom of a solid that stands on it? The
+/// back of the floor belongs to no solid, but behind both the line leaves one.
+bool is_floor_from_below(const Hit* hits, std::size_t count, std::size_t first, std::size_t last)
+{
+    return last - first == 2 && hits[first].front != hits[first + 1].front && !hits[first - 1].front &&
+           !have_same_outline(hits[first], hits[first + 1]) && next_balance(hits, count, last) < 0;
 }
 
 /// Orders the hits first ... last, all of one t.
@@ -96,13 +103,20 @@ void order_group(Hit* first, Hit* last, bool arrival_expected)
 
 } // namespace
 
+bool have_same_outline(const Hit& a, const Hit& b)
+{
+    return agree(places_on_parallelogram(a), places_on_parallelogram(b)) ||
+           agree(places_on_triangle(a), places_on_triangle(b));
+}
+
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
 {
     for (std::size_t first = 0; first + 1 < count;) {
         const std::size_t last = end_of_group(hits, count, first);
         if (last - first > 1)
             order_group(hits + first, hits + last,
-                        first > 0 ? !hits[first - 1].front : first_is_arrival(hits, count, starts_in_solid));
+                        first == 0 ? first_is_arrival(hits, count, starts_in_solid)
+                                   : !hits[first - 1].front && !is_floor_from_below(hits, count, first, last));
         first = last;
     }
 }

@@ -16,6 +16,9 @@ struct Hit
     bool front = false; ///< the line arrives at the front; otherwise it comes from behind and leaves through the front
 };
 
+/// True if two faces that a line meets at one place seem to have the same corners.
+bool have_same_outline(const Hit& a, const Hit& b);
+
 /// Puts hits of equal t, already sorted by t, in the order in which a line passes coincident surfaces: departures
 /// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene. Of several
 /// arrivals the first in the list is met first, of several departures the last one, so that a line and its reverse see

@@ -56,10 +56,13 @@ void look(const LitScene& sight, const Line& ray, Vec3 up, VisibleHits& visible,
 {
     const Scene& scene = sight.scene;
     const std::optional<Hit> nearest = scene.intersector().closest_hit(ray);
-    if (nearest && !nearest->front)
+    const auto in_scene = [&](const std::optional<Hit>& hit) { return hit && !scene.is_sky(hit->surface); };
+    if (in_scene(nearest) && !nearest->front)
         ++view.backs;
-    const std::optional<Hit> hit = nearest && nearest->front ? nearest : visible.first(ray);
-    if (!hit)
+    std::optional<Hit> hit = nearest && nearest->front ? nearest : visible.first(ray);
+    if (!in_scene(hit))
+        hit.reset();
+    if (!hit && scene.file().sky_surfaces == 0)
         ++view.escaped;
     const bool dark = hit && !sight.is_lit[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)];
     view.dark += dark ? 1 : 0;
@@ -108,7 +111,7 @@ std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radio
     std::vector<LitSide> sides;
     for (const bool front : {true, false})
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if (!front && !scene.two_sided())
+            if ((!front && !scene.two_sided()) || scene.is_sky(surface))
                 continue;
             const std::uint32_t first = scene.first_patch(surface, front);
             const auto end = first + static_cast<std::uint32_t>(scene.tessellation(surface).cell_count());
@@ -153,12 +156,14 @@ std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radios
 } // namespace
 
 LitScene::LitScene(const Scene& whole, const std::vector<Rgb>& radiosity)
-    : scene(whole), box(whole.bounds()), is_lit(radiosity.empty() ? std::vector<bool>() : lit_patches(whole, radiosity))
+    : scene(whole),
+      box(whole.own_bounds()),
+      is_lit(radiosity.empty() ? std::vector<bool>() : lit_patches(whole, radiosity))
 {
     if (std::find(is_lit.begin(), is_lit.end(), true) == is_lit.end())
         is_lit.assign(whole.patch_count(), true);
-    for (const Surface& surface : scene.surfaces())
-        weight += multipath::weight(surface);
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        weight += multipath::weight(scene.surfaces()[s]);
 }
 
 ViewQuality view_quality(const LitScene& sight, const Camera& camera, double aspect, int rows)
@@ -240,8 +245,8 @@ Room room_of(const Scene& scene, Vec3 up)
     const Vec3 toward = std::abs(room.axis_y.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, -1.0, 0.0};
     room.axis_x = normalized(cross(room.axis_y, toward));
     room.axis_z = cross(room.axis_x, room.axis_y);
-    for (const Surface& surface : scene.surfaces())
-        for (const Vec3 corner : corners_of(surface))
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        for (const Vec3 corner : corners_of(scene.surfaces()[s]))
             room.box.include(Vec3{dot(corner, room.axis_x), dot(corner, room.axis_y), dot(corner, room.axis_z)});
     grow_if_flat(room.box);
     return room;
@@ -257,7 +262,7 @@ Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
         power.push_back(scene.area(i) * std::max(0.0, mean(radiosity[i] - scene.emittance(i))));
     if (std::all_of(power.begin(), power.end(), [](double p) { return p == 0.0; }))
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            power[i] = scene.area(i) * mean(radiosity[i]);
+            power[i] = scene.is_sky(scene.surface_of(i)) ? 0.0 : scene.area(i) * mean(radiosity[i]);
     const double all = std::accumulate(power.begin(), power.end(), 0.0);
 
     const auto range_along = [&](Vec3 axis) {
@@ -364,10 +369,11 @@ std::vector<Camera> best_cameras(const LitScene& sight, const std::vector<Camera
 /// object.
 std::vector<Camera> unobstructed(const LitScene& sight, const std::vector<Camera>& outside, double aspect)
 {
+    const double most_backs = sight.scene.file().sky_surfaces > 0 ? 0.15 : 0.01; // under a sky the outside is lit
     std::vector<Camera> result;
     for (const Camera& camera : outside) {
         const ViewQuality quality = view_quality(sight, camera, aspect, fine_rows);
-        if (quality.back_share < 0.01 && quality.escaped_share + quality.dark_share < 0.6)
+        if (quality.back_share < most_backs && quality.escaped_share + quality.dark_share < 0.6)
             result.push_back(camera);
     }
     return result;

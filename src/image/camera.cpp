@@ -69,12 +69,17 @@ Line PixelRays::through(double x, double y) const
     return {eye_, normalized(top_left_ + x * per_x_ + y * per_y_)};
 }
 
+bool VisibleHits::is_seen(const Hit& hit) const
+{
+    return hit.front || (scene_.two_sided() && !scene_.is_sky(hit.surface));
+}
+
 std::optional<Hit> VisibleHits::first(const Line& ray)
 {
     if (passed_back_)
         return first_front(ray);
     const std::optional<Hit> nearest = scene_.intersector().closest_hit(ray);
-    if (!nearest || nearest->front || scene_.two_sided())
+    if (!nearest || is_seen(*nearest))
         return nearest;
     return first_front(ray);
 }
@@ -83,7 +88,7 @@ std::optional<Hit> VisibleHits::first_front(const Line& ray)
 {
     scene_.intersector().all_hits(ray, hits_);
     passed_back_ = !hits_.empty() && !hits_.front().front;
-    const auto front = std::find_if(hits_.begin(), hits_.end(), [](const Hit& hit) { return hit.front; });
+    const auto front = std::find_if(hits_.begin(), hits_.end(), [this](const Hit& hit) { return is_seen(hit); });
     return front == hits_.end() ? std::nullopt : std::optional<Hit>(*front);
 }
 

@@ -57,6 +57,7 @@ public:
     std::optional<Hit> first(const Line& ray);
 
 private:
+    bool is_seen(const Hit& hit) const; ///< not the back of what has no patches there, nor the sky from outside
     std::optional<Hit> first_front(const Line& ray);
 
     const Scene& scene_;

@@ -35,6 +35,8 @@ public:
     Painter(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
         : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
     {
+        if (scene.file().sky_surfaces > 0)
+            background_ = radiosity[scene.first_patch(scene.own_surfaces())];
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
         if (options.shading == Shading::smooth)
@@ -59,6 +61,8 @@ public:
         for (int number = 0; number < grid_ * grid_; ++number)
             if (const std::optional<Hit> hit = first_hit({x, y, number}, tools))
                 sum += clipped(shade(*hit, {x, y, number}, tools));
+            else
+                sum += clipped(background_);
         return 1.0 / (grid_ * grid_) * sum;
     }
 
@@ -147,6 +151,7 @@ private:
     std::optional<SmoothShading> smooth_;
     std::optional<FinalGather> gather_;
     int grid_ = 1;
+    Rgb background_;                   ///< beyond the scene, and the box of its sky
     std::vector<std::uint32_t> found_; ///< the surface that each sample meets, if that is known
 };
 

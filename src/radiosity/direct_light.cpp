@@ -26,7 +26,7 @@ struct Sources
     explicit Sources(const Scene& scene) : power_before{0.0}
     {
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-            const double power = scene.area(i) * mean(scene.emittance(i));
+            const double power = scene.area(i) * mean(scene.first_light(i));
             if (power > 0.0) {
                 patches.push_back(i);
                 power_before.push_back(power_before.back() + power);

@@ -23,14 +23,16 @@ PowerState::PowerState(const Scene& scene)
 {
     incident.resize(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        unshot.push_back(scene.area(i) * scene.emittance(i));
-        emitted += unshot.back();
+        incident[i] = scene.area(i) * scene.sunlight(i);
+        unshot.push_back(scene.area(i) * scene.first_light(i));
+        emitted += incident[i] + scene.area(i) * scene.emittance(i);
     }
 }
 
 PowerState PowerState::empty(const Scene& scene)
 {
     PowerState state(scene);
+    state.incident.assign(scene.patch_count(), Rgb{});
     state.unshot.assign(scene.patch_count(), Rgb{});
     state.emitted = {};
     return state;
@@ -68,7 +70,8 @@ PowerBalance power_balance(const Scene& scene, const PowerState& state)
     balance.behind = state.behind;
     balance.absorbed = -1.0 * state.surplus;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        balance.absorbed += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
+        Rgb& where = scene.is_sky(scene.surface_of(i)) ? balance.escaped : balance.absorbed;
+        where += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
         balance.unshot += state.unshot[i];
     }
     return balance;

@@ -10,10 +10,11 @@ namespace multipath {
 /// Where the power of the sources went, per channel [W]. emitted = absorbed + unshot + escaped + behind.
 struct PowerBalance
 {
-    Rgb emitted;  ///< really sent or held by the sources; the forecast of the global pass makes it differ from Phi_T
+    Rgb emitted;  ///< really sent or held by the sources, or brought by the sun; the forecast of the global pass makes
+                  ///< it differ from Phi_T
     Rgb absorbed; ///< by the patches that it reached
     Rgb unshot;   ///< received or emitted, not yet sent on when the work ended
-    Rgb escaped;  ///< left the scene through an opening
+    Rgb escaped;  ///< left the scene through an opening, or arrived in the sky
     Rgb behind;   ///< met a surface on a side that has no patch
 
     Rgb source; ///< Phi_T, what an exact forecast would emit
@@ -28,7 +29,7 @@ struct PowerBalance
 /// What the patches have received and still hold: the state that every stage of the solver moves forward.
 struct PowerState
 {
-    /// Before anything was sent: the sources hold what they emit.
+    /// Before anything was sent: the sources hold what they emit, and patches in the sun what they reflect of it.
     explicit PowerState(const Scene& scene);
     /// All zero, to be added to another.
     static PowerState empty(const Scene& scene);

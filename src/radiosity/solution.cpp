@@ -75,7 +75,7 @@ Solution combined(const Scene& scene, const std::vector<Solution>& parts)
         sum.standard_error.push_back({std::sqrt(v.r), std::sqrt(v.g), std::sqrt(v.b)});
     if (all_have_errors)
         sum.relative_standard_error =
-            std::sqrt(expected_relative_square(scene.areas(), sum.radiosity, sum.standard_error));
+            std::sqrt(expected_relative_square(scene.weights(), sum.radiosity, sum.standard_error));
     return sum;
 }
 

@@ -33,7 +33,7 @@ std::vector<std::uint32_t> starting_patches(const Scene& scene)
     constexpr std::size_t particles = 4096;
     std::vector<std::uint32_t> sources;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (scene.emittance(i) != Rgb{})
+        if (scene.first_light(i) != Rgb{})
             sources.push_back(i);
     std::vector<std::uint32_t> starts(sources.empty() ? 0 : particles);
     for (std::size_t k = 0; k < starts.size(); ++k)
@@ -90,7 +90,7 @@ std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene)
         return std::nullopt;
     std::vector<Particle> particles;
     for (const std::uint32_t start : starting_patches(scene))
-        particles.push_back({particles.size(), start, channels_of(scene.emittance(start), 1e-300)});
+        particles.push_back({particles.size(), start, channels_of(scene.first_light(start), 1e-300)});
     RayBlock rays;
     for (std::uint64_t depth = 0; depth < endless_reflections && !particles.empty(); ++depth) {
         reflect(scene, depth, rays, particles);

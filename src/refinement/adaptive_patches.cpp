@@ -34,7 +34,7 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
 }
 
 /// Cuts the cells with the largest errors until there are about `wanted` patches.
-Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wanted)
+Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wanted, int threads)
 {
     const auto cells = static_cast<std::uint32_t>(error.size());
     std::vector<std::uint8_t> level(cells);
@@ -61,7 +61,7 @@ Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wa
     std::vector<std::uint8_t> levels;
     for (std::uint32_t i = 0; i < cells; ++i)
         levels.insert(levels.end(), parts[i], static_cast<std::uint8_t>(level[i] + (parts[i] == 4 ? 1 : 0)));
-    return scene.refined(levels);
+    return scene.refined(levels, threads);
 }
 
 } // namespace
@@ -87,7 +87,7 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
         const Solution solution = solve(scene, quick, [&](double done) { progress((round + done) / rounds); });
         const double wanted = coarse.patch_count() * std::pow(growth, (round + 1.0) / rounds);
         scene = cut(scene, errors(scene, solution.radiosity, threads),
-                    std::min(most, static_cast<std::uint64_t>(std::lround(wanted))));
+                    std::min(most, static_cast<std::uint64_t>(std::lround(wanted))), threads);
     }
     return scene;
 }

@@ -36,8 +36,8 @@ public:
     SamplePoints(const Scene& scene, const std::vector<Rgb>& guide) : scene_(scene), guide_(guide)
     {
         double sum = 0.0;
-        for (const Surface& surface : scene.surfaces())
-            ends_.push_back(sum += surface.area());
+        for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+            ends_.push_back(sum += scene.surfaces()[s].area());
         sum = 0.0;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             powers_.push_back(sum += scene.area(i) * reflected(i));
@@ -53,9 +53,11 @@ public:
                         : kind < 2.0 ? in_patch(any_patch(item[0]), item[1], item[2])
                                      : in_patch(bright_patch(item[0]), item[1], item[2]);
         const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
-        double density = 1.0 + scene_.total_area() / (scene_.patch_count() * scene_.area(patch));
+        if (scene_.is_sky(hit.surface))
+            return {hit, 0.0};
+        double density = 1.0 + scene_.own_area() / (scene_.patch_count() * scene_.area(patch));
         if (!powers_.empty())
-            density += scene_.total_area() * reflected(patch) / powers_.back();
+            density += scene_.own_area() * reflected(patch) / powers_.back();
         return {hit, kinds / density};
     }
 
@@ -161,7 +163,7 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
                 const Vec3 point = side.at(hit.u, hit.v);
                 if (!hit.front)
                     std::swap(side.edge_u, side.edge_v);
-                if (is_covered(scene, hit.surface, side, point))
+                if (weight == 0.0 || is_covered(scene, hit.surface, side, point))
                     continue;
                 const Deviations there = deviations(hit, blocks.first(block) + k);
                 const double product = weight * mean(there.one * there.other);
@@ -186,7 +188,7 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
     if (all.points == 0)
         return result;
     const auto n = static_cast<double>(all.points);
-    result.area = scene.total_area() * all.weights / static_cast<double>(points);
+    result.area = scene.own_area() * all.weights / static_cast<double>(points);
     result.mean_shown = mean(all.shown) / all.weights;
     result.mean_true = mean(all.truth) / all.weights;
     const double scale = result.mean_true * result.mean_true * all.weights / n;
@@ -218,6 +220,7 @@ public:
         const auto count = static_cast<std::size_t>(rays_);
         Rgb irradiance = sources_.irradiance(place, {*to_sources, 0, count}, bits_to_unit(bits), fan);
         irradiance += indirect_.at(place, *around, 0, fan).irradiance;
+        irradiance += scene_.sunlight(place.surface, place.point, place.normal);
         return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
     }
 

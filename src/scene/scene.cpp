@@ -1,7 +1,9 @@
 #include "scene/scene.h"
 
+#include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
+#include "parallel/blocks.h"
 #include "parallel/mix_bits.h"
 #include "scene/input_error.h"
 
@@ -64,17 +66,27 @@ std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>&
             for (std::uint32_t cell = 0; cell < tessellations[s].cell_count(); ++cell)
                 hash.add(std::uint64_t{tessellations[s].level(cell)});
     }
+    if (file.sun) {
+        hash.add(file.sun->direction);
+        hash.add(file.sun->irradiance);
+    }
     return hash.value();
+}
+
+double cell_count(const SceneFile& file, double patch_size)
+{
+    const SurfaceList& all = file.surfaces;
+    return cell_count({all.begin(), all.end() - file.sky_surfaces}, patch_size) + file.sky_surfaces;
 }
 
 namespace {
 
-LargeVector<Tessellation> tessellate_all(const SurfaceList& surfaces, double patch_size)
+LargeVector<Tessellation> tessellate_all(const SceneFile& file, double patch_size)
 {
     LargeVector<Tessellation> result;
-    result.reserve(surfaces.size());
-    for (const Surface& surface : surfaces)
-        result.push_back(tessellate(surface, patch_size));
+    result.reserve(file.surfaces.size());
+    for (const Surface& surface : file.surfaces)
+        result.push_back(result.size() < file.own_surfaces() ? tessellate(surface, patch_size) : Tessellation{});
     return result;
 }
 
@@ -103,7 +115,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
       patch_size_(patch_size),
       intersector_(std::make_shared<const Intersector>(file_->surfaces, threads)),
       bounds_(bounds_of(file_->surfaces)),
-      tessellations_(tessellate_all(file_->surfaces, patch_size))
+      tessellations_(tessellate_all(*file_, patch_size))
 {
     if (file_->surfaces.empty())
         throw InputError(file_->path + ": the scene has no surface; expected at least one face with an area");
@@ -117,11 +129,13 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
         const double sides_area = (two_sided ? 2.0 : 1.0) * area;
         cell_area_.push_back(area / static_cast<double>(tessellations_[s].cell_count()));
         total_area_ += sides_area;
-        source_power_ += area * material.emittance;
+        own_area_ += is_sky(s) ? 0.0 : sides_area;
+        lamp_power_ += area * material.emittance;
         reflecting_area += sides_area * material.reflectance;
     }
     average_reflectance_ = (1.0 / total_area_) * reflecting_area;
-    if (!(mean(source_power_) > 0.0))
+    let_the_sun_in(threads);
+    if (!file_->sun && !(mean(lamp_power_) > 0.0))
         throw InputError(file_->path + ": no emitter: the scene has no light; expected a material with Ke above 0");
 }
 
@@ -148,7 +162,101 @@ void Scene::number_cells()
     hash_ = scene_hash(*file_, tessellations_, two_sided_);
 }
 
-Scene Scene::refined(const std::vector<std::uint8_t>& levels) const
+namespace {
+
+/// Which of the points of one surface the sun reaches.
+class SunRays
+{
+public:
+    explicit SunRays(const Scene& scene) : scene_(scene) {}
+
+    /// How many of them.
+    std::size_t arriving(std::uint32_t surface, const std::vector<Vec3>& points)
+    {
+        const Vec3 direction = scene_.file().sun->direction;
+        from_.assign(points.size(), surface);
+        rays_.clear();
+        for (const Vec3 point : points)
+            rays_.push_back({point, direction});
+        scene_.intersector().closest_hits_from(from_.data(), rays_.data(), rays_.size(), hits_);
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < rays_.size(); ++k)
+            count += !hits_.is_hit(k) || scene_.is_sky(hits_[k].surface) ? 1 : 0;
+        return count;
+    }
+
+    /// The share of a patch that it reaches: of some points, and of more where these do not agree.
+    double visible_share(const Patch& patch)
+    {
+        constexpr std::size_t few = 16;
+        constexpr std::size_t many = 256;
+        const std::size_t seen = of_points(patch, few);
+        return seen == 0 || seen == few ? static_cast<double>(seen) / few
+                                        : static_cast<double>(of_points(patch, many)) / many;
+    }
+
+private:
+    /// Of the R2 sequence (Roberts 2018), an additive recurrence of low discrepancy.
+    std::size_t of_points(const Patch& patch, std::size_t count)
+    {
+        constexpr double step_u = 0.7548776662466927;
+        constexpr double step_v = 0.5698402909980532;
+        points_.clear();
+        for (std::size_t k = 0; k < count; ++k) {
+            double u = 0.5 + static_cast<double>(k) * step_u;
+            double v = 0.5 + static_cast<double>(k) * step_v;
+            u -= std::floor(u);
+            v -= std::floor(v);
+            const bool fold = patch.shape.shape == Shape::triangle && u + v > 1.0;
+            points_.push_back(fold ? patch.shape.at(1.0 - u, 1.0 - v) : patch.shape.at(u, v));
+        }
+        return arriving(patch.surface, points_);
+    }
+
+    const Scene& scene_;
+    std::vector<Vec3> points_;
+    std::vector<std::uint32_t> from_;
+    std::vector<Line> rays_;
+    FirstHits hits_;
+};
+
+} // namespace
+
+void Scene::let_the_sun_in(int threads)
+{
+    if (!file_->sun)
+        return;
+    sun_shares_.assign(patch_count_, 0.0);
+    constexpr std::uint32_t patches_at_a_time = 64;
+    parallel_ranges(patch_count_, patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        SunRays rays(*this);
+        for (std::uint32_t i = first; i < end; ++i) {
+            const Patch side = patch(i);
+            const double cosine = dot(side.shape.normal(), file_->sun->direction);
+            if (cosine > 0.0 && !is_sky(side.surface))
+                sun_shares_[i] = cosine * rays.visible_share(side);
+        }
+    });
+    sun_power_ = {};
+    for (std::uint32_t i = 0; i < patch_count_; ++i)
+        sun_power_ += area(i) * sunlight(i);
+}
+
+Rgb Scene::sunlight(std::uint32_t surface, Vec3 point, Vec3 normal) const
+{
+    const double cosine = file_->sun ? dot(normal, file_->sun->direction) : 0.0;
+    if (!(cosine > 0.0) || is_sky(surface) || SunRays(*this).arriving(surface, {point}) == 0)
+        return {};
+    return cosine * file_->sun->irradiance;
+}
+
+Bounds Scene::own_bounds() const
+{
+    const SurfaceList& all = file_->surfaces;
+    return bounds_of({all.begin(), all.end() - file_->sky_surfaces});
+}
+
+Scene Scene::refined(const std::vector<std::uint8_t>& levels, int threads) const
 {
     Scene result = *this;
     std::size_t first = 0; // of the surface
@@ -170,6 +278,7 @@ Scene Scene::refined(const std::vector<std::uint8_t>& levels) const
     if (first != levels.size())
         throw std::invalid_argument("levels of more patches than the scene has");
     result.number_cells();
+    result.let_the_sun_in(threads);
     return result;
 }
 
@@ -191,6 +300,17 @@ std::vector<double> Scene::areas() const
     for (std::uint32_t i = 0; i < patch_count_; ++i)
         areas[i] = area(i);
     return areas;
+}
+
+std::vector<double> Scene::weights() const
+{
+    std::vector<double> weights = areas();
+    for (std::uint32_t s = own_surfaces(); s < file_->surfaces.size(); ++s) {
+        weights[first_patch(s)] = 0.0;
+        if (two_sided_)
+            weights[first_patch(s, false)] = 0.0;
+    }
+    return weights;
 }
 
 Patch Scene::patch(std::uint32_t patch) const

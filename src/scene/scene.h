@@ -35,7 +35,7 @@ public:
 
     /// The same scene with cells cut further: `levels` of the leaves of all surfaces, one after the other (CellTrees).
     /// Throws std::invalid_argument if they do not form whole trees.
-    Scene refined(const std::vector<std::uint8_t>& levels) const;
+    Scene refined(const std::vector<std::uint8_t>& levels, int threads = 1) const;
     /// As refined() takes them; empty if all cells are whole.
     std::vector<std::uint8_t> levels() const;
 
@@ -62,11 +62,28 @@ public:
     const Material& surface_material(std::uint32_t surface) const { return file_->materials[file_->material[surface]]; }
     const Material& material_of(std::uint32_t patch) const { return surface_material(surface_of(patch)); }
     Patch patch(std::uint32_t patch) const;
-    double area(std::uint32_t patch) const;                                               ///< [m^2]
-    std::vector<double> areas() const;                                                    ///< [m^2] of all patches
+    double area(std::uint32_t patch) const; ///< [m^2]
+    std::vector<double> areas() const;      ///< [m^2] of all patches
+    /// [m^2] By which patches count in means over the scene: their areas, 0 for those of the sky.
+    std::vector<double> weights() const;
     Rgb reflectance(std::uint32_t patch) const { return material_of(patch).reflectance; } ///< [1]
     /// [W/m^2]; only fronts emit
     Rgb emittance(std::uint32_t patch) const { return is_front(patch) ? material_of(patch).emittance : Rgb{}; }
+
+    /// [W/m^2] Irradiance by the sun, mean over the patch.
+    Rgb sunlight(std::uint32_t patch) const
+    {
+        return sun_shares_.empty() ? Rgb{} : sun_shares_[patch] * file_->sun->irradiance;
+    }
+    /// [W/m^2] Of the light that a patch sends before any other patch has lit it: its own, and the sun's reflected.
+    Rgb first_light(std::uint32_t patch) const { return emittance(patch) + reflectance(patch) * sunlight(patch); }
+    /// The same at a point of a side with this normal.
+    Rgb sunlight(std::uint32_t surface, Vec3 point, Vec3 normal) const;
+
+    /// Surfaces but for those of the sky, which are the last.
+    std::uint32_t own_surfaces() const { return static_cast<std::uint32_t>(file_->own_surfaces()); }
+    bool is_sky(std::uint32_t surface) const { return surface >= own_surfaces(); }
+    Bounds own_bounds() const; ///< without the sky
 
     /// The patch on one side of a surface at (u, v), or no_patch for the back of a one-sided surface.
     std::uint32_t patch_at(std::uint32_t surface, double u, double v, bool front) const;
@@ -84,14 +101,17 @@ public:
         return first_cell_[surface] + (front ? 0 : cell_count_);
     }
 
-    double total_area() const { return total_area_; }  ///< [m^2] A_T, of all sides that exist
-    Rgb source_power() const { return source_power_; } ///< [W] Phi_T
+    double own_area() const { return own_area_; }                 ///< [m^2] of all sides that exist, without the sky
+    double total_area() const { return total_area_; }             ///< [m^2] A_T, of all sides that exist, with the sky
+    Rgb lamp_power() const { return lamp_power_; }                ///< [W] of what surfaces emit
+    Rgb source_power() const { return lamp_power_ + sun_power_; } ///< [W] Phi_T, with what the sun brings
     /// [1] R_ave, area-weighted mean, sources included, as the paper counts
     Rgb average_reflectance() const { return average_reflectance_; }
 
 private:
     std::uint32_t cell_of(std::uint32_t patch) const { return patch < cell_count_ ? patch : patch - cell_count_; }
     void number_cells();
+    void let_the_sun_in(int threads);
 
     std::shared_ptr<const SceneFile> file_;
     bool two_sided_ = false;
@@ -105,8 +125,11 @@ private:
     std::uint32_t cell_count_ = 0;
     std::uint32_t patch_count_ = 0;
     std::uint64_t hash_ = 0;
+    double own_area_ = 0.0;
     double total_area_ = 0.0;
-    Rgb source_power_;
+    std::vector<double> sun_shares_; ///< [1] per patch, of the irradiance of what faces the sun; empty without one
+    Rgb lamp_power_;
+    Rgb sun_power_;
     Rgb average_reflectance_;
 };
 
@@ -133,8 +156,11 @@ inline Scene::Sides Scene::patches_at(std::uint32_t surface, double u, double v,
     return {cell, two_sided_ ? cell_count_ + cell : none};
 }
 
-/// Identifies what a result was computed from: geometry, reflectances, emittances, subdivision and sides, but not
-/// names, comments or the spelling of numbers. FNV-1a over 64-bit values, the same on every machine.
+/// The number of cells of whole surfaces, a real number as that of cell_count(); surfaces of the sky are not cut.
+double cell_count(const SceneFile& file, double patch_size);
+
+/// Identifies what a result was computed from: geometry, reflectances, emittances, the sun, subdivision and sides, but
+/// not names, comments or the spelling of numbers. FNV-1a over 64-bit values, the same on every machine.
 std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>& tessellations, bool two_sided);
 
 } // namespace multipath

@@ -76,6 +76,12 @@ public:
         return *this;
     }
 
+    SceneBuilder& sun(const Sun& sun)
+    {
+        file_.sun = sun;
+        return *this;
+    }
+
     SceneFile file() const
     {
         SceneFile file = file_;

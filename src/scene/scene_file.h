@@ -5,10 +5,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace multipath {
+
+/// Parallel light from far away.
+struct Sun
+{
+    Vec3 direction; ///< unit vector toward it
+    Rgb irradiance; ///< [W/m^2] of a plane that faces it
+};
 
 /// What an OBJ file and its materials say, before subdivision: the output of the reader, the input of a Scene.
 struct SceneFile
@@ -23,6 +31,11 @@ struct SceneFile
     std::vector<std::uint32_t> material; ///< index into materials
     std::vector<std::uint32_t> group;    ///< index into groups
     std::vector<std::uint32_t> line;     ///< line of the face in the file; two surfaces of one polygon share it
+
+    std::uint32_t sky_surfaces = 0; ///< the last ones: they lie around the scene and are no part of it
+    std::optional<Sun> sun;
+
+    std::size_t own_surfaces() const { return surfaces.size() - sky_surfaces; }
 
     std::vector<std::string> warnings;          ///< one plain line each, with file:line
     std::vector<std::string> unknown_materials; ///< names that faces use and no file defines; grey stands in

@@ -159,7 +159,7 @@ Curve mean_curve(const CurveKind& kind, const StudyPlan& plan, const Reference& 
 Study run_study(const Scene& scene, const Reference& reference, const StudyPlan& plan, Journal& journal, int threads,
                 const ProgressCallback& progress)
 {
-    const std::vector<double> areas = scene.areas();
+    const std::vector<double> areas = scene.weights();
     std::vector<std::unique_ptr<CurveRuns>> curves;
     for (const CurvePlan& curve : plan.curves)
         curves.push_back(std::make_unique<CurveRuns>(scene, curve, plan.seed));

@@ -134,6 +134,37 @@ lamps() {
 }
 check "a file without lamps is lit by the option that its error names, and faces are left out by name" lamps
 
+# An open box from outside: a file whose error names sky and sun.
+daylight() {
+    printf 'v 0 0 0\nv 4 0 0\nv 4 0 4\nv 0 0 4\nv 1 0 1\nv 2 0 1\nv 2 0 2\nv 1 0 2\nv 1 1 1\nv 2 1 1\nv 2 1 2\nv 1 1 2\n' >open.obj
+    printf 'f 1 4 3 2\nf 9 12 11 10\nf 5 9 10 6\nf 6 10 11 7\nf 7 11 12 8\nf 8 12 9 5\nf 5 6 7 8\n' >>open.obj
+    ends 1 solve open.obj $quick && says err "to light it by sky and sun: multipath solve open.obj --sky 10 --sun 150,40,20" &&
+        ends 0 solve open.obj $quick --sky 10 --sun 150,40,20 -o day.csv -o day.png -o day.glb --state day.state --json -o day.obj || return
+    [ "$(grep -c ',sky,' day.csv)" = 6 ] && ! grep ',sky,' day.csv | cut -d, -f10 | grep -qv '^0$' && ! grep -q '"name": *"sky' day.glb && ! grep -q 'usemtl sky' day.obj &&
+        [ "$(sed -n 's/.*"area_m2": //p' out)" = "22," ] && ends 0 compare day.csv day.state && says out "relative 0, its root 0" &&
+        ends 0 render day.state --size 40x30 -q -o again.png && ends 0 check open.obj --sky 10 --sun 0,90,1 && says out "the sun" &&
+        ends 0 check 5cubes --sky 1 || return
+    for bad in 1,2 a,40,20 1,91,5 1,-1,5 1,40,0 1,40,1,2; do ends 2 solve open.obj --sun $bad && says err "--sun" || return; done
+    for bad in 0 -1 x 1,2 0,0,0; do ends 2 solve open.obj --sky $bad && says err "--sky" || return; done
+    ends 0 solve open.obj $quick --sky 1 --sun 90,20,3 -q --shard 1/2 --state s1.state &&
+        ends 0 solve open.obj $quick --sky 1 --sun 90,20,3 -q --shard 2/2 --state s2.state &&
+        ends 0 merge s1.state s2.state -q -o merged.csv && ends 0 solve open.obj $quick --sky 1 --sun 90,20,3 -q -o whole.csv &&
+        same_patches merged.csv whole.csv
+}
+check "sky and sun light what has no lamps; they are kept with states and left out of results" daylight
+
+# Rays of the sky from below meet the floor, not the bottom of what stands on it.
+all_agree() {
+    for method in local global extended reuse; do
+        ends 0 solve open.obj --patch-size 2 --lines 2^20 --sky 10 --two-sided --method $method -q -o $method.csv || return
+    done
+    for method in local global extended; do
+        ends 0 compare $method.csv reuse.csv --json && relative=$(sed -n 's/.*"relative_mean_square_error": \([^,]*\).*/\1/p' out) &&
+            awk "BEGIN { exit !($relative < 1e-4) }" || return
+    done
+}
+check "the methods agree under a sky" all_agree
+
 old_file_kept() {
     echo old >kept.csv && ends 1 solve missing.obj $quick -o kept.csv && grep -q old kept.csv && [ -z "$(find . -name '.*part*')" ]
 }

@@ -57,6 +57,16 @@ TEST_CASE("at the start of a line the first hit that tells decides")
     CHECK(ordered("D=AA=DA") == "10234"); // two sheets in front of something
 }
 
+// Below a floor that is seen from both sides of nothing, inside a wall that encloses all: out of the open to a box.
+TEST_CASE("a floor that stands in the open is met from below before the box on it")
+{
+    CHECK(ordered("DD=ADA") == "01234"); // up: the wall departs, the floor, the bottom, the top, the wall
+    CHECK(ordered("DA=DDA") == "02134");
+    CHECK(ordered("DAA=DA") == "01324"); // down: the same reversed
+    CHECK(ordered("DAD=AA") == "01234");
+    CHECK(ordered("DA=DAA") == "01234"); // a sheet before a wall: arrival first
+}
+
 TEST_CASE("when no hit tells, the kind of scene decides")
 {
     CHECK(ordered("D=A") == "10");            // a sheet in the open

@@ -54,7 +54,7 @@ Camera chosen_camera(const Scene& scene, const PictureOptions& options, const st
     Camera camera;
     if (options.eye) {
         camera.eye = *options.eye;
-        camera.target = scene.bounds().centre();
+        camera.target = scene.own_bounds().centre();
         camera.up = options.up;
     } else {
         const double aspect = static_cast<double>(options.render.width) / options.render.height;

@@ -3,6 +3,7 @@
 #include "cli/options/number_text.h"
 #include "cli/options/usage_error.h"
 #include "commands/options/memory_limit.h"
+#include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/room_shell.h"
 #include "scene/tessellation.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -71,6 +73,12 @@ OptionGroup scene_option_group()
           "Let a material, or else an object or group, emit E in W/m^2, one number or three for red, green and blue, "
           "in the place of what the file says.",
           true},
+         {"sky", 0, "E", "",
+          "Light from all directions outside: a surface that sees nothing else receives E in W/m^2, one number or "
+          "three for red, green and blue."},
+         {"sun", 0, "AZIMUTH,ELEVATION,E", "",
+          "Parallel light from an azimuth, clockwise from north in degrees, and an elevation above the horizon: E in "
+          "W/m^2, or three of them, on a surface that faces it. East is +x; north is -z, or +y where z is up (--up)."},
          {"ignore", 0, "NAME", "",
           "Leave out the faces of a material, or else of an object or group, such as the glass before a lamp.", true},
          {"reflectance-limit", 0, "X", "1",
@@ -81,6 +89,37 @@ OptionGroup scene_option_group()
 
 namespace {
 
+/// [W/m^2] Of "10" or "10,8,6".
+Rgb read_power(std::string_view option, const std::string& text)
+{
+    Vec3 e;
+    if (text.find(',') == std::string::npos)
+        e.x = e.y = e.z = read_positive(option, text);
+    else
+        e = read_vec3(option, text);
+    constexpr double most = 1e30;
+    for (const double x : {e.x, e.y, e.z})
+        if (!(x >= 0.0 && x <= most))
+            throw UsageError(std::string(option) + ": expected powers from 0 to 1e30 W/m^2, got " +
+                             quoted_argument(text));
+    if (!(e.x + e.y + e.z >= 1.0 / most))
+        throw UsageError(std::string(option) + ": expected a power above 1e-30 W/m^2, got " + quoted_argument(text));
+    return {e.x, e.y, e.z};
+}
+
+/// Of "135,45,800" or "135,45,800,780,700".
+Sun read_sun(const std::string& text, Vec3 up)
+{
+    const std::size_t first = text.find(',');
+    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
+    if (second == std::string::npos)
+        throw UsageError("--sun: expected azimuth, elevation and power such as 135,45,800, got " +
+                         quoted_argument(text));
+    const double azimuth = read_real("--sun, azimuth", text.substr(0, first), -360.0, 360.0);
+    const double elevation = read_real("--sun, elevation", text.substr(first + 1, second - first - 1), 0.0, 90.0);
+    return sun_at(azimuth, elevation, up, read_power("--sun", text.substr(second + 1)));
+}
+
 /// Of "NAME=10" or "NAME=10,8,6".
 ObjChanges::Lamp read_lamp(const std::string& text)
 {
@@ -88,19 +127,7 @@ ObjChanges::Lamp read_lamp(const std::string& text)
     if (equals == std::string::npos || equals == 0)
         throw UsageError("--lamp: expected a name and a power per area such as 'ceiling light=10', got " +
                          quoted_argument(text));
-    const std::string power = text.substr(equals + 1);
-    Vec3 e;
-    if (power.find(',') == std::string::npos)
-        e.x = e.y = e.z = read_positive("--lamp", power);
-    else
-        e = read_vec3("--lamp", power);
-    constexpr double most = 1e30;
-    for (const double x : {e.x, e.y, e.z})
-        if (!(x >= 0.0 && x <= most))
-            throw UsageError("--lamp: expected powers from 0 to 1e30 W/m^2, got " + quoted_argument(power));
-    if (!(e.x + e.y + e.z >= 1.0 / most))
-        throw UsageError("--lamp: expected a power above 1e-30 W/m^2, got " + quoted_argument(power));
-    return {text.substr(0, equals), {e.x, e.y, e.z}};
+    return {text.substr(0, equals), read_power("--lamp", text.substr(equals + 1))};
 }
 
 ObjChanges read_changes(const CommandLine& line)
@@ -109,6 +136,7 @@ ObjChanges read_changes(const CommandLine& line)
     for (const std::string& lamp : line.all("lamp"))
         changes.lamps.push_back(read_lamp(lamp));
     changes.ignored = line.all("ignore");
+    changes.lit_from_outside = line.has("sky") || line.has("sun");
     changes.unit = line.choice("unit", unit_choices).value;
     changes.reflectance_limit = read_real("--reflectance-limit", line.text("reflectance-limit"), 0.0, 1.0);
     for (const GivenOption& option : reading_options(line))
@@ -145,6 +173,11 @@ Scene read_scene(const CommandLine& line, int threads)
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
 
     const ObjChanges changes = read_changes(line);
+    const Rgb sky = line.has("sky") ? read_power("--sky", line.text("sky")) : Rgb{};
+    std::optional<Sun> sun;
+    if (line.has("sun"))
+        sun = read_sun(line.text("sun"),
+                       line.knows("up") ? read_direction("--up", line.text("up")) : Vec3{0.0, 1.0, 0.0});
     const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
@@ -165,7 +198,10 @@ Scene read_scene(const CommandLine& line, int threads)
                                                 coarse_cells(file.surfaces, static_cast<double>(adaptive) / sides))
                          : default_patch_size(file.surfaces);
     }
-    require_memory_for_patches(line, file, sides * cell_count(file.surfaces, patch_size));
+    file.sun = sun;
+    if (line.has("sky"))
+        add_sky(file, sky);
+    require_memory_for_patches(line, file, sides * cell_count(file, patch_size));
     return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
 }
 

@@ -19,7 +19,7 @@ PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene&
         table.materials.push_back(scene.material_of(i).name);
         table.centres.push_back(scene.patch(i).shape.centre());
     }
-    table.areas = scene.areas();
+    table.areas = scene.weights();
     table.radiosity = solution.radiosity;
     table.standard_error = solution.standard_error;
     return table;

@@ -139,7 +139,7 @@ std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparati
 std::vector<Rgb> patch_areas(const Scene& scene)
 {
     std::vector<Rgb> areas;
-    for (const double area : scene.areas())
+    for (const double area : scene.weights())
         areas.push_back({area, area, area});
     return areas;
 }

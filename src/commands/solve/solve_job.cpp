@@ -32,8 +32,9 @@ Rgb mean_radiosity(const SolveSummary& s)
 {
     Rgb power;
     for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i)
-        power += s.scene.area(i) * s.solution.radiosity[i];
-    return (1.0 / s.scene.total_area()) * power;
+        if (!s.scene.is_sky(s.scene.surface_of(i)))
+            power += s.scene.area(i) * s.solution.radiosity[i];
+    return (1.0 / s.scene.own_area()) * power;
 }
 
 /// [1] Of the power of the result: what the unshot light would add if every surface saw only others of its colour, and
@@ -47,9 +48,16 @@ double growth_by_unshot_light(const SolveSummary& s)
         const Rgb unshot = s.solution.unshot[i];
         for (double Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b})
             growth += s.scene.area(i) / 3.0 * unshot.*channel / std::max(1.0 - rho.*channel, 1e-4);
-        power += s.scene.area(i) * mean(s.solution.radiosity[i]);
+        if (!s.scene.is_sky(s.scene.surface_of(i)))
+            power += s.scene.area(i) * mean(s.solution.radiosity[i]);
     }
     return power > 0.0 ? growth / power : 0.0;
+}
+
+/// [1] Without the sky.
+double mean_reflectance(const Scene& scene)
+{
+    return mean(scene.average_reflectance()) * (scene.total_area() / scene.own_area());
 }
 
 double lines_per_second(const SolveSummary& s)
@@ -82,9 +90,9 @@ std::string summary_text(const SolveSummary& s)
     const Rgb b = mean_radiosity(s);
     const std::string method(s.options.method->name);
     std::string text;
-    text += format("scene      %s surfaces, %s patches, %.4g m^2, mean reflectance %.3f\n",
-                   grouped(s.scene.surfaces().size()).c_str(), grouped(s.scene.patch_count()).c_str(),
-                   s.scene.total_area(), mean(s.scene.average_reflectance()));
+    text += format("scene      %s surfaces%s, %s patches, %.4g m^2, mean reflectance %.3f\n",
+                   grouped(s.scene.own_surfaces()).c_str(), s.scene.file().sky_surfaces > 0 ? " and the sky" : "",
+                   grouped(s.scene.patch_count()).c_str(), s.scene.own_area(), mean_reflectance(s.scene));
     text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.sequence.c_str(),
                    grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
     if (const std::optional<double> error = s.error())
@@ -136,7 +144,7 @@ std::string summary_text(const SolveSummary& s)
                        "nearly all of it, and may make the result brighter by %.2g %%; more lines help, or "
                        "--method reuse\n",
                        percent(balance.unshot), 100.0 * more);
-    if (percent(balance.behind) > 0.01)
+    if (percent(balance.behind) > 0.01 && !s.scene.file().sky_surfaces) // the sky shines on the outside, too
         text += format(
             "warning    %.3g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
             "'multipath check' names them, --two-sided gives them backs\n",
@@ -172,10 +180,10 @@ JsonObject summary_json(const SolveSummary& s)
     json.text("scene", s.scene.path());
     json.text("scene_hash", format("%016llx", static_cast<unsigned long long>(s.scene.hash())));
     json.count("patches", s.scene.patch_count());
-    json.count("surfaces", s.scene.surfaces().size());
+    json.count("surfaces", s.scene.own_surfaces());
     json.number("patch_size", s.scene.patch_size());
-    json.number("area_m2", s.scene.total_area());
-    json.number("average_reflectance", mean(s.scene.average_reflectance()));
+    json.number("area_m2", s.scene.own_area());
+    json.number("average_reflectance", mean_reflectance(s.scene));
     json.number("source_power_w", mean(s.scene.source_power()));
     json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
     json.text("method", std::string(s.options.method->name));

@@ -343,7 +343,7 @@ std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radio
 {
     std::vector<LitArea> areas;
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
-        if (with_lamps || scene.emittance(patch) == Rgb{})
+        if (!scene.is_sky(scene.surface_of(patch)) && (with_lamps || scene.emittance(patch) == Rgb{}))
             areas.push_back(
                 {std::max({radiosity[patch].r, radiosity[patch].g, radiosity[patch].b}), scene.area(patch)});
     return areas;

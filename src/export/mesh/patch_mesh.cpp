@@ -387,7 +387,7 @@ CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch)
 PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads)
 {
     MeshBuilder builder(scene, radiosity, error, threads);
-    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
+    for (std::uint32_t surface = 0; surface < scene.own_surfaces(); ++surface) {
         builder.add_side(surface, true);
         if (scene.two_sided())
             builder.add_side(surface, false);

@@ -64,8 +64,10 @@ private:
 
     template <class Visit>
     void for_each_candidate(const Line& line, const Visit& visit) const;
+    void all_hits(const Line& line, std::vector<Hit>& hits) const;
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
     std::optional<Hit> nearest_in_tree(const Line& line, const FilterLine& placed, std::uint32_t excluded_plane) const;
+    std::optional<Hit> first_of(const Nearest& nearest) const;
     double reach_of(const Line& ray) const;
     Line whole_line(const Line& ray) const; ///< the ray and what lies behind its start
     std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;

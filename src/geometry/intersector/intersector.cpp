@@ -69,13 +69,18 @@ void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit)
 
 void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
 {
+    core_->all_hits(line, hits);
+}
+
+void Intersector::Core::all_hits(const Line& line, std::vector<Hit>& hits) const
+{
     hits.clear();
-    core_->for_each_candidate(line, [&](std::uint32_t surface) {
+    for_each_candidate(line, [&](std::uint32_t surface) {
         Hit hit;
-        if (core_->table_.decide(line, surface, hit))
+        if (table_.decide(line, surface, hit))
             hits.push_back(hit);
     });
-    core_->put_in_order(hits.data(), hits.size());
+    put_in_order(hits.data(), hits.size());
 }
 
 /// As comes_before, with the keys side by side: ranks are far apart in memory.
@@ -152,16 +157,33 @@ struct Intersector::Core::Nearest
     float limit = 0.0f;
     Hit best = {};
     bool found = false;
+    Hit back = {}; ///< the first that is met from behind where the best is met, from the front
+    bool has_back = false;
 
     void consider(std::uint32_t surface)
     {
         Hit hit;
         if (all.plane_[surface] == excluded_plane || !all.table_.decide(line, surface, hit))
             return;
-        const bool on_top = hit.t == best.t && (hit.front != best.front ? hit.front : all.comes_before(hit, best));
-        if (!found || hit.t < best.t || on_top)
+        if (!found || hit.t < best.t) {
             best = hit;
+            has_back = false;
+        } else if (hit.t == best.t) {
+            take_coincident(hit);
+        }
         found = true;
+    }
+
+    void take_coincident(const Hit& hit)
+    {
+        if (hit.front == best.front) {
+            best = all.comes_before(hit, best) ? hit : best;
+            return;
+        }
+        const Hit& behind = hit.front ? best : hit;
+        back = has_back && all.comes_before(back, behind) ? back : behind;
+        has_back = true;
+        best = hit.front ? hit : best;
     }
 
     static float visit_block(void* self, std::uint32_t block, unsigned lanes)
@@ -183,7 +205,7 @@ std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t ex
         return nearest_in_tree(line, placed, excluded_plane);
     Nearest nearest{*this, line, excluded_plane};
     for_each_candidate(line, [&](std::uint32_t surface) { nearest.consider(surface); });
-    return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
+    return first_of(nearest);
 }
 
 std::optional<Hit> Intersector::Core::nearest_in_tree(const Line& line, const FilterLine& placed,
@@ -191,7 +213,28 @@ std::optional<Hit> Intersector::Core::nearest_in_tree(const Line& line, const Fi
 {
     Nearest nearest{*this, line, excluded_plane, placed.middle_t, placed.half_length};
     kernel_->visit_nearest(tree_.nodes(), blocks_.data(), placed, Nearest::visit_block, &nearest);
-    return nearest.found ? std::optional<Hit>(nearest.best) : std::nullopt;
+    return first_of(nearest);
+}
+
+/// At one place a front is met before a back. Where a ray meets faces of unlike outline, as from below a floor on which
+/// something stands, the order along the whole line decides, as it does for lines.
+std::optional<Hit> Intersector::Core::first_of(const Nearest& nearest) const
+{
+    if (!nearest.found)
+        return std::nullopt;
+    if (!nearest.has_back || nearest.excluded_plane == no_plane || have_same_outline(nearest.best, nearest.back))
+        return nearest.best;
+    std::vector<Hit> along;
+    all_hits(whole_line(nearest.line), along);
+    const auto best =
+        std::find_if(along.begin(), along.end(), [&](const Hit& hit) { return hit.surface == nearest.best.surface; });
+    for (auto hit = along.begin(); hit != best && best != along.end(); ++hit) {
+        Hit result;
+        if (hit->t == best->t && plane_[hit->surface] != nearest.excluded_plane &&
+            table_.decide(nearest.line, hit->surface, result) && result.t == nearest.best.t)
+            return result;
+    }
+    return nearest.best;
 }
 
 /// Calls visit(surface) for all that may share the plane of a surface and hold a point of it.

@@ -242,7 +242,7 @@ private:
         BothKinds importance(n_);
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
-        const double source = mean(scene_.source_power());
+        const double source = mean(scene_.lamp_power());
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             constexpr double dark = 0.01;     // what black patches receive is wanted too, if not as precisely
             constexpr double exponent = 0.35; // of the area, while nothing is known of the light
@@ -509,7 +509,7 @@ private:
                 behind += static_cast<double>(counts_.behind(i)) * power;
             }
         }
-        const Rgb source = scene_.source_power();
+        const Rgb source = scene_.lamp_power();
         Rgb scale;
         close_balance(source.r, received.r, scale.r, escaped.r, behind.r);
         close_balance(source.g, received.g, scale.g, escaped.g, behind.g);
@@ -519,7 +519,7 @@ private:
             incident[i] = scale * incident[i];
             found += incident[i];
             state.incident[i] += incident[i];
-            state.unshot[i] = rho_[i] * incident[i];
+            state.unshot[i] = rho_[i] * (incident[i] + scene_.area(i) * scene_.sunlight(i));
         }
         state.escaped += escaped;
         state.behind += behind;

@@ -445,6 +445,10 @@ private:
 
 void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
 {
+    // Sunlight is not estimated by lines, and its shadows have edges.
+    const auto sunlight = [&](std::uint32_t i) { return scene.reflectance(i) * scene.sunlight(i); };
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        radiosity[i] = radiosity[i] - sunlight(i);
     Denoising denoising(scene, threads, radiosity, variance);
     std::vector<Rgb> mean_radiosity = large_vector<Rgb>(radiosity.size());
     std::vector<Rgb> mean_variance = large_vector<Rgb>(radiosity.size());
@@ -457,6 +461,8 @@ void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::
             mean_variance[i] += 1.0 / trees * noise[i];
         });
     }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        mean_radiosity[i] += sunlight(i);
     radiosity = std::move(mean_radiosity);
     variance = std::move(mean_variance);
 }

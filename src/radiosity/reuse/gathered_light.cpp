@@ -265,7 +265,7 @@ std::vector<Rgb> GatheredLight::incident() const
     const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, threads_);
     constexpr double error_around = 0.1; // typical ones, as a share
     constexpr double error_alone = 0.03;
-    const Rgb power = scene_.source_power();
+    const Rgb power = scene_.lamp_power();
     auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
         const Sight& sight = sights_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
@@ -317,7 +317,7 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     const std::vector<Rgb> incident = light.incident();
     std::vector<Rgb> result = with_room<Rgb>(n);
     for (std::uint32_t i = 0; i < n; ++i)
-        result.push_back(scene.emittance(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]));
+        result.push_back(scene.first_light(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]));
     return result;
 }
 

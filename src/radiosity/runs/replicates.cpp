@@ -137,7 +137,7 @@ private:
             if (denoised)
                 denoise_mean(solution);
             solution.relative_standard_error =
-                std::sqrt(expected_relative_square(scene_.areas(), solution.radiosity, solution.standard_error));
+                std::sqrt(expected_relative_square(scene_.weights(), solution.radiosity, solution.standard_error));
         }
         return solution;
     }

@@ -107,37 +107,6 @@ void add_lamp(const ObjChanges::Lamp& lamp, ObjMesh& mesh, std::vector<LampMater
     }
 }
 
-std::string lower_case(std::string text)
-{
-    for (char& c : text)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-/// Of polygons.
-struct Areas
-{
-    std::vector<double> materials;
-    std::vector<double> groups;
-};
-
-Areas areas_of(const ObjMesh& mesh)
-{
-    Areas areas = {std::vector<double>(mesh.materials.size()), std::vector<double>(mesh.groups.size())};
-    std::size_t first = 0;
-    for (const ObjFace& face : mesh.faces) {
-        Vec3 sum;
-        const Vec3 origin = mesh.vertices[mesh.corners[first]];
-        for (std::size_t k = 1; k + 1 < face.corner_count; ++k)
-            sum = sum + cross(mesh.vertices[mesh.corners[first + k]] - origin,
-                              mesh.vertices[mesh.corners[first + k + 1]] - origin);
-        areas.materials[face.material] += 0.5 * length(sum);
-        areas.groups[face.group] += 0.5 * length(sum);
-        first += face.corner_count;
-    }
-    return areas;
-}
-
 } // namespace
 
 std::vector<LampMaterial> apply(const ObjChanges& changes, ObjMesh& mesh)
@@ -148,40 +117,6 @@ std::vector<LampMaterial> apply(const ObjChanges& changes, ObjMesh& mesh)
     for (const ObjChanges::Lamp& lamp : changes.lamps)
         add_lamp(lamp, mesh, lamps);
     return lamps;
-}
-
-std::vector<std::string> likely_lamps(const ObjMesh& mesh)
-{
-    // Lamps first, then what daylight comes through, in some languages of public models.
-    constexpr std::array<std::string_view, 32> words = {
-        "lamp",    "light",   "bulb",     "emit",   "emis", "lumi",   "neon",   "fluo",
-        "glow",    "led_",    "licht",    "leucht", "luce", "luz",    "svjetl", "svetl",
-        "lantern", "chandel", "candle",   "sconce", "sky",  "himmel", "window", "fenster",
-        "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
-    const Areas areas = areas_of(mesh);
-    std::vector<std::string> materials; // --lamp takes a name for that of a material first
-    for (const ObjName& material : mesh.materials)
-        materials.push_back(name_of_material(material));
-    std::vector<std::string> names;
-    const auto add = [&](const std::string& name, std::string_view word) {
-        if (lower_case(name).find(word) != std::string::npos &&
-            std::find(names.begin(), names.end(), name) == names.end())
-            names.push_back(name);
-    };
-    for (const std::string_view word : words) {
-        for (std::size_t k = 0; k < mesh.materials.size(); ++k)
-            if (areas.materials[k] > 0.0)
-                add(mesh.materials[k].name, word);
-        for (std::size_t k = 0; k < mesh.groups.size(); ++k)
-            if (areas.groups[k] > 0.0 &&
-                std::find(materials.begin(), materials.end(), mesh.groups[k]) == materials.end())
-                add(mesh.groups[k], word);
-    }
-    if (names.empty()) {
-        const std::vector<double>& of = areas.materials;
-        names.push_back(materials[static_cast<std::size_t>(std::max_element(of.begin(), of.end()) - of.begin())]);
-    }
-    return names;
 }
 
 } // namespace multipath

@@ -23,6 +23,7 @@ struct ObjChanges
     std::vector<std::string> ignored; ///< whose faces are left out
     double reflectance_limit = 1.0;   ///< [1] to which each colour of a reflectance above it is lowered; 1: refused
     double unit = 1.0;                ///< [m] of the file's coordinates
+    bool lit_from_outside = false;    ///< by a sky or the sun, so that no emitter is needed
     std::string options = {};         ///< " --ignore glass": of the command line, for commands in messages
 };
 
@@ -37,9 +38,5 @@ struct LampMaterial
 /// Leaves out the faces of what is ignored, and gives those of objects that become lamps materials of their own, of the
 /// same name as before. Throws SettingsError for a name that the mesh does not have, and for a mesh without faces left.
 std::vector<LampMaterial> apply(const ObjChanges& changes, ObjMesh& mesh);
-
-/// Materials and objects that are called as lamps or windows are; if there are none, the material with the largest
-/// area. At least one, the most likely first.
-std::vector<std::string> likely_lamps(const ObjMesh& mesh);
 
 } // namespace multipath

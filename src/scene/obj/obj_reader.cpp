@@ -5,6 +5,7 @@
 
 #include "geometry/intersector/surface_sizes.h"
 #include "scene/input_error.h"
+#include "scene/obj/light_advice.h"
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
 #include "scene/obj/obj_mesh.h"
@@ -277,7 +278,7 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const 
 }
 
 /// Refuses what would give no result, or a wrong one, with a command that mends all of it.
-void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SurfaceList& surfaces,
+void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SceneFile& scene,
                      const std::vector<std::string>& missing_files, EmissionFrom emission_from,
                      const ObjChanges& changes)
 {
@@ -287,7 +288,7 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
                                          [](const MtlMaterial& m) { return !m.flaw.empty(); });
     if (too_bright != materials.used.end())
         problems.push_back(too_bright->flaw);
-    if (nothing_absorbs(materials, mesh, surfaces))
+    if (nothing_absorbs(materials, mesh, scene.surfaces))
         problems.push_back("nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same colour, "
                            "expected Kd below 1 in one of them");
     // Without a lamp nobody knows yet what it would light.
@@ -301,11 +302,15 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
             problems.push_back("Ka makes a lamp of " + list_of(by_ambient));
             options += " --emission-from Ka";
         } else {
-            const std::vector<std::string> names = likely_lamps(mesh);
+            const LightAdvice light = advised_light(mesh, scene);
+            const bool sky = light.lamp.empty();
             const std::string others =
-                names.size() > 1 ? ", or another: " + list_of({names.begin() + 1, names.end()}) : "";
-            problems.push_back("to make a lamp of material or object " + in_quotes(names.front()) + others);
-            options += option_text("lamp", names.front() + "=10");
+                light.others.empty() ? "" : (sky ? ", or make a lamp of " : ", or another: ") + list_of(light.others);
+            problems.push_back(
+                (sky ? "to light it by sky and sun" : "to make a lamp of material or object " + in_quotes(light.lamp)) +
+                others);
+            options += sky ? option_text("sky", "10") + option_text("sun", "150,40,20")
+                           : option_text("lamp", light.lamp + "=10");
         }
     }
     if (problems.empty())
@@ -433,8 +438,8 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
     add_surfaces(cut.pieces, mesh, scene);
-    require_physics(list.by_origin, is_lit(scene.materials, has_pieces), mesh, scene.surfaces, libraries.missing,
-                    emission_from, changes);
+    require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, has_pieces), mesh, scene,
+                    libraries.missing, emission_from, changes);
     scene.unknown_materials = list.by_origin.unknown_names;
     for (const MtlMaterial& unused : list.by_origin.unused)
         scene.unused_materials.push_back(unused.material.source + ": " + unused.material.name);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "geometry/intersector/filter_line.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/intersector/surface_sizes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -18,7 +20,8 @@ public:
         : planes_(share_planes(surfaces, from_large_to_small(surfaces))),
           table_(surfaces, planes_),
           rank_(size_ranks(from_large_to_small(surfaces))),
-          outside_is_solid_(form_a_room(surfaces))
+          outside_is_solid_(form_a_room(surfaces)),
+          frame_(box_around(surfaces))
     {
     }
 
@@ -46,14 +49,36 @@ public:
         return best == hits.end() ? std::optional<Hit>() : *best;
     }
 
-    /// The first of the hits of a ray that leaves `from` where nothing else lies in its plane.
-    std::optional<Hit> closest_from(std::uint32_t from, std::vector<Hit> hits) const
+    /// The first of the hits of a ray that leaves `from` where nothing else lies in its plane. Where it meets a front
+    /// and a back of unlike outline together, the one that comes first along the whole line.
+    std::optional<Hit> closest_from(std::uint32_t from, std::vector<Hit> hits, const Line& ray) const
     {
         const auto in_plane = [&](const Hit& hit) {
             return planes_.plane_number[hit.surface] == planes_.plane_number[from];
         };
         hits.erase(std::remove_if(hits.begin(), hits.end(), in_plane), hits.end());
-        return closest(hits);
+        const std::optional<Hit> best = closest(hits);
+        if (!best || !best->front)
+            return best;
+        std::vector<Hit> together;
+        std::copy_if(hits.begin(), hits.end(), std::back_inserter(together),
+                     [&](const Hit& hit) { return hit.t == best->t; });
+        std::vector<Hit> backs;
+        std::copy_if(together.begin(), together.end(), std::back_inserter(backs),
+                     [](const Hit& hit) { return !hit.front; });
+        const std::optional<Hit> back = closest(backs);
+        if (!back || have_same_outline(*best, *back))
+            return best;
+        std::vector<Hit> along;
+        const double before = (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
+        all_hits({ray.at(-before), ray.direction}, along); // to the last bit the line that an intersector asks for
+        const auto end =
+            std::find_if(along.begin(), along.end(), [&](const Hit& h) { return h.surface == best->surface; });
+        for (auto hit = along.begin(); hit != end && end != along.end(); ++hit)
+            for (const Hit& candidate : together)
+                if (hit->t == end->t && hit->surface == candidate.surface)
+                    return candidate;
+        return best;
     }
 
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const
@@ -70,6 +95,7 @@ private:
     SurfaceTable table_;
     std::vector<std::uint32_t> rank_;
     bool outside_is_solid_;
+    FilterFrame frame_;
 };
 
 /// To the last bit.

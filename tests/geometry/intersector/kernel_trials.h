@@ -138,7 +138,7 @@ inline std::size_t wrong_rays(const SurfaceList& surfaces, const RaysFrom& from)
         brute_force.all_hits(from.rays[n], hits);
         const bool covered = !brute_force.coincident_surfaces(surface, from.rays[n].origin).empty();
         const std::optional<Hit> expected = covered ? intersectors.back().closest_hit_from(surface, from.rays[n])
-                                                    : brute_force.closest_from(surface, hits);
+                                                    : brute_force.closest_from(surface, hits, from.rays[n]);
         bool right = true;
         for (std::size_t k = 0; k < intersectors.size(); ++k) {
             const FirstHits& block = blocks[k];

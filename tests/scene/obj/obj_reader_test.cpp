@@ -15,6 +15,7 @@ using namespace multipath;
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string above = "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
 /// A closed unit cube, seen from inside.
 const std::string cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                          "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
@@ -175,15 +176,37 @@ TEST_CASE("what is ignored is left out, and a name that the file does not have i
     CHECK(contains(problem({{}, {"paint"}}), "no face is left"));
 }
 
-TEST_CASE("the error of a file without lamps names one that could be, by its name or else by its area")
+// A floor, and a panel above it that faces up or down.
+std::string floor_and_panel(const std::string& name_of_panel, bool down)
 {
-    CHECK(contains(two_squares.problem(), "--lamp paint=10"));
-    const SceneText named{"mtllib room.mtl\n" + square +
-                              "usemtl paint\nf 1 2 3 4\no Desk Lamp's shade\nusemtl cloth\nf 1 2 3\n",
-                          "newmtl paint\nKd 0.5\nnewmtl cloth\nKd 0.5\n"};
-    CHECK(contains(named.problem(), "--lamp 'Desk Lamp'\\''s shade=10'"));
+    return "mtllib room.mtl\n" + square + above + "usemtl paint\nf 1 2 3 4\n" + name_of_panel + "\nusemtl cloth\n" +
+           (down ? "f 5 8 7 6\n" : "f 5 6 7 8\n");
+}
+
+TEST_CASE("the error of a file without lamps names one by its name, or else the sky, or else one by its area")
+{
+    const std::string materials = "newmtl paint\nKd 0.5\nnewmtl cloth\nKd 0.5\n";
+    const std::string named = "o Desk Lamp's shade";
+    const std::string lamp = "--lamp 'Desk Lamp'\\''s shade=10'";
+    const std::string sky = "to light it by sky and sun";
+    CHECK(contains(SceneText{floor_and_panel(named, true), materials}.problem(), lamp));
+    const std::string useless = SceneText{floor_and_panel(named, false), materials}.problem();
+    CHECK(contains(useless, sky));
+    CHECK(contains(useless, "room.obj --sky 10 --sun 150,40,20"));
+    CHECK(contains(useless, "or make a lamp of `Desk Lamp's shade`"));
+    CHECK(contains(two_squares.problem(), sky));
+    CHECK(contains(SceneText{square + "f 1 2 3 4\n", ""}.problem(), sky));
+
+    ObjChanges outside;
+    outside.lit_from_outside = true;
+    CHECK(two_squares.read(EmissionFrom::ke, outside).surfaces.size() == 2);
+
+    // Nothing of the sky gets into a closed room, whichever way its walls were modelled.
+    const std::string panel_in_cube = cube + "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.6 0.6 0.4\nv 0.4 0.6 0.4\n";
+    const SceneText room{panel_in_cube + "usemtl x\nf -4 -3 -2 -1\n", ""};
+    CHECK(contains(room.problem(), "--lamp x=10"));
+    CHECK(contains(SceneText{cube, ""}.problem(), "--lamp default=10"));
     const SceneText nameless{square + "f 1 2 3 4\n", ""};
-    CHECK(contains(nameless.problem(), "--lamp default=10"));
     CHECK(nameless.read(EmissionFrom::ke, {{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
 }
 
@@ -228,14 +251,15 @@ TEST_CASE("reflectances above 1 are refused or lowered, and the error's command 
 TEST_CASE("the command of an error keeps what was given, and names only what has faces that are left")
 {
     const std::string two =
-        square + "o lamp\nusemtl a\nf 1 1 1\no --shade lamp\nusemtl b\nf 1 2 3 4\no rest\nusemtl c\nf 4 3 2 1\n";
+        square + above +
+        "o lamp\nusemtl a\nf 1 1 1\no --shade lamp\nusemtl b\nf 1 2 3 4\no rest\nusemtl c\nf 5 8 7 6\n";
     const SceneText scene{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 0.5\nnewmtl c\nKd 0.5\n"};
     CHECK(contains(scene.problem(), "room.obj --lamp='--shade lamp=10'"));
     ObjChanges changes;
     changes.ignored = {"--shade lamp"};
     changes.options = " --ignore='--shade lamp' --unit mm";
     CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }),
-                   "--lamp c=10 --ignore='--shade lamp' --unit mm"));
+                   "--sky 10 --sun 150,40,20 --ignore='--shade lamp' --unit mm"));
     changes.lamps = {{"b", {1, 1, 1}}};
     CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }), "--lamp: `b` has no face"));
     const SceneText white{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 1\nnewmtl c\nKd 0.5\n"};

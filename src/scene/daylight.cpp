@@ -1,0 +1,51 @@
+#include "scene/daylight.h"
+
+#include "geometry/bounds.h"
+#include "geometry/intersector/surface_sizes.h"
+#include "geometry/pi.h"
+
+#include <cmath>
+#include <string>
+
+namespace multipath {
+
+void add_sky(SceneFile& file, Rgb emittance)
+{
+    constexpr double distance = 0.05; // of the diagonal: nothing of the scene may lie in a plane of the sky
+    const Bounds box = bounds_of(file.surfaces);
+    const double margin = distance * box.diagonal();
+    const Vec3 low = box.low - Vec3{margin, margin, margin};
+    const Vec3 d = box.size() + 2.0 * Vec3{margin, margin, margin};
+    const Vec3 x = {d.x, 0, 0};
+    const Vec3 y = {0, d.y, 0};
+    const Vec3 z = {0, 0, d.z};
+    const auto material = static_cast<std::uint32_t>(file.materials.size());
+    const auto group = static_cast<std::uint32_t>(file.groups.size());
+    file.materials.push_back({"sky", {}, emittance, file.path});
+    file.groups.emplace_back("sky");
+    const std::size_t before = file.surfaces.size();
+    for (const Surface& side : {Surface{Shape::parallelogram, low, z, x}, Surface{Shape::parallelogram, low + y, x, z},
+                                Surface{Shape::parallelogram, low, y, z}, Surface{Shape::parallelogram, low + x, z, y},
+                                Surface{Shape::parallelogram, low, x, y}, Surface{Shape::parallelogram, low + z, y, x}})
+        file.surfaces.push_back(side);
+    file.sky_surfaces = static_cast<std::uint32_t>(file.surfaces.size() - before);
+    file.material.resize(file.surfaces.size(), material);
+    file.group.resize(file.surfaces.size(), group);
+    file.line.resize(file.surfaces.size(), 0);
+}
+
+Sun sun_at(double azimuth, double elevation, Vec3 up, Rgb irradiance)
+{
+    const Vec3 zenith = normalized(up);
+    const Vec3 aside = std::abs(zenith.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, -1.0, 0.0};
+    const Vec3 east = normalized(cross(zenith, aside));
+    const Vec3 north = cross(zenith, east);
+    const double a = azimuth * (pi / 180.0);
+    const double h = elevation * (pi / 180.0);
+    const Vec3 toward = std::cos(h) * std::sin(a) * east + std::cos(h) * std::cos(a) * north + std::sin(h) * zenith;
+    // The last bits of sines differ between machines, those of what is computed from here on do not.
+    const auto rounded = [](double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); };
+    return {normalized({rounded(toward.x), rounded(toward.y), rounded(toward.z)}), irradiance};
+}
+
+} // namespace multipath

@@ -1,0 +1,206 @@
+#include "scene/obj/light_advice.h"
+
+#include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/intersector.h"
+#include "parallel/mix_bits.h"
+#include "scene/room_shell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+std::string lower_case(std::string text)
+{
+    for (char& c : text)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
+
+/// As --lamp and results call it.
+std::string name_of_material(const ObjName& material)
+{
+    return material.name.empty() ? "default" : material.name;
+}
+
+/// A material or group that may become a lamp.
+struct Candidate
+{
+    std::string name;
+    bool is_group;
+    std::uint32_t number;
+};
+
+/// [m^2] Of the surfaces of each material or group.
+std::vector<double> areas_of(const SceneFile& scene, const std::vector<std::uint32_t>& numbers, std::size_t count)
+{
+    std::vector<double> areas(count);
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+        areas[numbers[s]] += scene.surfaces[s].area();
+    return areas;
+}
+
+/// Materials and objects that are called as lamps or windows are, the most likely first.
+std::vector<Candidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
+{
+    // Lamps first, then what daylight comes through, in some languages of public models.
+    constexpr std::array<std::string_view, 32> words = {
+        "lamp",    "light",   "bulb",     "emit",   "emis", "lumi",   "neon",   "fluo",
+        "glow",    "led_",    "licht",    "leucht", "luce", "luz",    "svjetl", "svetl",
+        "lantern", "chandel", "candle",   "sconce", "sky",  "himmel", "window", "fenster",
+        "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
+    const std::vector<double> of_materials = areas_of(scene, scene.material, mesh.materials.size());
+    const std::vector<double> of_groups = areas_of(scene, scene.group, mesh.groups.size());
+    std::vector<std::string> materials; // --lamp takes a name for that of a material first
+    for (const ObjName& material : mesh.materials)
+        materials.push_back(name_of_material(material));
+    std::vector<Candidate> result;
+    const auto add = [&](const std::string& name, std::string_view word, bool is_group, std::size_t number) {
+        if (lower_case(name).find(word) != std::string::npos &&
+            std::none_of(result.begin(), result.end(), [&](const Candidate& c) { return c.name == name; }))
+            result.push_back({name, is_group, static_cast<std::uint32_t>(number)});
+    };
+    for (const std::string_view word : words) {
+        for (std::size_t k = 0; k < mesh.materials.size(); ++k)
+            if (of_materials[k] > 0.0)
+                add(mesh.materials[k].name, word, false, k);
+        for (std::size_t k = 0; k < mesh.groups.size(); ++k)
+            if (of_groups[k] > 0.0 && std::find(materials.begin(), materials.end(), mesh.groups[k]) == materials.end())
+                add(mesh.groups[k], word, true, k);
+    }
+    return result;
+}
+
+/// All materials, the largest first.
+std::vector<Candidate> large_materials(const ObjMesh& mesh, const SceneFile& scene)
+{
+    const std::vector<double> areas = areas_of(scene, scene.material, mesh.materials.size());
+    std::vector<Candidate> result;
+    for (std::uint32_t k = 0; k < areas.size(); ++k)
+        if (areas[k] > 0.0)
+            result.push_back({name_of_material(mesh.materials[k]), false, k});
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const Candidate& a, const Candidate& b) { return areas[a.number] > areas[b.number]; });
+    return result;
+}
+
+/// Rays that leave the fronts of some surfaces, about as diffuse light does.
+class Rays
+{
+public:
+    /// From those for which `from` is true.
+    template <class Condition>
+    Rays(const SurfaceList& surfaces, Condition from)
+    {
+        std::vector<std::uint32_t> chosen;
+        for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+            if (from(s))
+                chosen.push_back(s);
+        constexpr std::size_t most = 4096;
+        constexpr std::size_t rays_per_surface = 8;
+        std::uint64_t bits = 1;
+        const auto next = [&bits] { // in [0, 1)
+            bits = mix_bits(bits);
+            return static_cast<double>(bits >> 11) * 0x1p-53;
+        };
+        for (std::size_t k = 0; k < std::min(chosen.size(), most); ++k) {
+            const std::uint32_t s = chosen[k * chosen.size() / std::min(chosen.size(), most)];
+            const Surface& surface = surfaces[s];
+            for (std::size_t ray = 0; ray < rays_per_surface; ++ray) {
+                const double u = next();
+                const double v = next() * (surface.shape == Shape::triangle ? 1.0 - u : 1.0);
+                // The normal and a point of the sphere around its end: Lambert's cosine law.
+                const double z = 2.0 * next() - 1.0;
+                const double x = 2.0 * next() - 1.0;
+                const double y = (next() < 0.5 ? -1.0 : 1.0) * std::sqrt(std::max(0.0, 1.0 - x * x));
+                const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+                from_.push_back(s);
+                lines_.push_back({surface.at(u, v), surface.normal() + Vec3{r * x, r * y, z}});
+            }
+        }
+    }
+
+    /// The share of the rays whose hit, or none, is as wanted.
+    template <class Condition>
+    double share(const Intersector& intersector, Condition wanted)
+    {
+        intersector.closest_hits_from(from_.data(), lines_.data(), lines_.size(), hits_);
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < lines_.size(); ++k)
+            count += wanted(hits_.is_hit(k) ? &hits_[k] : nullptr) ? 1 : 0;
+        return lines_.empty() ? 0.0 : static_cast<double>(count) / static_cast<double>(lines_.size());
+    }
+
+private:
+    std::vector<std::uint32_t> from_;
+    std::vector<Line> lines_;
+    FirstHits hits_;
+};
+
+/// [1] Of the light of a lamp the share that arrives on fronts of others, walls that look outward turned over.
+double lit_share(const SceneFile& scene, const Candidate& lamp)
+{
+    SceneFile lit;
+    lit.surfaces = scene.surfaces;
+    lit.materials = {Material{}, Material{"lamp", {}, {1.0, 1.0, 1.0}, ""}};
+    const std::vector<std::uint32_t>& numbers = lamp.is_group ? scene.group : scene.material;
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+        lit.material.push_back(numbers[s] == lamp.number ? 1 : 0);
+    lit.group.assign(scene.surfaces.size(), 0);
+    lit.line.assign(scene.surfaces.size(), 0);
+    turn_shells_inward(lit);
+    return Rays(lit.surfaces, [&](std::uint32_t s) { return lit.material[s] == 1; })
+        .share(Intersector(lit.surfaces),
+               [&](const Hit* hit) { return hit && hit->front && lit.material[hit->surface] == 0; });
+}
+
+/// [1] Of the light of fronts the share that leaves the scene.
+double open_share(const SceneFile& scene)
+{
+    return Rays(scene.surfaces, [](std::uint32_t) { return true; })
+        .share(Intersector(scene.surfaces), [](const Hit* hit) { return hit == nullptr; });
+}
+
+} // namespace
+
+LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
+{
+    constexpr double enough = 0.05;
+    constexpr std::size_t most_tried = 4; // each needs a tree of its own
+    const std::vector<Candidate> called = called_lamps(mesh, scene);
+    LightAdvice result;
+    for (const Candidate& candidate : called)
+        result.others.push_back(candidate.name);
+    const auto take_best_of = [&](std::vector<Candidate> candidates) {
+        candidates.resize(std::min(candidates.size(), most_tried));
+        for (const Candidate& candidate : candidates) {
+            const double share = lit_share(scene, candidate);
+            if (result.lamp.empty() || share > result.lit_share) {
+                result.lamp = candidate.name;
+                result.lit_share = share;
+            }
+            if (share >= enough)
+                break;
+        }
+    };
+    take_best_of(called);
+    if (result.lit_share < enough) {
+        const double open = open_share(scene);
+        if (open >= enough || (open > 0.0 && called.empty())) {
+            result.lamp.clear();
+            result.lit_share = open;
+        } else {
+            take_best_of(large_materials(mesh, scene));
+        }
+    }
+    result.others.erase(std::remove(result.others.begin(), result.others.end(), result.lamp), result.others.end());
+    return result;
+}
+
+} // namespace multipath

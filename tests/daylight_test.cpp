@@ -1,0 +1,115 @@
+// Light from outside, by every method. "Within 4 standard errors": see laws_test.cpp.
+
+#include "scene/daylight.h"
+
+#include "seeded_runs.h"
+#include "test_scenes.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+namespace daylight_methods_test {
+
+using namespace multipath;
+
+namespace {
+
+Scene under_sky(SceneFile file, Rgb emittance, double patch_size, bool two_sided = false)
+{
+    add_sky(file, emittance);
+    return Scene(std::move(file), patch_size, two_sided);
+}
+
+} // namespace
+
+// Whatever is white under a uniform sky sends as much light as the sky: nobody could see it.
+TEST_CASE("white bodies vanish before the sky" * doctest::test_suite("statistics"))
+{
+    SceneBuilder builder;
+    const std::uint32_t white = builder.grey(1.0, 0.0);
+    builder.box({0, 0, 0}, {1, 1, 1}, white).box({0.2, 1.0, 0.2}, {0.6, 1.5, 0.6}, white); // one on the other
+    builder.box({1.2, 0, 0}, {1.3, 1.5, 1}, white);
+    const Scene scene = under_sky(builder.file(), {1.0, 2.0, 3.0}, 1.0);
+    for (const Method method : all_methods())
+        for (const std::uint32_t patch : {1u, 5u, 9u, 14u}) {
+            CAPTURE(method->name);
+            CAPTURE(patch);
+            const Estimate b = over_seeds(scene, random_lines(method, 1u << 14, 0), 30,
+                                          [&](const Solution& s) { return s.radiosity[patch].g; });
+            CHECK(std::abs(b.mean - 2.0) < 4.0 * b.standard_error + 1e-6);
+        }
+}
+
+TEST_CASE("a plate that sees nothing but the sky receives pi times its radiance on both sides")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, builder.grey(0.5, 0.0));
+    const Scene scene = under_sky(builder.file(), {8.0, 8.0, 8.0}, 10.0, true);
+    for (const Method method : all_methods()) {
+        const Solution solution = solve(scene, random_lines(method, 1u << 16, 1), silent);
+        CHECK(solution.radiosity[0].g == doctest::Approx(4.0).epsilon(0.02));
+        CHECK(solution.radiosity[scene.first_patch(0, false)].g == doctest::Approx(4.0).epsilon(0.02));
+        CHECK(solution.balance.behind.g == 0.0);
+    }
+}
+
+// The sun in the zenith lights the floor alone, and this the wall: b_f = rho (E + F b_w), b_w = rho F b_f.
+TEST_CASE("the floor in the sun lights the wall" * doctest::test_suite("statistics"))
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, grey);
+    builder.rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, grey);
+    const Scene scene = builder.sun(sun_at(0, 90, {0, 1, 0}, {10, 10, 10})).scene(10.0);
+    const double f = 0.2000437;
+    const double b_floor = 0.5 * 10.0 / (1.0 - 0.25 * f * f);
+    for (const Method method : all_methods()) {
+        CAPTURE(method->name);
+        const auto runs = [&](std::uint32_t patch) {
+            return over_seeds(scene, random_lines(method, 1u << 14, 0), 30,
+                              [&](const Solution& s) { return s.radiosity[patch].g; });
+        };
+        CHECK(runs(0).mean == doctest::Approx(b_floor).epsilon(1e-3));
+        const Estimate wall = runs(1);
+        CHECK(std::abs(wall.mean - 0.5 * f * b_floor) < 4.0 * wall.standard_error + 1e-6);
+        const Solution solution = solve(scene, random_lines(method, 1u << 14, 1), silent);
+        CHECK(solution.balance.source.g == doctest::Approx(10.0));
+        CHECK(solution.balance.relative_error() < 1e-9);
+    }
+}
+
+// A lamp, the sky and the sun together are their sum, since light does not disturb light.
+TEST_CASE("lamp, sky and sun add up" * doctest::test_suite("statistics"))
+{
+    const auto scene = [](double lamp, double sky, double sun) {
+        SceneBuilder builder;
+        const std::uint32_t grey = builder.grey(0.6, 0.0);
+        const std::uint32_t light = builder.grey(0.0, lamp);
+        builder.rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, grey).box({0.5, 0, 0.5}, {1, 1, 1}, grey);
+        builder.rectangle({0, 2, 0}, {0.5, 0, 0}, {0, 0, 0.5}, light);
+        if (sun > 0.0)
+            builder.sun(sun_at(120, 40, {0, 1, 0}, {sun, sun, sun}));
+        SceneFile file = builder.file();
+        if (sky > 0.0)
+            add_sky(file, {sky, sky, sky});
+        return Scene(std::move(file), 0.5, false);
+    };
+    const auto floor_power = [](const Scene& lit, Method method) {
+        return over_seeds(lit, random_lines(method, 1u << 14, 0), 30, [&lit](const Solution& s) {
+            double power = 0.0;
+            for (std::uint32_t i = 0; lit.surface_of(i) == 0; ++i)
+                power += lit.area(i) * s.radiosity[i].g;
+            return power;
+        });
+    };
+    for (const Method method : all_methods()) {
+        CAPTURE(method->name);
+        const double parts = floor_power(scene(5, 0, 0), Method::reuse).mean +
+                             floor_power(scene(0, 3, 0), Method::reuse).mean +
+                             floor_power(scene(0, 0, 4), Method::reuse).mean;
+        const Estimate all = floor_power(scene(5, 3, 4), method);
+        CHECK(std::abs(all.mean - parts) < 4.0 * all.standard_error + 0.002 * parts);
+    }
+}
+
+} // namespace daylight_methods_test
