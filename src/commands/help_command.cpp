@@ -23,7 +23,9 @@ constexpr const char* scenes_text = R"(A scene is a Wavefront OBJ file; mtllib n
   Kd r g b   diffuse reflectance, 0 to 1; one number is grey
   Ke r g b   emittance in W/m^2: power emitted per area
   Ka r g b   ambient light, ignored; the emittance with --emission-from Ka
-Everything else (Ks, Ns, d, illum, map_*) is ignored, and said once. A material
+  map_Kd F   texture: PNG, JPEG, TGA, BMP or PPM, times Kd; with -s, -o, -clamp
+  map_Ke F   likewise times Ke; a lamp emits the mean of its surfaces
+Everything else (Ks, Ns, d, illum, ...) is ignored, and said once. A material
 that faces use and no file defines becomes grey 0.5, with a warning. A scene
 that emits nothing is refused.
 

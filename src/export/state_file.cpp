@@ -333,6 +333,81 @@ void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 
 } // namespace
 
+namespace {
+
+/// Textures as the bytes of their files; nothing for a scene without any.
+void visit_textures(Archive& archive, SceneFile& scene)
+{
+    std::string names;
+    std::string bytes;
+    std::vector<std::uint64_t> lengths;
+    std::vector<std::uint32_t> repeats;
+    for (const std::shared_ptr<const Texture>& texture : scene.textures) {
+        names += texture->name() + '\n';
+        bytes += texture->bytes();
+        lengths.push_back(texture->bytes().size());
+        repeats.push_back(texture->repeats() ? 1 : 0);
+    }
+    archive.optional_list<std::uint64_t>("texture lengths", lengths);
+    if (lengths.empty())
+        return;
+    archive.growing_list<char>("texture names", names);
+    archive.growing_list<char>("texture files", bytes);
+    repeats.resize(lengths.size());
+    archive.list<std::uint32_t>("texture repeats", repeats);
+    std::vector<std::uint32_t> textures;
+    std::vector<Rgb> scales;
+    for (const Material& material : scene.materials) {
+        textures.push_back(material.texture);
+        scales.push_back(material.texture_scale);
+    }
+    archive.list<std::uint32_t>("material textures", textures);
+    archive.list<double>("texture scales", scales);
+    std::vector<double> frames;
+    std::vector<std::uint32_t> known;
+    for (const TextureFrame& frame : scene.texture_frames) {
+        for (const TexturePoint p : {frame.origin, frame.along_u, frame.along_v})
+            frames.insert(frames.end(), {p.s, p.t});
+        known.push_back(frame.known ? 1 : 0);
+    }
+    archive.growing_list<std::uint32_t>("textured surfaces", known);
+    frames.resize(6 * known.size());
+    archive.list<double>("texture frames", frames);
+    if (!archive.reads())
+        return;
+    for (std::size_t m = 0; m < textures.size(); ++m) {
+        const Rgb scale = scales[m];
+        if ((textures[m] != Material::no_texture && textures[m] >= lengths.size()) ||
+            !all_within({scale.r, scale.g, scale.b}, 0.0, 1.0))
+            throw ArchiveError("the state is damaged: no such texture");
+        scene.materials[m].texture = textures[m];
+        scene.materials[m].texture_scale = scale;
+    }
+    if (known.size() != scene.own_surfaces())
+        throw ArchiveError("the state is damaged: it has textures of other surfaces");
+    for (std::size_t s = 0; s < known.size(); ++s) {
+        const double* f = frames.data() + 6 * s;
+        scene.texture_frames.push_back({{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}, known[s] != 0});
+    }
+    std::size_t begin = 0;
+    std::size_t name_begin = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        const std::size_t name_end = names.find('\n', name_begin);
+        if (lengths[k] > bytes.size() - begin || name_end == std::string::npos)
+            throw ArchiveError("the state is damaged: a texture is not whole");
+        try {
+            scene.textures.push_back(std::make_shared<const Texture>(names.substr(name_begin, name_end - name_begin),
+                                                                     bytes.substr(begin, lengths[k]), repeats[k] != 0));
+        } catch (const ImageError& error) {
+            throw ArchiveError(std::string("the state is damaged: a texture ") + error.what());
+        }
+        begin += lengths[k];
+        name_begin = name_end + 1;
+    }
+}
+
+} // namespace
+
 void ArchivedScene::visit(Archive& archive)
 {
     SceneFile kept = file ? *file : SceneFile{};
@@ -358,6 +433,7 @@ void ArchivedScene::visit(Archive& archive)
     if (sun.size() > 1 || (sun.size() == 1 && !is_sound(sun[0])))
         throw ArchiveError("the state is damaged: no such sun");
     kept.sun = sun.empty() ? std::nullopt : std::optional(sun[0]);
+    visit_textures(archive, kept);
     archive.value<double>("patch size", patch_size);
     archive.value<std::uint64_t>("two-sided", two_sided);
     archive.value<std::uint64_t>("patches", patches);

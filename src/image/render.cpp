@@ -7,6 +7,7 @@
 #include "image/camera.h"
 #include "image/gather/final_gather.h"
 #include "image/shading/smooth_shading.h"
+#include "image/shading/texture_detail.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
@@ -33,14 +34,17 @@ class Painter
 {
 public:
     Painter(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
-        : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
+        : scene_(scene),
+          radiosity_(options.shading == Shading::smooth ? without_texture(scene, radiosity) : radiosity),
+          rays_(camera, options.width, options.height),
+          options_(options)
     {
         if (scene.file().sky_surfaces > 0)
             background_ = radiosity[scene.first_patch(scene.own_surfaces())];
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
         if (options.shading == Shading::smooth)
-            smooth_.emplace(scene, radiosity, options.threads, find_shown());
+            smooth_.emplace(scene, radiosity_, options.threads, find_shown());
         // Neighbours share no rays to sources, and few pixels need any: those of penumbras, whose grain is seen.
         const GatherRays gather_rays{(2 * options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
                                      options.indirect ? options.gather_rays : 0};
@@ -133,7 +137,8 @@ private:
     {
         if (gather_)
             return gather_->at(hit, sample.x, sample.y, sample.number, grid_ * grid_, tools.fan);
-        return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
+        return smooth_ ? with_texture(scene_, hit, smooth_->at(hit))
+                       : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
     }
 
     Rgb clipped(Rgb value) const
@@ -145,7 +150,7 @@ private:
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
     const Scene& scene_;
-    const std::vector<Rgb>& radiosity_;
+    std::vector<Rgb> radiosity_; ///< without textures, if it is interpolated
     PixelRays rays_;
     RenderOptions options_;
     std::optional<SmoothShading> smooth_;

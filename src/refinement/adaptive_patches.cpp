@@ -1,6 +1,7 @@
 #include "refinement/adaptive_patches.h"
 
 #include "image/shading/smooth_shading.h"
+#include "image/shading/texture_detail.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,13 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
     // A patch without neighbours has no slope to tell; it is taken to vary by so much of its square.
     constexpr double unknown = 0.03;
     std::vector<double> residuals;
-    const SmoothShading shading(scene, radiosity, threads, residuals);
+    const std::vector<Rgb> plain = without_texture(scene, radiosity); // pictures show textures at full resolution
+    const SmoothShading shading(scene, plain, threads, residuals);
     std::vector<double> result(scene.two_sided() ? scene.patch_count() / 2 : scene.patch_count());
     double all = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const bool alone = scene.tessellation(scene.surface_of(i)).cell_count() == 1;
-        const Rgb reflected = radiosity[i] - scene.emittance(i);
+        const Rgb reflected = plain[i] - scene.emittance(i);
         const double square = alone ? unknown * mean(reflected * reflected) : residuals[i];
         result[i % result.size()] += scene.area(i) * square;
         all += scene.area(i) * mean(radiosity[i] * radiosity[i]);

@@ -4,6 +4,7 @@
 #include "image/gather/place.h"
 #include "image/gather/source_light.h"
 #include "image/shading/smooth_shading.h"
+#include "image/shading/texture_detail.h"
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
 #include "radiosity/runs/replicates.h"
@@ -212,7 +213,6 @@ public:
     Rgb at(const Hit& hit, std::uint64_t number, RandomStream stream) const
     {
         const Place place = place_of(scene_, hit);
-        const Material& material = scene_.surface_material(hit.surface);
         const std::uint64_t bits = random_bits(random_key(stream), number);
         const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
         const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
@@ -221,7 +221,8 @@ public:
         Rgb irradiance = sources_.irradiance(place, {*to_sources, 0, count}, bits_to_unit(bits), fan);
         irradiance += indirect_.at(place, *around, 0, fan).irradiance;
         irradiance += scene_.sunlight(place.surface, place.point, place.normal);
-        return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
+        return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
+               scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
     }
 
 private:
@@ -236,9 +237,10 @@ private:
 ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
                        const Truth& truth, std::uint64_t points, int threads)
 {
-    const SmoothShading shading(scene, radiosity, threads);
+    const std::vector<Rgb> plain = without_texture(scene, radiosity);
+    const SmoothShading shading(scene, plain, threads);
     const auto deviations = [&](const Hit& hit, std::uint64_t number) {
-        const Rgb shown = shading.at(hit);
+        const Rgb shown = with_texture(scene, hit, shading.at(hit));
         const TruthAtPoint there = truth(hit, number);
         return Deviations{shown - there.one, shown - there.other, shown};
     };

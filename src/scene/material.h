@@ -2,6 +2,7 @@
 
 #include "scene/rgb.h"
 
+#include <cstdint>
 #include <string>
 
 namespace multipath {
@@ -13,9 +14,13 @@ enum class EmissionFrom { ke, ka };
 struct Material
 {
     std::string name;
-    Rgb reflectance;    ///< [1] rho, 0 <= rho <= 1 in each channel; MTL `Kd`
-    Rgb emittance;      ///< [W/m^2] E, own emission per area (radiant exitance); MTL `Ke`
+    Rgb reflectance; ///< [1] rho, 0 <= rho <= 1 in each channel; MTL `Kd`; of a textured one the mean of its surfaces
+    Rgb emittance;   ///< [W/m^2] E, own emission per area (radiant exitance); MTL `Ke`
     std::string source; ///< "file:line" of its definition, for messages
+
+    static constexpr std::uint32_t no_texture = 0xffffffffu;
+    std::uint32_t texture = no_texture; ///< index into SceneFile::textures; MTL `map_Kd`
+    Rgb texture_scale = {};             ///< [1] reflectance where the texture is white
 };
 
 } // namespace multipath

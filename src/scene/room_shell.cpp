@@ -225,7 +225,7 @@ std::size_t turn_shells_inward(SceneFile& file)
     std::size_t count = 0;
     for (std::uint32_t s = 0; s < file.surfaces.size(); ++s)
         if (turned[parts.of(s)]) {
-            std::swap(file.surfaces[s].edge_u, file.surfaces[s].edge_v);
+            turn_over(file, s);
             ++count;
         }
     return count;

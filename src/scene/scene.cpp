@@ -7,6 +7,7 @@
 #include "parallel/mix_bits.h"
 #include "scene/input_error.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -62,6 +63,13 @@ std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>&
         hash.add(material.emittance);
         hash.add(std::uint64_t{tessellations[s].cells_u});
         hash.add(std::uint64_t{tessellations[s].cells_v});
+        if (material.texture != Material::no_texture) {
+            const TextureFrame& frame = file.texture_frames[s];
+            hash.add(file.textures[material.texture]->hash());
+            hash.add(material.texture_scale);
+            for (const TexturePoint p : {frame.origin, frame.along_u, frame.along_v})
+                hash.add(Vec3{p.s, p.t, frame.known ? 1.0 : 0.0});
+        }
         if (tessellations[s].trees)
             for (std::uint32_t cell = 0; cell < tessellations[s].cell_count(); ++cell)
                 hash.add(std::uint64_t{tessellations[s].level(cell)});
@@ -97,10 +105,17 @@ Surface turned_over(const Surface& s)
 
 } // namespace
 
+void turn_over(SceneFile& file, std::size_t surface)
+{
+    file.surfaces[surface] = turned_over(file.surfaces[surface]);
+    if (surface < file.texture_frames.size())
+        std::swap(file.texture_frames[surface].along_u, file.texture_frames[surface].along_v);
+}
+
 SceneFile flipped(SceneFile file)
 {
-    for (Surface& surface : file.surfaces)
-        surface = turned_over(surface);
+    for (std::size_t s = 0; s < file.surfaces.size(); ++s)
+        turn_over(file, s);
     return file;
 }
 
@@ -123,6 +138,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     number_cells();
     cell_area_.reserve(tessellations_.size());
     Rgb reflecting_area;
+    lay_textures(threads);
     for (std::uint32_t s = 0; s < file_->surfaces.size(); ++s) {
         const Material& material = surface_material(s);
         const double area = file_->surfaces[s].area();
@@ -222,6 +238,41 @@ private:
 
 } // namespace
 
+void Scene::lay_textures(int threads)
+{
+    if (file_->textures.empty())
+        return;
+    reflectance_.resize(cell_count_);
+    parallel_numbers(static_cast<std::uint32_t>(file_->surfaces.size()), threads, [&](std::uint32_t s) {
+        const Material& material = surface_material(s);
+        const Tessellation& tessellation = tessellations_[s];
+        for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
+            Rgb& reflectance = reflectance_[first_cell_[s] + cell];
+            if (!is_textured(s)) {
+                reflectance = material.reflectance;
+                continue;
+            }
+            const CellCorners corners = tessellation.corners(cell);
+            std::array<std::array<double, 2>, 4> uv{};
+            for (std::size_t k = 0; k < corners.count; ++k)
+                uv[k] = {static_cast<double>(corners.points[k].i) / tessellation.grid_u(),
+                         static_cast<double>(corners.points[k].j) / tessellation.grid_v()};
+            reflectance = material.texture_scale *
+                          texture_mean(*file_->textures[material.texture], file_->texture_frames[s], corners.count, uv);
+        }
+    });
+}
+
+Rgb Scene::reflectance_at(std::uint32_t surface, double u, double v) const
+{
+    const Material& material = surface_material(surface);
+    if (material.texture == Material::no_texture)
+        return material.reflectance;
+    const Texture& texture = *file_->textures[material.texture];
+    const TextureFrame& frame = file_->texture_frames[surface];
+    return material.texture_scale * (frame.known ? texture.at(frame.at(u, v)) : texture.mean());
+}
+
 void Scene::let_the_sun_in(int threads)
 {
     if (!file_->sun)
@@ -278,6 +329,7 @@ Scene Scene::refined(const std::vector<std::uint8_t>& levels, int threads) const
     if (first != levels.size())
         throw std::invalid_argument("levels of more patches than the scene has");
     result.number_cells();
+    result.lay_textures(threads);
     result.let_the_sun_in(threads);
     return result;
 }

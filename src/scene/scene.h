@@ -66,7 +66,13 @@ public:
     std::vector<double> areas() const;      ///< [m^2] of all patches
     /// [m^2] By which patches count in means over the scene: their areas, 0 for those of the sky.
     std::vector<double> weights() const;
-    Rgb reflectance(std::uint32_t patch) const { return material_of(patch).reflectance; } ///< [1]
+    Rgb reflectance(std::uint32_t patch) const ///< [1] of a textured patch the mean
+    {
+        return reflectance_.empty() ? material_of(patch).reflectance : reflectance_[cell_of(patch)];
+    }
+    /// [1] At a point of a surface, as its texture shows it.
+    Rgb reflectance_at(std::uint32_t surface, double u, double v) const;
+    bool is_textured(std::uint32_t surface) const { return surface_material(surface).texture != Material::no_texture; }
     /// [W/m^2]; only fronts emit
     Rgb emittance(std::uint32_t patch) const { return is_front(patch) ? material_of(patch).emittance : Rgb{}; }
 
@@ -112,6 +118,7 @@ private:
     std::uint32_t cell_of(std::uint32_t patch) const { return patch < cell_count_ ? patch : patch - cell_count_; }
     void number_cells();
     void let_the_sun_in(int threads);
+    void lay_textures(int threads);
 
     std::shared_ptr<const SceneFile> file_;
     bool two_sided_ = false;
@@ -127,6 +134,7 @@ private:
     std::uint64_t hash_ = 0;
     double own_area_ = 0.0;
     double total_area_ = 0.0;
+    std::vector<Rgb> reflectance_;   ///< [1] per cell; empty if that of materials holds
     std::vector<double> sun_shares_; ///< [1] per patch, of the irradiance of what faces the sun; empty without one
     Rgb lamp_power_;
     Rgb sun_power_;

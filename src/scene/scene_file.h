@@ -2,9 +2,11 @@
 
 #include "geometry/surface.h"
 #include "scene/material.h"
+#include "scene/texture/texture.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +34,9 @@ struct SceneFile
     std::vector<std::uint32_t> group;    ///< index into groups
     std::vector<std::uint32_t> line;     ///< line of the face in the file; two surfaces of one polygon share it
 
+    std::vector<std::shared_ptr<const Texture>> textures;
+    std::vector<TextureFrame> texture_frames; ///< one per surface but for the sky; empty if there are no textures
+
     std::uint32_t sky_surfaces = 0; ///< the last ones: they lie around the scene and are no part of it
     std::optional<Sun> sun;
 
@@ -43,6 +48,9 @@ struct SceneFile
     std::size_t dropped_faces = 0;              ///< without an area
     std::string counts; ///< "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
 };
+
+/// Turns one face over; its texture stays where it is.
+void turn_over(SceneFile& file, std::size_t surface);
 
 /// The same with every face turned over: a room that was modelled to be seen from outside.
 SceneFile flipped(SceneFile file);

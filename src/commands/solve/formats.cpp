@@ -9,6 +9,7 @@
 #include "image/pixmap.h"
 #include "image/png.h"
 #include "image/shading/smooth_shading.h"
+#include "image/shading/texture_detail.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -19,6 +20,24 @@
 namespace multipath {
 
 namespace {
+
+/// PNG and JPEG files as they are, others as PNG.
+std::vector<GlbImage> images_of(const Scene& scene)
+{
+    std::vector<GlbImage> images;
+    for (const std::shared_ptr<const Texture>& texture : scene.file().textures) {
+        const std::string& bytes = texture->bytes();
+        const Bitmap& bitmap = texture->bitmap();
+        if (bytes.compare(0, 3, "\xff\xd8\xff") == 0)
+            images.push_back({"image/jpeg", bytes});
+        else if (bytes.compare(0, 4, "\x89PNG") == 0)
+            images.push_back({"image/png", bytes});
+        else
+            images.push_back({"image/png", png_bytes({static_cast<int>(bitmap.width), static_cast<int>(bitmap.height),
+                                                      bitmap.rgb})});
+    }
+    return images;
+}
 
 constexpr std::array known_formats = {
     OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
@@ -38,8 +57,8 @@ constexpr std::array known_formats = {
     OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
                  [](SolvedScene& s) {
                      const double scale = linear_scale(s.scene, s.solution.radiosity);
-                     return glb_bytes(s.mesh(), s.scene, std::exp2(s.options.tone.exposure) * scale, s.mesh_cameras(),
-                                      s.comments);
+                     return glb_bytes(s.plain_mesh(), s.scene, std::exp2(s.options.tone.exposure) * scale,
+                                      s.mesh_cameras(), s.comments, images_of(s.scene));
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
@@ -69,16 +88,18 @@ const OutputFormat& format_of(const PlannedOutput& output)
     return format_with(output.extension);
 }
 
-PatchMesh mesh_of(const Scene& scene, const Solution& solution, Shading shading, int threads)
+/// Of the radiosity or what stands for it.
+PatchMesh mesh_of(const Scene& scene, const Solution& solution, const std::vector<Rgb>& light, Shading shading,
+                  int threads)
 {
     const bool has_error = !solution.standard_error.empty();
     if (shading == Shading::flat)
-        return patch_mesh(scene, flat_corners(solution.radiosity),
+        return patch_mesh(scene, flat_corners(light),
                           has_error ? flat_corners(solution.standard_error) : CornerFunction(), threads);
     const auto corners_of = [](const SmoothShading& smooth) {
         return [&smooth](std::uint32_t patch) { return smooth.at_corners(patch); };
     };
-    const SmoothShading radiosity(scene, solution.radiosity, threads);
+    const SmoothShading radiosity(scene, light, threads);
     if (!has_error)
         return patch_mesh(scene, corners_of(radiosity), {}, threads);
     const SmoothShading error(scene, solution.standard_error, threads);
@@ -180,8 +201,19 @@ const ScreenImage& SolvedScene::screen()
 const PatchMesh& SolvedScene::mesh()
 {
     if (!mesh_)
-        mesh_ = mesh_of(scene, solution, options.mesh_shading, options.render.threads);
+        mesh_ = mesh_of(scene, solution, solution.radiosity, options.mesh_shading, options.render.threads);
     return *mesh_;
+}
+
+const PatchMesh& SolvedScene::plain_mesh()
+{
+    if (scene.file().textures.empty())
+        return mesh();
+    if (!plain_mesh_) {
+        const std::vector<Rgb> plain = without_texture(scene, solution.radiosity);
+        plain_mesh_ = mesh_of(scene, solution, plain, options.mesh_shading, options.render.threads);
+    }
+    return *plain_mesh_;
 }
 
 double SolvedScene::mesh_scale()

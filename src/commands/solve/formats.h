@@ -42,6 +42,7 @@ public:
     Image light();                          ///< the picture as numbers
     const ScreenImage& screen();            ///< the picture for a screen
     const PatchMesh& mesh();                ///< with the radiosity at its corners
+    const PatchMesh& plain_mesh();          ///< the same without the detail of textures
     double mesh_scale();                    ///< [m^2/W] exposure of the mesh's colours, that of pictures of it
     ScreenColour mesh_colour();
     std::vector<GlbCamera> mesh_cameras();    ///< of all views
@@ -55,6 +56,7 @@ private:
     std::optional<std::vector<Rgb>> shown_values_;
     std::optional<ScreenImage> screen_;
     std::optional<PatchMesh> mesh_;
+    std::optional<PatchMesh> plain_mesh_; ///< of scenes with textures
     std::optional<double> mesh_scale_;
 };
 

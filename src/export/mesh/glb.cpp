@@ -23,22 +23,34 @@ namespace multipath {
 
 namespace {
 
+/// Otherwise the surface has none, or does not lie on it.
+bool shows_texture(const Scene& scene, std::uint32_t surface)
+{
+    return scene.is_textured(surface) && scene.file().texture_frames[surface].known;
+}
+
 /// The part of a mesh that has one material.
 struct MaterialPart
 {
     std::uint32_t material = 0;
+    bool textured = false;
     std::vector<MeshSide> sides;
     std::size_t vertex_count = 0;
     std::size_t triangle_count = 0; ///< a quadrilateral counts as two
 };
 
-/// The parts of all materials that are used, in the order of the scene's materials.
+/// The parts of all materials that are used, in the order of the scene's materials; of a textured one those surfaces
+/// apart that do not lie on the texture.
 std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& scene)
 {
-    std::vector<MaterialPart> parts(scene.materials().size());
+    const std::size_t materials = scene.materials().size();
+    std::vector<MaterialPart> parts(2 * materials);
     for (const MeshSide& side : mesh.sides) {
-        MaterialPart& part = parts[scene.file().material[side.surface]];
-        part.material = scene.file().material[side.surface];
+        const std::uint32_t material = scene.file().material[side.surface];
+        const bool textured = shows_texture(scene, side.surface);
+        MaterialPart& part = parts[2 * material + (textured ? 1 : 0)];
+        part.material = material;
+        part.textured = textured;
         part.sides.push_back(side);
         part.vertex_count += side.vertex_count;
         for (std::size_t n = side.first_face; n < side.first_face + side.face_count; ++n)
@@ -86,31 +98,54 @@ struct GlbBlocks
     std::size_t total() const { return attribute_count * attribute_bytes + triangle_bytes; }
 };
 
+constexpr const char* texture_attribute = "TEXCOORD_0";
+
+/// Images follow the numbers, each at a multiple of four bytes.
+std::size_t padded_size(const GlbImage& image)
+{
+    return (image.bytes.size() + 3) / 4 * 4;
+}
+
+std::size_t size_of(const std::vector<GlbImage>& images)
+{
+    std::size_t sum = 0;
+    for (const GlbImage& image : images)
+        sum += padded_size(image);
+    return sum;
+}
+
 /// Contents of the JSON in a GLB beside the mesh.
 struct GlbFacts
 {
     std::vector<std::string> attributes; ///< names; the first is POSITION
-    double scale = 1.0;                  ///< [m^2/W] from radiosity to colour
+    std::vector<GlbImage> images;
+    double scale = 1.0; ///< [m^2/W] from radiosity to colour
     std::vector<GlbCamera> cameras;
     std::vector<std::string> comments;
 };
 
-JsonObject view(std::size_t offset, std::size_t length, std::uint64_t target)
+JsonObject view(std::size_t offset, std::size_t length)
 {
-    return JsonObject()
-        .count("buffer", 0)
-        .count("byteOffset", offset)
-        .count("byteLength", length)
-        .count("target", target);
+    return JsonObject().count("buffer", 0).count("byteOffset", offset).count("byteLength", length);
 }
 
-std::vector<JsonObject> views(const GlbBlocks& blocks)
+JsonObject view(std::size_t offset, std::size_t length, std::uint64_t target)
+{
+    return view(offset, length).count("target", target);
+}
+
+std::vector<JsonObject> views(const GlbBlocks& blocks, const std::vector<GlbImage>& images)
 {
     std::vector<JsonObject> list;
     for (std::size_t n = 0; n < blocks.attribute_count; ++n)
         list.push_back(
             view(n * blocks.attribute_bytes, blocks.attribute_bytes, array_buffer).count("byteStride", vector_size));
     list.push_back(view(blocks.attribute_count * blocks.attribute_bytes, blocks.triangle_bytes, element_array_buffer));
+    std::size_t offset = blocks.total();
+    for (const GlbImage& image : images) {
+        list.push_back(view(offset, image.bytes.size()));
+        offset += padded_size(image);
+    }
     return list;
 }
 
@@ -140,14 +175,16 @@ void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part
 
 /// Part by part: its attributes, then its triangles.
 std::vector<JsonObject> accessors(const PatchMesh& mesh, const std::vector<MaterialPart>& parts,
-                                  std::size_t attribute_count)
+                                  const std::vector<std::string>& attributes)
 {
+    const std::size_t attribute_count = attributes.size();
     std::vector<JsonObject> list;
     std::size_t vertices_before = 0;
     std::size_t triangles_before = 0;
     for (const MaterialPart& part : parts) {
         for (std::size_t n = 0; n < attribute_count; ++n)
-            list.push_back(accessor(n, vector_size * vertices_before, float_component, part.vertex_count, "VEC3"));
+            list.push_back(accessor(n, vector_size * vertices_before, float_component, part.vertex_count,
+                                    attributes[n] == texture_attribute ? "VEC2" : "VEC3"));
         add_range(list[list.size() - attribute_count], mesh, part);
         list.push_back(accessor(attribute_count, triangle_size * triangles_before, unsigned_component,
                                 3 * part.triangle_count, "SCALAR"));
@@ -174,13 +211,21 @@ std::vector<JsonObject> meshes(const Scene& scene, const std::vector<MaterialPar
     return list;
 }
 
+JsonObject surface_of(const Material& material, bool textured)
+{
+    JsonObject surface = JsonObject().count("metallicFactor", 0).number("roughnessFactor", 1.0);
+    if (textured)
+        surface.object("baseColorTexture", JsonObject().count("index", material.texture));
+    return surface;
+}
+
 /// Programs that do not know the extension for unlit materials show a dull surface, not a shiny one.
-JsonObject unlit_material(const Material& material)
+JsonObject unlit_material(const Material& material, bool textured)
 {
     const auto channels = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
     return JsonObject()
         .text("name", material.name)
-        .object("pbrMetallicRoughness", JsonObject().count("metallicFactor", 0).number("roughnessFactor", 1.0))
+        .object("pbrMetallicRoughness", surface_of(material, textured))
         .boolean("doubleSided", false)
         .object("extensions", JsonObject().object("KHR_materials_unlit", {}))
         .object("extras", JsonObject()
@@ -239,13 +284,35 @@ std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart
     return list;
 }
 
+/// Images, and textures with samplers of the same numbers.
+void add_textures(JsonObject& description, const Scene& scene, const std::vector<GlbImage>& images,
+                  std::size_t first_view)
+{
+    constexpr std::uint64_t repeat = 10497;
+    constexpr std::uint64_t clamp_to_edge = 33071;
+    std::vector<JsonObject> files;
+    std::vector<JsonObject> samplers;
+    std::vector<JsonObject> textures;
+    for (std::size_t k = 0; k < images.size(); ++k) {
+        const Texture& texture = *scene.file().textures[k];
+        const std::uint64_t wrap = texture.repeats() ? repeat : clamp_to_edge;
+        files.push_back(JsonObject()
+                            .text("name", texture.name())
+                            .text("mimeType", images[k].type)
+                            .count("bufferView", first_view + k));
+        samplers.push_back(JsonObject().count("wrapS", wrap).count("wrapT", wrap));
+        textures.push_back(JsonObject().count("source", k).count("sampler", k));
+    }
+    description.objects("images", files).objects("samplers", samplers).objects("textures", textures);
+}
+
 /// The JSON of a GLB: what the blocks hold, and where.
 std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std::vector<MaterialPart>& parts,
                             const GlbBlocks& blocks, const GlbFacts& facts)
 {
     std::vector<JsonObject> materials;
     for (const MaterialPart& part : parts)
-        materials.push_back(unlit_material(scene.materials()[part.material]));
+        materials.push_back(unlit_material(scene.materials()[part.material], part.textured));
     std::vector<JsonObject> cameras;
     for (const GlbCamera& camera : facts.cameras)
         cameras.push_back(perspective(camera, scene));
@@ -257,9 +324,11 @@ std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std
         .objects("nodes", nodes(scene, parts, facts.cameras))
         .objects("meshes", meshes(scene, parts, facts.attributes))
         .objects("materials", materials)
-        .objects("accessors", accessors(mesh, parts, blocks.attribute_count))
-        .objects("bufferViews", views(blocks))
-        .objects("buffers", {JsonObject().count("byteLength", blocks.total())});
+        .objects("accessors", accessors(mesh, parts, facts.attributes))
+        .objects("bufferViews", views(blocks, facts.images))
+        .objects("buffers", {JsonObject().count("byteLength", blocks.total() + size_of(facts.images))});
+    if (!facts.images.empty())
+        add_textures(description, scene, facts.images, blocks.attribute_count + 1);
     if (!cameras.empty()) // lists must not be empty
         description.objects("cameras", cameras);
     return description.document();
@@ -277,15 +346,59 @@ struct Attribute
     std::function<Float3(std::size_t vertex)> value;
 };
 
-std::vector<Attribute> attributes_of(const PatchMesh& mesh, double scale)
+/// Of each vertex, where the scene has textures.
+std::vector<std::uint32_t> surfaces_of_vertices(const PatchMesh& mesh)
 {
-    const auto shown = [&mesh, scale](std::size_t vertex) {
-        const Rgb light = scale * to_rgb(mesh.radiosity[vertex]);
+    std::vector<std::uint32_t> surfaces(mesh.positions.size());
+    for (const MeshSide& side : mesh.sides)
+        for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n)
+            surfaces[n] = side.surface;
+    return surfaces;
+}
+
+/// The texture's place under a point of a surface, in glTF from the top.
+Float3 texture_place(const Scene& scene, std::uint32_t surface, Vec3 point)
+{
+    if (!scene.is_textured(surface))
+        return {};
+    const Surface& s = scene.surfaces()[surface];
+    const Vec3 p = point - s.origin;
+    const double uu = dot(s.edge_u, s.edge_u);
+    const double uv = dot(s.edge_u, s.edge_v);
+    const double vv = dot(s.edge_v, s.edge_v);
+    const double determinant = uu * vv - uv * uv;
+    const double u = (vv * dot(p, s.edge_u) - uv * dot(p, s.edge_v)) / determinant;
+    const double v = (uu * dot(p, s.edge_v) - uv * dot(p, s.edge_u)) / determinant;
+    const TexturePoint place = scene.file().texture_frames[surface].at(u, v);
+    return {static_cast<float>(place.s), static_cast<float>(1.0 - place.t), 0.0f};
+}
+
+/// From the radiosity of a textured surface to that of a white texture there.
+Rgb white_factor(const Material& material)
+{
+    const auto factor = [](double white, double mean) { return mean > 0.0 ? white / mean : 0.0; };
+    const Rgb white = material.texture_scale;
+    const Rgb mean = material.reflectance;
+    return {factor(white.r, mean.r), factor(white.g, mean.g), factor(white.b, mean.b)};
+}
+
+std::vector<Attribute> attributes_of(const PatchMesh& mesh, const Scene& scene, double scale)
+{
+    const bool textured = !scene.file().textures.empty();
+    const std::vector<std::uint32_t> surfaces = textured ? surfaces_of_vertices(mesh) : std::vector<std::uint32_t>();
+    const auto shown = [&mesh, &scene, surfaces, scale](std::size_t vertex) {
+        Rgb light = scale * to_rgb(mesh.radiosity[vertex]);
+        if (!surfaces.empty() && shows_texture(scene, surfaces[vertex]))
+            light = white_factor(scene.surface_material(surfaces[vertex])) * light;
         return single(Rgb{std::min(light.r, 1.0), std::min(light.g, 1.0), std::min(light.b, 1.0)});
     };
     std::vector<Attribute> attributes = {{"POSITION", [&mesh](std::size_t n) { return mesh.positions[n]; }},
                                          {"COLOR_0", shown},
                                          {"_RADIOSITY", [&mesh](std::size_t n) { return mesh.radiosity[n]; }}};
+    if (textured)
+        attributes.push_back({texture_attribute, [&mesh, &scene, surfaces](std::size_t n) {
+                                  return texture_place(scene, surfaces[n], to_vec3(mesh.positions[n]));
+                              }});
     if (!mesh.error.empty())
         attributes.push_back({"_ERROR", [&mesh](std::size_t n) { return mesh.error[n]; }});
     return attributes;
@@ -339,13 +452,26 @@ struct LitArea
     double area = 0.0;       ///< [m^2]
 };
 
+/// [W/m^2] Of a textured patch if its texture were white.
+double white_brightness(const Scene& scene, const std::vector<Rgb>& radiosity, std::uint32_t patch)
+{
+    Rgb light = radiosity[patch];
+    if (shows_texture(scene, scene.surface_of(patch))) {
+        const Rgb rho = scene.reflectance(patch);
+        const Rgb white = scene.material_of(patch).texture_scale;
+        constexpr double black = 1e-3; // tells nothing of the light on it
+        const auto lit = [](double b, double w, double r) { return r > black * w ? b * w / r : b; };
+        light = {lit(light.r, white.r, rho.r), lit(light.g, white.g, rho.g), lit(light.b, white.b, rho.b)};
+    }
+    return std::max({light.r, light.g, light.b});
+}
+
 std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radiosity, bool with_lamps)
 {
     std::vector<LitArea> areas;
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
         if (!scene.is_sky(scene.surface_of(patch)) && (with_lamps || scene.emittance(patch) == Rgb{}))
-            areas.push_back(
-                {std::max({radiosity[patch].r, radiosity[patch].g, radiosity[patch].b}), scene.area(patch)});
+            areas.push_back({white_brightness(scene, radiosity, patch), scene.area(patch)});
     return areas;
 }
 
@@ -381,18 +507,19 @@ double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
 }
 
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
-                      const std::vector<std::string>& comments)
+                      const std::vector<std::string>& comments, const std::vector<GlbImage>& images)
 {
     const std::vector<MaterialPart> parts = material_parts(mesh, scene);
-    const std::vector<Attribute> attributes = attributes_of(mesh, scale);
-    GlbFacts facts{{}, scale, cameras, comments};
+    const std::vector<Attribute> attributes = attributes_of(mesh, scene, scale);
+    GlbFacts facts{{}, images, scale, cameras, comments};
     for (const Attribute& attribute : attributes)
         facts.attributes.push_back(attribute.name);
     const GlbBlocks blocks(parts, attributes.size());
     std::string json = glb_description(mesh, scene, parts, blocks, facts);
     json.append((4 - json.size() % 4) % 4, ' '); // chunks are multiples of four bytes
 
-    const std::size_t length = 28 + json.size() + blocks.total();
+    const std::size_t numbers = blocks.total() + size_of(images);
+    const std::size_t length = 28 + json.size() + numbers;
     if (length > std::numeric_limits<std::uint32_t>::max())
         throw InputError(scene.path() + ": too many patches for a GLB, which holds less than 4 GB; expected a PLY or "
                                         "OBJ, or a larger --patch-size");
@@ -402,9 +529,11 @@ std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, c
     for (const std::uint32_t word : {magic, version, size(length), size(json.size()), json_chunk})
         append_little_endian(bytes, word);
     bytes += json;
-    for (const std::uint32_t word : {size(blocks.total()), number_chunk})
+    for (const std::uint32_t word : {size(numbers), number_chunk})
         append_little_endian(bytes, word);
     append_numbers(bytes, mesh, parts, attributes);
+    for (const GlbImage& image : images)
+        bytes.append(image.bytes).append(padded_size(image) - image.bytes.size(), '\0');
     return bytes;
 }
 

@@ -100,8 +100,8 @@ Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFa
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
     irradiance += source_light_.irradiance(place, items, offset, fan);
     irradiance += scene_.sunlight(place.surface, place.point, place.normal);
-    const Material& material = scene_.surface_material(hit.surface);
-    return (hit.front ? material.emittance : Rgb{}) + material.reflectance * irradiance;
+    return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
+           scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
 }
 
 } // namespace multipath

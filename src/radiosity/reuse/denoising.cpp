@@ -441,14 +441,40 @@ private:
     double shift_ = 0.0;                 ///< where its first cuts are, 0 ... 1
 };
 
+/// [1] Of each patch the reflectance by that of its material; empty without textures.
+std::vector<Rgb> texture_detail(const Scene& scene)
+{
+    std::vector<Rgb> result;
+    if (scene.file().textures.empty())
+        return result;
+    constexpr double least = 1e-3; // black has no light to be smoothed
+    const auto ratio = [](double a, double b) { return b > 0.0 && a > least * b ? a / b : 1.0; };
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const Rgb rho = scene.reflectance(i);
+        const Rgb mean = scene.material_of(i).reflectance;
+        result.push_back({ratio(rho.r, mean.r), ratio(rho.g, mean.g), ratio(rho.b, mean.b)});
+    }
+    return result;
+}
+
+Rgb without_detail(Rgb a, Rgb b)
+{
+    return {a.r / b.r, a.g / b.g, a.b / b.b};
+}
+
 } // namespace
 
 void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
 {
-    // Sunlight is not estimated by lines, and its shadows have edges.
+    // Sunlight is not estimated by lines, and its shadows have edges, as textures have.
     const auto sunlight = [&](std::uint32_t i) { return scene.reflectance(i) * scene.sunlight(i); };
+    const std::vector<Rgb> detail = texture_detail(scene);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         radiosity[i] = radiosity[i] - sunlight(i);
+    for (std::uint32_t i = 0; i < detail.size(); ++i) {
+        radiosity[i] = scene.emittance(i) + without_detail(radiosity[i] - scene.emittance(i), detail[i]);
+        variance[i] = without_detail(variance[i], detail[i] * detail[i]);
+    }
     Denoising denoising(scene, threads, radiosity, variance);
     std::vector<Rgb> mean_radiosity = large_vector<Rgb>(radiosity.size());
     std::vector<Rgb> mean_variance = large_vector<Rgb>(radiosity.size());
@@ -460,6 +486,10 @@ void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::
             mean_radiosity[i] += 1.0 / trees * fitted[i];
             mean_variance[i] += 1.0 / trees * noise[i];
         });
+    }
+    for (std::uint32_t i = 0; i < detail.size(); ++i) {
+        mean_radiosity[i] = scene.emittance(i) + detail[i] * (mean_radiosity[i] - scene.emittance(i));
+        mean_variance[i] = detail[i] * detail[i] * mean_variance[i];
     }
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         mean_radiosity[i] += sunlight(i);

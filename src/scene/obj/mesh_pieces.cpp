@@ -5,6 +5,7 @@
 #include "scene/text/text_lines.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace multipath {
@@ -47,46 +48,52 @@ public:
     MeshPieces cut();
 
 private:
-    void cut_face(std::uint32_t face, const std::uint32_t* corners);
+    void cut_face(std::uint32_t face, std::size_t first_corner);
     void cut_polygon(std::uint32_t face);
     void cut_quad(std::uint32_t face);
     void clip(std::uint32_t face, Vec3 area);
     void pass_over_straight_corners();
-    bool is_straight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+    bool is_straight(std::size_t a, std::size_t b, std::size_t c) const;
     void load_positions();
-    void add_triangle(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    void add_triangle(std::uint32_t face, std::size_t a, std::size_t b, std::size_t c);
+    std::uint32_t vertex(std::size_t corner) const { return mesh_.corners[corner]; }
+    std::uint32_t point(std::size_t corner) const
+    {
+        return mesh_.corner_points.empty() ? ObjMesh::no_point : mesh_.corner_points[corner];
+    }
     void add_warning(const FlawCount& flaw, const std::string& what);
-    Vec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+    Vec3 at(std::size_t corner) const { return mesh_.vertices[vertex(corner)]; }
 
     const ObjMesh& mesh_;
     const SceneScale scale_;
     MeshPieces result_;
     FlawCount bent_, crossed_;
-    std::vector<std::uint32_t> polygon_; ///< vertices of the face at work
-    std::vector<Vec3> positions_;        ///< of these
+    std::vector<std::size_t> polygon_; ///< corners of the face at work
+    std::vector<Vec3> positions_;      ///< of these
 };
 
 MeshPieces FaceCutter::cut()
 {
     result_.pieces.reserve(mesh_.faces.size());
-    const std::uint32_t* corners = mesh_.corners.data();
+    std::size_t first_corner = 0;
     for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face) {
-        cut_face(face, corners);
-        corners += mesh_.faces[face].corner_count;
+        cut_face(face, first_corner);
+        first_corner += mesh_.faces[face].corner_count;
     }
     add_warning(bent_, "polygon is not planar and was cut into triangles");
     add_warning(crossed_, "polygon crosses itself and its triangles overlap, mend it in the modelling program");
     return std::move(result_);
 }
 
-void FaceCutter::cut_face(std::uint32_t face, const std::uint32_t* corners)
+void FaceCutter::cut_face(std::uint32_t face, std::size_t first_corner)
 {
     const std::uint32_t count = mesh_.faces[face].corner_count;
     const std::size_t pieces_before = result_.pieces.size();
     if (count == 3) {
-        add_triangle(face, corners[0], corners[1], corners[2]);
+        add_triangle(face, first_corner, first_corner + 1, first_corner + 2);
     } else {
-        polygon_.assign(corners, corners + count);
+        polygon_.resize(count);
+        std::iota(polygon_.begin(), polygon_.end(), first_corner);
         cut_polygon(face);
     }
     if (result_.pieces.size() == pieces_before)
@@ -123,8 +130,10 @@ void FaceCutter::cut_polygon(std::uint32_t face)
 void FaceCutter::cut_quad(std::uint32_t face)
 {
     const auto [v0, v1, v2, v3] = std::array{polygon_[0], polygon_[1], polygon_[2], polygon_[3]};
-    if (is_parallelogram(at(v0), at(v1), at(v2), at(v3), scale_)) {
-        result_.pieces.push_back({{v0, v1, v2, v3}, face});
+    const std::array points = {point(v0), point(v1), point(v2), point(v3)};
+    const bool one_frame = !mesh_.is_textured(mesh_.faces[face]) || is_parallelogram(points, mesh_);
+    if (one_frame && is_parallelogram(at(v0), at(v1), at(v2), at(v3), scale_)) {
+        result_.pieces.push_back({{vertex(v0), vertex(v1), vertex(v2), vertex(v3)}, face, points});
         return;
     }
     add_triangle(face, v0, v1, v2);
@@ -148,9 +157,9 @@ void FaceCutter::clip(std::uint32_t face, Vec3 area)
 /// Also drops corners at the same point as their neighbour, and spikes.
 void FaceCutter::pass_over_straight_corners()
 {
-    std::vector<std::uint32_t>& p = polygon_;
+    std::vector<std::size_t>& p = polygon_;
     std::size_t kept = 0;
-    for (const std::uint32_t corner : p) {
+    for (const std::size_t corner : p) {
         while (kept >= 2 && is_straight(p[kept - 2], p[kept - 1], corner))
             --kept;
         p[kept++] = corner;
@@ -173,7 +182,7 @@ void FaceCutter::pass_over_straight_corners()
         p.clear();
 }
 
-bool FaceCutter::is_straight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+bool FaceCutter::is_straight(std::size_t a, std::size_t b, std::size_t c) const
 {
     return area_of(at(a), at(b), at(c)) <= scale_.smallest_area();
 }
@@ -181,14 +190,16 @@ bool FaceCutter::is_straight(std::uint32_t a, std::uint32_t b, std::uint32_t c) 
 void FaceCutter::load_positions()
 {
     positions_.clear();
-    for (const std::uint32_t vertex : polygon_)
-        positions_.push_back(at(vertex));
+    for (const std::size_t corner : polygon_)
+        positions_.push_back(at(corner));
 }
 
-void FaceCutter::add_triangle(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+void FaceCutter::add_triangle(std::uint32_t face, std::size_t a, std::size_t b, std::size_t c)
 {
     if (!is_straight(a, b, c))
-        result_.pieces.push_back({{a, b, c, Piece::no_vertex}, face});
+        result_.pieces.push_back({{vertex(a), vertex(b), vertex(c), Piece::no_vertex},
+                                  face,
+                                  {point(a), point(b), point(c), ObjMesh::no_point}});
 }
 
 void FaceCutter::add_warning(const FlawCount& flaw, const std::string& what)
@@ -216,6 +227,19 @@ bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scal
     const double gap = square((v1 - v0) - (v2 - v3));
     return gap <= scale.widest_crack() * scale.widest_crack() &&
            gap <= 1e-6 * std::min(square(v1 - v0), square(v3 - v0));
+}
+
+bool is_parallelogram(const std::array<std::uint32_t, 4>& points, const ObjMesh& mesh)
+{
+    const auto has_none = [](std::uint32_t point) { return point == ObjMesh::no_point; };
+    if (std::any_of(points.begin(), points.end(), has_none))
+        return std::all_of(points.begin(), points.end(), has_none);
+    const auto at = [&](std::size_t k) { return mesh.texture_points[points[k]]; };
+    const auto square = [](double s, double t) { return s * s + t * t; };
+    const double gap = square(at(1).s - at(0).s - (at(2).s - at(3).s), at(1).t - at(0).t - (at(2).t - at(3).t));
+    const double side =
+        std::min(square(at(1).s - at(0).s, at(1).t - at(0).t), square(at(3).s - at(0).s, at(3).t - at(0).t));
+    return gap <= 1e-6 * side;
 }
 
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale)

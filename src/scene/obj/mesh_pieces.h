@@ -30,6 +30,7 @@ struct Piece
 
     std::array<std::uint32_t, 4> corners; ///< the last is no_vertex in a triangle
     std::uint32_t face = 0;
+    std::array<std::uint32_t, 4> points = {}; ///< texture points of the corners, where the mesh has any
 
     bool is_triangle() const { return corners[3] == no_vertex; }
 };
@@ -37,6 +38,10 @@ struct Piece
 /// Whether the surface v0 + u (v1 - v0) + v (v3 - v0) meets v2 closely enough to stand for the quad: the gap is at most
 /// widest_crack() and 1/1000 of the shorter side.
 bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scale);
+
+/// Whether four texture points lie like the corners of a parallelogram, so that one frame holds for all: their gap is
+/// at most a thousandth of a side. True if none has a point.
+bool is_parallelogram(const std::array<std::uint32_t, 4>& points, const ObjMesh& mesh);
 
 /// The faces of a mesh, cut.
 struct MeshPieces
@@ -46,10 +51,11 @@ struct MeshPieces
     std::vector<std::string> warnings;
 };
 
-/// Parallelograms stay whole; other convex quads are cut along the diagonal from their first to their third corner, all
-/// other polygons by ear clipping. Corners on a straight side are passed over. Polygons that are not planar (off their
-/// mean plane by more than 1e-4 of their size and widest_crack()) and polygons that cross themselves get a warning.
-/// Throws InputError for a concave polygon of far more than 10,000 corners.
+/// Parallelograms stay whole, textured ones if their texture points are one, too; other convex quads are cut along the
+/// diagonal from their first to their third corner, all other polygons by ear clipping. Corners on a straight side are
+/// passed over. Polygons that are not planar (off their mean plane by more than 1e-4 of their size and widest_crack())
+/// and polygons that cross themselves get a warning. Throws InputError for a concave polygon of far more than 10,000
+/// corners.
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -12,6 +13,8 @@
 namespace multipath {
 
 namespace {
+
+std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name);
 
 // [W/m^2] Powers and their squares must stay within the range of doubles.
 constexpr double largest_emittance = 1e30;
@@ -35,6 +38,7 @@ private:
     void note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place);
     void note_ambient(std::string_view rest);
     void note_opacity(std::string_view keyword, std::string_view rest);
+    void set_map(std::string_view rest, TextPlace place, TextureMap MtlMaterial::*map);
     MtlMaterial& current_material(std::string_view keyword, TextPlace place);
     const std::string& name_of_current() const;
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
@@ -69,6 +73,10 @@ void MtlParser::statement(const TextLine& line)
         set_reflectance(without_comment(rest), line.place);
     else if (keyword == emission_keyword())
         set_emittance(keyword, without_comment(rest), line.place);
+    else if (keyword == "map_Kd" || keyword == "map_kd")
+        set_map(rest, line.place, &MtlMaterial::reflectance_map);
+    else if (keyword == "map_Ke" || keyword == "map_ke")
+        set_map(rest, line.place, &MtlMaterial::emission_map);
     else
         ignored_.note(keyword, line.place);
     if (keyword == "Ka")
@@ -175,6 +183,56 @@ void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
     library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
 }
 
+/// Options, each a word that begins with "-" and some values, and the name of a file, which may hold blanks.
+void MtlParser::set_map(std::string_view rest, TextPlace place, TextureMap MtlMaterial::*map)
+{
+    if (!current_)
+        refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
+    TextureMap result;
+    result.line = place.line;
+    const auto numbers = [&rest](double& first, double& second) { // up to three, the rest is optional
+        std::array<double*, 3> targets = {&first, &second, nullptr};
+        for (double* const target : targets) {
+            std::string_view after = rest;
+            const std::optional<double> value = to_number(next_word(after));
+            if (!value)
+                return;
+            if (target)
+                *target = std::abs(*value) <= 1e6 ? *value : 0.0;
+            rest = after;
+        }
+    };
+    for (std::string_view after = rest; !after.empty(); after = rest) {
+        const std::string_view option = next_word(after);
+        if (option.size() < 2 || option[0] != '-')
+            break;
+        double unused = 0.0;
+        std::string_view value = after;
+        const std::string_view word = next_word(value);
+        if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
+            rest = after;
+            if (option == "-s")
+                numbers(result.scale_s, result.scale_t);
+            else if (option == "-o")
+                numbers(result.offset_s, result.offset_t);
+            else
+                numbers(unused, unused);
+        } else if (word.empty() || word[0] == '-' || value.empty()) {
+            break; // a name like an option
+        } else {
+            result.repeats = option == "-clamp" ? word != "on" : result.repeats;
+            rest = value;
+        }
+    }
+    result.file = std::string(name_in(rest));
+    if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
+        result.file = result.file.substr(1, result.file.size() - 2);
+    if (result.file.empty())
+        return;
+    result.found = find_texture(path_, result.file).value_or("");
+    library_.materials[*current_].*map = result;
+}
+
 void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place)
 {
     if (first_line != 0)
@@ -253,6 +311,20 @@ std::optional<std::string> find_file(const fs::path& folder, std::string name)
     }
     std::error_code error;
     return fs::is_regular_file(found, error) ? std::optional<std::string>(found.string()) : std::nullopt;
+}
+
+/// Beside the MTL file, by the path that it gives, or, if that is of another machine, by its last name alone, there or
+/// in a folder as modellers use them.
+std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name)
+{
+    const fs::path folder = fs::path(mtl_path).parent_path();
+    const std::string last = name.substr(std::min(name.size(), name.find_last_of("/\\") + 1));
+    if (const std::optional<std::string> file = find_file(folder, name))
+        return file;
+    for (const char* place : {"", "textures/", "texture/", "maps/", "map/", "images/", "../textures/", "../maps/"})
+        if (const std::optional<std::string> file = find_file(folder, place + last))
+            return file;
+    return std::nullopt;
 }
 
 /// A word of the argument, or all that stands between two quotes; where it lies in the argument.

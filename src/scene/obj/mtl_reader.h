@@ -11,6 +11,19 @@
 
 namespace multipath {
 
+/// What a `map_Kd` or `map_Ke` says.
+struct TextureMap
+{
+    std::string file;     ///< as it is named, without blanks around
+    std::string found;    ///< its path; empty if there is no such file
+    double scale_s = 1.0; ///< `-s`, by which texture coordinates are multiplied
+    double scale_t = 1.0;
+    double offset_s = 0.0; ///< `-o`, added to them then
+    double offset_t = 0.0;
+    bool repeats = true;    ///< not `-clamp on`
+    std::uint32_t line = 0; ///< 0: not given
+};
+
 /// A material as its file defines it, with what messages want to know.
 struct MtlMaterial
 {
@@ -20,6 +33,8 @@ struct MtlMaterial
     std::uint32_t kd_line = 0;       ///< 0: not given, the material reflects nothing
     std::string flaw;                ///< "file:line: what is wrong": a reflectance above 1; empty if it is not
     std::uint32_t emission_line = 0; ///< of `Ke` or `Ka`, whichever counts; 0: not given
+    TextureMap reflectance_map;      ///< `map_Kd`
+    TextureMap emission_map;         ///< `map_Ke`
     bool emission_too_small = false; ///< of one colour or more, which therefore count as 0
 };
 

@@ -74,15 +74,18 @@ void leave_out(const std::string& name, ObjMesh& mesh)
     for (const ObjFace& face : mesh.faces) {
         const std::size_t end = corner + face.corner_count;
         if (!out.has(face)) {
-            std::copy(mesh.corners.begin() + static_cast<std::ptrdiff_t>(corner),
-                      mesh.corners.begin() + static_cast<std::ptrdiff_t>(end),
-                      mesh.corners.begin() + static_cast<std::ptrdiff_t>(kept_corners));
+            for (LargeVector<std::uint32_t>* list : {&mesh.corners, &mesh.corner_points})
+                if (!list->empty())
+                    std::copy(list->begin() + static_cast<std::ptrdiff_t>(corner),
+                              list->begin() + static_cast<std::ptrdiff_t>(end),
+                              list->begin() + static_cast<std::ptrdiff_t>(kept_corners));
             kept_corners += face.corner_count;
             mesh.faces[kept++] = face;
         }
         corner = end;
     }
     mesh.corners.resize(kept_corners);
+    mesh.corner_points.resize(std::min(mesh.corner_points.size(), kept_corners));
     mesh.faces.resize(kept);
     if (mesh.faces.empty())
         throw SettingsError(mesh.path + ": --ignore: no face is left, expected names that not all faces have");

@@ -1,7 +1,7 @@
 // The OBJ format is a list of statements, a line each. `v` adds a vertex, `f` a polygon by vertex numbers: from 1, or
 // negative and counted back from the vertices read so far. Numbers beyond those are allowed to refer forward, so they
-// are checked when the whole file is read. Texture coordinates and normals say nothing about diffuse light and are
-// skipped.
+// are checked when the whole file is read. `vt` adds a texture point, which corners name likewise; one that does not
+// exist is none. Normals say nothing about diffuse light and are skipped.
 
 #include "scene/obj/obj_mesh.h"
 
@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <system_error>
 #include <unordered_map>
 #include <utility>
 
@@ -26,10 +28,10 @@ constexpr double largest_coordinate = 1e9;
 constexpr std::array<std::string_view, 6> unsupported_keywords = {"surf", "bzp", "bsp", "cdp", "cdc", "call"};
 
 /// Statements that say nothing about what a diffuse surface is: lines and points have no area, curves neither.
-constexpr std::array<std::string_view, 31> harmless_keywords = {
-    "vn",     "vt",     "vp",        "s",          "l",     "p",     "mg",     "lod",   "bevel", "c_interp", "d_interp",
-    "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech", "cstype", "deg",   "bmat",  "step",     "parm",
-    "trim",   "hole",   "scrv",      "sp",         "con",   "end",   "curv",   "curv2", "csh"};
+constexpr std::array<std::string_view, 30> harmless_keywords = {
+    "vn",     "vp",     "s",         "l",          "p",     "mg",    "lod",    "bevel", "c_interp", "d_interp",
+    "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech", "cstype", "deg",   "bmat",     "step",
+    "parm",   "trim",   "hole",      "scrv",       "sp",    "con",   "end",    "curv",  "curv2",    "csh"};
 
 template <std::size_t size>
 bool contains(const std::array<std::string_view, size>& words, std::string_view word)
@@ -64,10 +66,13 @@ private:
     void vertex(std::string_view rest, const TextPlace& place);
     void face(std::string_view rest, const TextLine& line);
     std::uint32_t corner(std::string_view word, const TextPlace& place) const;
+    void texture_point(std::string_view rest);
+    void note_texture_point(std::string_view corner);
     void number_names(TextPlace place);
     void library(std::string_view names, const TextPlace& place);
     void make_room_for_vertices();
     void check_corners() const;
+    void check_texture_points();
     void summarise_warnings();
     TextPlace at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
@@ -100,6 +105,7 @@ ObjMesh ObjParser::parse()
                                ? "no faces found, expected a Wavefront OBJ file with `f` statements"
                                : "every face has fewer than three vertices");
     check_corners();
+    check_texture_points();
     summarise_warnings();
     return std::move(mesh_);
 }
@@ -112,7 +118,9 @@ void ObjParser::statement(const TextLine& line)
         vertex(without_comment(rest), line.place);
     else if (keyword == "f" || keyword == "fo")
         face(without_comment(rest), line);
-    else if (!keyword.empty() && keyword[0] != '#' && keyword != "vn" && keyword != "vt")
+    else if (keyword == "vt")
+        texture_point(without_comment(rest));
+    else if (!keyword.empty() && keyword[0] != '#' && keyword != "vn")
         named_statement(keyword, rest, line.place);
 }
 
@@ -179,6 +187,7 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
     std::string_view last_word;
     for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
         mesh_.corners.push_back(corner(word, line.place));
+        note_texture_point(word);
         last_word = word;
     }
     const std::size_t count = mesh_.corners.size() - first;
@@ -188,6 +197,8 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
         refuse(line.place, "more than 2^31 corners of faces do not fit");
     if (count < 3) {
         mesh_.corners.resize(first);
+        if (!mesh_.corner_points.empty())
+            mesh_.corner_points.resize(first);
         ++mesh_.faces_without_corners;
         return;
     }
@@ -217,6 +228,35 @@ std::uint32_t ObjParser::corner(std::string_view word, const TextPlace& place) c
     if (number >= too_large)
         refuse(place, "vertex number " + in_quotes(word) + " is too large");
     return static_cast<std::uint32_t>(negative ? vertex_count - number : number - 1);
+}
+
+/// s and perhaps t. What is no number, or far away, is taken for 0: it is no reason to refuse a scene.
+void ObjParser::texture_point(std::string_view rest)
+{
+    constexpr double far = 1e6;
+    std::array<double, 2> place = {};
+    for (double& x : place) {
+        x = to_number(next_word(rest)).value_or(0.0);
+        x = std::abs(x) <= far ? x : 0.0;
+    }
+    mesh_.texture_points.push_back({place[0], place[1]});
+}
+
+/// The middle of `v/vt/vn`, of the corner that was added last.
+void ObjParser::note_texture_point(std::string_view corner)
+{
+    const std::size_t slash = corner.find('/');
+    const std::string_view text =
+        slash == std::string_view::npos ? "" : corner.substr(slash + 1, corner.find('/', slash + 1) - slash - 1);
+    std::int64_t number = 0;
+    const bool is_number = std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc();
+    const auto count = static_cast<std::int64_t>(mesh_.texture_points.size());
+    if (!is_number && mesh_.corner_points.empty())
+        return;
+    number = number < 0 ? count + number : number - 1;
+    const bool exists = is_number && number >= 0 && number < ObjMesh::no_point;
+    mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
+    mesh_.corner_points.back() = exists ? static_cast<std::uint32_t>(number) : ObjMesh::no_point;
 }
 
 void ObjParser::number_names(TextPlace place)
@@ -252,6 +292,14 @@ void ObjParser::check_corners() const
                 refuse(at_line(face.line), "vertex " + std::to_string(mesh_.corners[next] + std::uint64_t{1}) +
                                                " does not exist, the file has " +
                                                std::to_string(mesh_.vertices.size()));
+}
+
+void ObjParser::check_texture_points()
+{
+    if (!mesh_.corner_points.empty())
+        mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
+    for (std::uint32_t& point : mesh_.corner_points)
+        point = point < mesh_.texture_points.size() ? point : ObjMesh::no_point;
 }
 
 void ObjParser::summarise_warnings()

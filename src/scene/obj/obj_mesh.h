@@ -2,6 +2,7 @@
 
 #include "geometry/vec3.h"
 #include "parallel/memory.h"
+#include "scene/texture/texture.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,15 +30,23 @@ struct ObjName
 /// What an OBJ file says, before its polygons are cut and its materials are looked up.
 struct ObjMesh
 {
+    static constexpr std::uint32_t no_point = 0xffffffffu;
+
     std::string path;
     LargeVector<Vec3> vertices;
     LargeVector<std::uint32_t> corners; ///< vertices from 0, all valid, face after face
+    /// Of each corner the number of its texture point, or no_point; empty if no corner has one.
+    LargeVector<std::uint32_t> corner_points;
+    LargeVector<TexturePoint> texture_points;
     LargeVector<ObjFace> faces;
     std::vector<ObjName> materials;        ///< names of `usemtl` that faces use; "" for faces before the first `usemtl`
     std::vector<std::string> groups;       ///< names of `o` and `g` that faces use, in order of appearance
     std::vector<ObjName> libraries;        ///< arguments of `mtllib`, not yet cut into names
     std::size_t faces_without_corners = 0; ///< dropped: one or two vertices
     std::vector<std::string> warnings;
+    std::vector<bool> textured = {}; ///< which of the materials have a texture; empty if none is known to
+
+    bool is_textured(const ObjFace& face) const { return !textured.empty() && textured[face.material]; }
 };
 
 /// Throws InputError for everything that is wrong in the text of the file, and for a file without faces.

@@ -9,6 +9,7 @@
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
 #include "scene/obj/obj_mesh.h"
+#include "scene/obj/obj_textures.h"
 #include "scene/obj/parallelogram_merge.h"
 #include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
@@ -82,6 +83,7 @@ struct UsedMaterials
 struct MaterialList
 {
     std::vector<Material> materials;
+    std::vector<MtlMaterial> definitions; ///< of the same materials
     UsedMaterials by_origin;
     std::vector<std::string> warnings;
 };
@@ -120,6 +122,7 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
         has_name ? "material " + in_quotes(name.name) + " is not defined" + in_files(list.by_origin.files)
                  : "faces without a material";
     list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in");
+    list.definitions.emplace_back();
     list.materials.push_back(std::move(material));
     list.by_origin.default_used = true;
     if (has_name)
@@ -155,6 +158,7 @@ MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, con
             add_default_material(mesh, mesh.materials[i], list);
         } else {
             list.materials.push_back(library.materials[entry->second].material);
+            list.definitions.push_back(library.materials[entry->second]);
             is_used[entry->second] = is_used[entry->second] || has_pieces[i];
         }
     }
@@ -366,6 +370,27 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     }
 }
 
+/// Faces whose texture lies on them in one piece need to be cut only where it does not.
+void mark_textured(const MaterialLibrary& library, ObjMesh& mesh)
+{
+    for (const ObjName& material : mesh.materials) {
+        const auto entry = library.number_of_name.find(material.name);
+        mesh.textured.push_back(entry != library.number_of_name.end() &&
+                                !library.materials[entry->second].reflectance_map.found.empty());
+    }
+}
+
+/// What a textured material reflects, in the place of its Kd.
+void take_textured_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
+{
+    for (MtlMaterial& definition : used)
+        for (const Material& material : scene.materials)
+            if (material.texture != Material::no_texture && material.name == definition.material.name) {
+                definition.material.reflectance = material.reflectance;
+                definition.kd_line = std::max(definition.kd_line, definition.reflectance_map.line);
+            }
+}
+
 /// "1 face", "2 faces"
 std::string counted(std::size_t count, const std::string& noun)
 {
@@ -413,10 +438,10 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     MaterialLibrary library = read_libraries(libraries.files, emission_from);
     const std::vector<std::string> lowered = limit_reflectances(changes.reflectance_limit, library);
     const SceneScale scale = scale_of(mesh);
+    mark_textured(library, mesh);
     MeshPieces cut = cut_into_pieces(mesh, scale);
     const std::vector<bool> has_pieces = materials_of(cut.pieces, mesh);
     MaterialList list = look_up_materials(mesh, std::move(library), has_pieces, libraries.files);
-    make_lamps(lamps, list.materials);
     if (cut.pieces.empty())
         refuse({path, mesh.faces.front().line}, "no face of the file has an area");
     constexpr double smallest_extent = 1e-9; // as largest_coordinate
@@ -433,11 +458,14 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
         scene.warnings.push_back(path +
                                  ": reflectance lowered to the limit of --reflectance-limit: " + list_of(lowered));
     append(scene.warnings, std::move(cut.warnings));
-    append(scene.warnings, warnings_of_materials(list.by_origin));
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
     add_surfaces(cut.pieces, mesh, scene);
+    add_textures(list.definitions, cut.pieces, mesh, changes.reflectance_limit, scene);
+    take_textured_colours(scene, list.by_origin.used);
+    make_lamps(lamps, scene.materials);
+    append(scene.warnings, warnings_of_materials(list.by_origin));
     require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, has_pieces), mesh, scene,
                     libraries.missing, emission_from, changes);
     scene.unknown_materials = list.by_origin.unknown_names;

@@ -35,6 +35,14 @@ private:
     bool is_open(std::uint32_t piece) const { return pieces_[piece].is_triangle() && !is_gone(pieces_[piece]); }
     static bool is_gone(const Piece& piece) { return piece.corners[0] == Piece::no_vertex; }
     Vec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+    bool have_same_place(std::uint32_t a, std::uint32_t b) const
+    {
+        if (a == b || a == ObjMesh::no_point || b == ObjMesh::no_point)
+            return a == b;
+        const TexturePoint p = mesh_.texture_points[a];
+        const TexturePoint q = mesh_.texture_points[b];
+        return p.s == q.s && p.t == q.t;
+    }
 
     LargeVector<Piece>& pieces_;
     const ObjMesh& mesh_;
@@ -119,13 +127,25 @@ bool TriangleMerger::merge_pair(std::uint32_t first, std::size_t edge, std::uint
     if (opposite == 3 || face.material != other_face.material || face.group != other_face.group)
         return false;
 
-    Corners joined = {p[0], p[1], p[2], p[2]};
-    if (edge == 0)
-        joined[2] = p[1];
-    joined[edge + 1] = q[opposite];
+    const auto join = [&](const Corners& a, const Corners& b) {
+        Corners joined = {a[0], a[1], a[2], a[2]};
+        if (edge == 0)
+            joined[2] = a[1];
+        joined[edge + 1] = b[opposite];
+        return joined;
+    };
+    const Corners joined = join(p, q);
     if (!is_parallelogram(at(joined[0]), at(joined[1]), at(joined[2]), at(joined[3]), scale_))
         return false;
+    const Corners& s = pieces_[first].points;
+    const Corners& t = pieces_[second].points;
+    const Corners points = join(s, t);
+    if (mesh_.is_textured(face) &&
+        !(have_same_place(s[edge], t[(opposite + 2) % 3]) &&
+          have_same_place(s[(edge + 1) % 3], t[(opposite + 1) % 3]) && is_parallelogram(points, mesh_)))
+        return false;
     pieces_[first].corners = joined;
+    pieces_[first].points = points;
     pieces_[second].corners[0] = Piece::no_vertex;
     ++pair_count_;
     return true;

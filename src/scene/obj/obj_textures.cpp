@@ -1,0 +1,207 @@
+#include "scene/obj/obj_textures.h"
+
+#include "scene/text/text_format.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+/// The bytes of a file. Throws ImageError.
+std::string bytes_of_image(const std::string& path)
+{
+    constexpr std::uintmax_t most = std::uintmax_t{1} << 28;
+    std::error_code error;
+    if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > most)
+        throw ImageError(error ? "cannot be read" : "has more than 256 MB");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!file)
+        throw ImageError("cannot be read");
+    std::string bytes;
+    std::vector<char> part(std::size_t{1} << 16);
+    for (std::size_t count; (count = std::fread(part.data(), 1, part.size(), file.get())) > 0;)
+        bytes.append(part.data(), count);
+    return bytes;
+}
+
+/// The textures of one scene, each read once.
+class ObjTextures
+{
+public:
+    ObjTextures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
+                SceneFile& scene)
+        : definitions_(definitions), pieces_(pieces), mesh_(mesh), scene_(scene), areas_(definitions.size())
+    {
+        for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+            areas_[scene.material[s]] += scene.surfaces[s].area();
+    }
+
+    void add(double limit)
+    {
+        for (std::uint32_t m = 0; m < definitions_.size(); ++m) {
+            if (!(areas_[m] > 0.0))
+                continue;
+            if (const auto texture = load(m, definitions_[m].reflectance_map))
+                lay_reflectance(m, texture, limit);
+            if (const auto texture = load(m, definitions_[m].emission_map))
+                lay_emittance(m, *texture);
+        }
+        if (!scene_.textures.empty())
+            fill_frames();
+        tell_of_failures();
+    }
+
+private:
+    std::shared_ptr<const Texture> load(std::uint32_t material, const TextureMap& map)
+    {
+        if (map.line == 0)
+            return nullptr;
+        ++maps_;
+        std::string problem = "not found";
+        if (!map.found.empty()) {
+            const auto [entry, is_new] = known_.try_emplace({map.found, map.repeats});
+            Loaded& loaded = entry->second;
+            try {
+                if (is_new)
+                    loaded.texture = std::make_shared<const Texture>(
+                        std::filesystem::path(map.found).filename().string(), bytes_of_image(map.found), map.repeats);
+            } catch (const ImageError& error) {
+                loaded.problem = error.what();
+            }
+            if (loaded.texture)
+                return loaded.texture;
+            problem = loaded.problem;
+        }
+        failures_.push_back(
+            {material, in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + problem + ")"});
+        return nullptr;
+    }
+
+    static std::string in_quotes(const std::string& name) { return "`" + name + "`"; }
+
+    TexturePoint place(std::uint32_t point, const TextureMap& map) const
+    {
+        const TexturePoint p = mesh_.texture_points[point];
+        return {map.scale_s * p.s + map.offset_s, map.scale_t * p.t + map.offset_t};
+    }
+
+    TextureFrame frame(std::size_t surface, const TextureMap& map) const
+    {
+        const Piece& piece = pieces_[surface];
+        const std::size_t last = piece.is_triangle() ? 2 : 3;
+        for (std::size_t k = 0; k <= last; ++k)
+            if (mesh_.corner_points.empty() || piece.points[k] == ObjMesh::no_point)
+                return {};
+        const TexturePoint origin = place(piece.points[0], map);
+        const TexturePoint u = place(piece.points[1], map);
+        const TexturePoint v = place(piece.points[last], map);
+        return {origin, {u.s - origin.s, u.t - origin.t}, {v.s - origin.s, v.t - origin.t}, true};
+    }
+
+    Rgb texture_mean_of_surface(std::size_t s, const TextureMap& map, const Texture& texture) const
+    {
+        if (scene_.surfaces[s].shape == Shape::triangle)
+            return texture_mean(texture, frame(s, map), 3, {{{0, 0}, {1, 0}, {0, 1}, {0, 0}}});
+        return texture_mean(texture, frame(s, map), 4, {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    }
+
+    /// Over all surfaces of a material.
+    Rgb mean_of(std::uint32_t material, const TextureMap& map, const Texture& texture) const
+    {
+        Rgb sum;
+        for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
+            if (scene_.material[s] == material)
+                sum += scene_.surfaces[s].area() * texture_mean_of_surface(s, map, texture);
+        return 1.0 / areas_[material] * sum;
+    }
+
+    void lay_reflectance(std::uint32_t m, const std::shared_ptr<const Texture>& texture, double limit)
+    {
+        Material& material = scene_.materials[m];
+        const bool is_black = material.reflectance == Rgb{};
+        const Rgb kd = is_black ? Rgb{1.0, 1.0, 1.0} : material.reflectance;
+        if (is_black && definitions_[m].kd_line != 0)
+            black_.push_back(in_quotes(material.name));
+        material.texture_scale = {std::min(kd.r, limit), std::min(kd.g, limit), std::min(kd.b, limit)};
+        material.reflectance = material.texture_scale * mean_of(m, definitions_[m].reflectance_map, *texture);
+        const auto known = std::find(scene_.textures.begin(), scene_.textures.end(), texture);
+        material.texture = static_cast<std::uint32_t>(known - scene_.textures.begin());
+        if (known == scene_.textures.end())
+            scene_.textures.push_back(texture);
+    }
+
+    void lay_emittance(std::uint32_t m, const Texture& texture)
+    {
+        Material& material = scene_.materials[m];
+        const Rgb ke = definitions_[m].emission_line == 0 ? Rgb{1.0, 1.0, 1.0} : material.emittance;
+        material.emittance = ke * mean_of(m, definitions_[m].emission_map, texture);
+    }
+
+    void fill_frames()
+    {
+        scene_.texture_frames.resize(scene_.surfaces.size());
+        for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
+            if (scene_.materials[scene_.material[s]].texture != Material::no_texture)
+                scene_.texture_frames[s] = frame(s, definitions_[scene_.material[s]].reflectance_map);
+    }
+
+    void tell_of_failures()
+    {
+        if (!black_.empty())
+            scene_.warnings.push_back(scene_.path + ": Kd = 0 beside a texture, which counts alone: " + join(black_));
+        if (failures_.empty())
+            return;
+        double all = 0.0;
+        for (const double area : areas_)
+            all += area;
+        std::vector<std::string> named;
+        std::vector<bool> failed(areas_.size());
+        constexpr std::size_t most_named = 5;
+        for (const auto& [material, text] : failures_) {
+            failed[material] = true;
+            if (named.size() < most_named)
+                named.push_back(text);
+        }
+        double part = 0.0;
+        for (std::size_t m = 0; m < areas_.size(); ++m)
+            part += failed[m] ? areas_[m] : 0.0;
+        if (failures_.size() > named.size())
+            named.push_back(std::to_string(failures_.size() - named.size()) + " more");
+        scene_.warnings.push_back(scene_.path + ": " + std::to_string(failures_.size()) + " of " +
+                                  std::to_string(maps_) + " textures are not read, the colours of their materials (" +
+                                  format("%.3g", 100.0 * part / all) + " % of the area) stand alone: " + join(named));
+    }
+
+    struct Loaded
+    {
+        std::shared_ptr<const Texture> texture;
+        std::string problem;
+    };
+
+    const std::vector<MtlMaterial>& definitions_;
+    const LargeVector<Piece>& pieces_;
+    const ObjMesh& mesh_;
+    SceneFile& scene_;
+    std::vector<double> areas_; ///< [m^2] per material
+    std::map<std::pair<std::string, bool>, Loaded> known_;
+    std::size_t maps_ = 0;
+    std::vector<std::pair<std::uint32_t, std::string>> failures_; ///< material, what is wrong
+    std::vector<std::string> black_;
+};
+
+} // namespace
+
+void add_textures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
+                  double limit, SceneFile& scene)
+{
+    ObjTextures(definitions, pieces, mesh, scene).add(limit);
+}
+
+} // namespace multipath

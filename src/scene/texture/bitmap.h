@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace multipath {
+
+/// A picture of 8 bits per colour, as files hold it (sRGB); the top row first.
+struct Bitmap
+{
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint8_t> rgb; ///< 3 * width * height
+
+    std::uint8_t* row(std::uint32_t y) { return rgb.data() + std::size_t{3} * width * y; }
+    const std::uint8_t* row(std::uint32_t y) const { return rgb.data() + std::size_t{3} * width * y; }
+};
+
+/// What is wrong with an image file, without its name: "ends too early", "12 bits per colour are not supported".
+class ImageError : public std::runtime_error
+{
+public:
+    explicit ImageError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// Throws ImageError for a picture without pixels or of more than 2^26 (8192 x 8192).
+void require_bitmap_size(std::uint32_t width, std::uint32_t height);
+
+/// A black picture. Throws likewise.
+Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
+
+} // namespace multipath

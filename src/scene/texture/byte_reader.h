@@ -1,0 +1,54 @@
+#pragma once
+
+#include "scene/texture/bitmap.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace multipath {
+
+/// The bytes of a file from front to back. Every function throws ImageError where the file has fewer bytes left.
+class ByteReader
+{
+public:
+    explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+
+    std::size_t left() const { return rest_.size(); }
+
+    /// The next `count` bytes, which stay valid as long as the file's.
+    const std::uint8_t* bytes(std::size_t count)
+    {
+        if (count > rest_.size())
+            throw ImageError("ends too early");
+        const char* const first = rest_.data();
+        rest_.remove_prefix(count);
+        return reinterpret_cast<const std::uint8_t*>(first);
+    }
+
+    void skip(std::size_t count) { bytes(count); }
+    std::uint8_t byte() { return *bytes(1); }
+
+    std::uint32_t little_endian_16()
+    {
+        const std::uint8_t* const b = bytes(2);
+        return b[0] | std::uint32_t{b[1]} << 8;
+    }
+
+    std::uint32_t little_endian_32()
+    {
+        const std::uint32_t low = little_endian_16();
+        return low | little_endian_16() << 16;
+    }
+
+    std::uint32_t big_endian_32()
+    {
+        const std::uint8_t* const b = bytes(4);
+        return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | b[3];
+    }
+
+private:
+    std::string_view rest_;
+};
+
+} // namespace multipath

@@ -1,0 +1,66 @@
+#include "scene/texture/image_formats.h"
+
+#include "scene/texture/byte_reader.h"
+
+namespace multipath {
+
+namespace {
+
+bool begins_like(std::string_view bytes, std::string_view start)
+{
+    return bytes.substr(0, start.size()) == start;
+}
+
+bool begins_like_pnm(std::string_view bytes)
+{
+    using namespace std::string_view_literals;
+    return bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+           " \t\n\v\f\r"sv.find(bytes[2]) != std::string_view::npos;
+}
+
+bool is_named_tga(std::string_view name)
+{
+    constexpr std::string_view ending = ".tga";
+    if (name.size() < ending.size())
+        return false;
+    name.remove_prefix(name.size() - ending.size());
+    for (std::size_t i = 0; i < ending.size(); ++i)
+        if (name[i] != ending[i] && !(name[i] >= 'A' && name[i] <= 'Z' && name[i] - 'A' + 'a' == ending[i]))
+            return false;
+    return true;
+}
+
+} // namespace
+
+void require_bitmap_size(std::uint32_t width, std::uint32_t height)
+{
+    const std::uint64_t pixels = std::uint64_t{width} * height;
+    if (pixels == 0)
+        throw ImageError("has no pixels");
+    if (pixels > std::uint64_t{1} << 26)
+        throw ImageError(std::to_string(width) + " x " + std::to_string(height) +
+                         " pixels are too many, expected at most 2^26");
+}
+
+Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height)
+{
+    require_bitmap_size(width, height);
+    return {width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
+}
+
+Bitmap read_image(std::string_view name, std::string_view bytes)
+{
+    if (begins_like(bytes, "\x89PNG\r\n\x1a\n"))
+        return read_png(bytes);
+    if (begins_like(bytes, "\xff\xd8"))
+        return read_jpeg(bytes);
+    if (begins_like(bytes, "BM"))
+        return read_bmp(bytes);
+    if (begins_like_pnm(bytes))
+        return read_pnm(bytes);
+    if (is_named_tga(name))
+        return read_tga(bytes);
+    throw ImageError("is no PNG, JPEG, TGA, BMP or PPM");
+}
+
+} // namespace multipath

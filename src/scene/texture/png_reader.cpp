@@ -1,0 +1,259 @@
+// Reader of PNG files (ISO/IEC 15948). Checksums of chunks are not compared: damage of the pixels shows in the Adler-32
+// of the data, and a wrong checksum elsewhere is no reason to refuse a texture.
+
+#include "scene/texture/byte_reader.h"
+#include "scene/texture/image_formats.h"
+#include "scene/texture/inflate.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace multipath {
+
+namespace {
+
+class PngReader
+{
+public:
+    explicit PngReader(std::string_view bytes) : file_(bytes) {}
+
+    Bitmap read()
+    {
+        file_.skip(8); // signature
+        Chunk chunk = next_chunk();
+        if (chunk.type != "IHDR")
+            throw ImageError("does not begin with its size");
+        read_header(chunk.data);
+        std::string stream;
+        for (chunk = next_chunk(); chunk.type != "IEND"; chunk = next_chunk()) {
+            if (chunk.type == "IDAT")
+                stream += chunk.data;
+            else if (chunk.type == "PLTE")
+                read_palette(chunk.data);
+            else if (const bool is_critical = (chunk.type[0] & 0x20) == 0; is_critical)
+                throw ImageError("has parts of an unknown kind");
+        }
+        if (colour_type_ == indexed && !has_palette_)
+            throw ImageError("has no palette");
+        return read_pixels(stream);
+    }
+
+private:
+    enum ColourType : unsigned { grey = 0, rgb = 2, indexed = 3, grey_alpha = 4, rgb_alpha = 6 };
+
+    struct Chunk
+    {
+        std::string_view type;
+        std::string_view data;
+    };
+
+    /// The pixels (x + i dx, y + j dy), which are filtered and stored like an image of their own.
+    struct Pass
+    {
+        std::uint32_t x, y, dx, dy;
+
+        std::uint32_t columns(std::uint32_t width) const { return (width + dx - 1 - x) / dx; }
+        std::uint32_t rows(std::uint32_t height) const { return (height + dy - 1 - y) / dy; }
+    };
+
+    Chunk next_chunk()
+    {
+        const std::uint32_t size = file_.big_endian_32();
+        const auto* const type = reinterpret_cast<const char*>(file_.bytes(4));
+        const auto* const data = reinterpret_cast<const char*>(file_.bytes(size));
+        file_.skip(4); // checksum
+        return {{type, 4}, {data, size}};
+    }
+
+    void read_header(std::string_view data)
+    {
+        ByteReader header(data);
+        width_ = header.big_endian_32();
+        height_ = header.big_endian_32();
+        depth_ = header.byte();
+        colour_type_ = header.byte();
+        const std::uint8_t compression = header.byte();
+        const std::uint8_t filter = header.byte();
+        const std::uint8_t interlace = header.byte();
+        samples_ = samples_of(colour_type_);
+        const bool is_power_of_two = depth_ != 0 && (depth_ & (depth_ - 1)) == 0;
+        const unsigned least = colour_type_ == grey || colour_type_ == indexed ? 1 : 8;
+        const unsigned most = colour_type_ == indexed ? 8 : 16;
+        if (samples_ == 0 || !is_power_of_two || depth_ < least || depth_ > most)
+            throw ImageError("has pixels of an unknown kind");
+        if (compression != 0 || filter != 0 || interlace > 1)
+            throw ImageError("is compressed in an unknown way");
+        is_interlaced_ = interlace == 1;
+        require_bitmap_size(width_, height_);
+    }
+
+    static unsigned samples_of(unsigned colour_type)
+    {
+        switch (colour_type) {
+        case grey:
+        case indexed:
+            return 1;
+        case grey_alpha:
+            return 2;
+        case rgb:
+            return 3;
+        case rgb_alpha:
+            return 4;
+        default:
+            return 0;
+        }
+    }
+
+    void read_palette(std::string_view data)
+    {
+        if (data.size() > palette_.size() || data.size() % 3 != 0)
+            throw ImageError("has a damaged palette");
+        std::copy(data.begin(), data.end(), palette_.begin());
+        has_palette_ = true;
+    }
+
+    std::vector<Pass> passes() const
+    {
+        if (!is_interlaced_)
+            return {{0, 0, 1, 1}};
+        return {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+    }
+
+    std::size_t row_bytes(std::uint32_t columns) const { return (std::size_t{columns} * samples_ * depth_ + 7) / 8; }
+
+    Bitmap read_pixels(std::string_view stream) const
+    {
+        std::size_t size = 0;
+        for (const Pass& pass : passes())
+            if (const std::uint32_t columns = pass.columns(width_); columns > 0)
+                size += pass.rows(height_) * (1 + row_bytes(columns));
+        std::vector<std::uint8_t> data = inflate(stream, size);
+        Bitmap bitmap = blank_bitmap(width_, height_);
+        std::uint8_t* next = data.data();
+        for (const Pass& pass : passes())
+            if (pass.columns(width_) > 0)
+                next = read_pass(pass, next, bitmap);
+        return bitmap;
+    }
+
+    /// Removes the filters of the rows of the pass, copies them into the bitmap and returns what follows them.
+    std::uint8_t* read_pass(const Pass& pass, std::uint8_t* next, Bitmap& bitmap) const
+    {
+        const std::uint32_t columns = pass.columns(width_);
+        const std::size_t size = row_bytes(columns);
+        const std::vector<std::uint8_t> zeros(size);
+        std::vector<std::uint8_t> samples(std::size_t{columns} * samples_);
+        const std::uint8_t* above = zeros.data();
+        for (std::uint32_t j = 0; j < pass.rows(height_); ++j) {
+            std::uint8_t* const row = next + 1;
+            remove_filter(*next, row, above, size);
+            above = row;
+            next = row + size;
+            unpack(row, samples);
+            paint(samples, bitmap.row(pass.y + j * pass.dy) + std::size_t{3} * pass.x, columns,
+                  std::size_t{3} * pass.dx);
+        }
+        return next;
+    }
+
+    /// Adds to every byte its prediction from the bytes to the left and above, which are 0 outside (ISO/IEC
+    /// 15948, 9.2).
+    void remove_filter(unsigned filter, std::uint8_t* row, const std::uint8_t* above, std::size_t size) const
+    {
+        const std::size_t left = std::max(1u, samples_ * depth_ / 8); // distance to the same byte of the pixel before
+        const std::size_t first = std::min(left, size);
+        const auto add = [row](std::size_t i, unsigned prediction) {
+            row[i] = static_cast<std::uint8_t>(row[i] + prediction);
+        };
+        switch (filter) {
+        case 0:
+            break;
+        case 1:
+            for (std::size_t i = first; i < size; ++i)
+                add(i, row[i - left]);
+            break;
+        case 2:
+            for (std::size_t i = 0; i < size; ++i)
+                add(i, above[i]);
+            break;
+        case 3:
+            for (std::size_t i = 0; i < first; ++i)
+                add(i, above[i] / 2u);
+            for (std::size_t i = first; i < size; ++i)
+                add(i, (row[i - left] + above[i]) / 2u);
+            break;
+        case 4:
+            for (std::size_t i = 0; i < first; ++i)
+                add(i, above[i]);
+            for (std::size_t i = first; i < size; ++i)
+                add(i, paeth(row[i - left], above[i], above[i - left]));
+            break;
+        default:
+            throw ImageError("has damaged pixel data");
+        }
+    }
+
+    /// Whichever of left, above and corner is next to left + above - corner.
+    static unsigned paeth(int left, int above, int corner)
+    {
+        const int to_left = std::abs(above - corner);
+        const int to_above = std::abs(left - corner);
+        const int to_corner = std::abs(left + above - 2 * corner);
+        const int vertical = to_above <= to_corner ? above : corner;
+        return static_cast<unsigned>(to_left <= to_above && to_left <= to_corner ? left : vertical);
+    }
+
+    /// One byte for each sample: the high byte of 16 bits; fewer bits as they are.
+    void unpack(const std::uint8_t* row, std::vector<std::uint8_t>& samples) const
+    {
+        if (depth_ == 8) {
+            std::copy_n(row, samples.size(), samples.data());
+        } else if (depth_ == 16) {
+            for (std::size_t i = 0; i < samples.size(); ++i)
+                samples[i] = row[2 * i];
+        } else {
+            const std::size_t per_byte = 8 / depth_;
+            const unsigned mask = (1u << depth_) - 1;
+            for (std::size_t i = 0; i < samples.size(); ++i)
+                samples[i] =
+                    static_cast<std::uint8_t>(row[i / per_byte] >> depth_ * (per_byte - 1 - i % per_byte) & mask);
+        }
+    }
+
+    void paint(const std::vector<std::uint8_t>& samples, std::uint8_t* pixel, std::uint32_t columns,
+               std::size_t step) const
+    {
+        const std::uint8_t* sample = samples.data();
+        if (colour_type_ == rgb || colour_type_ == rgb_alpha) {
+            for (std::uint32_t i = 0; i < columns; ++i, sample += samples_, pixel += step)
+                std::copy_n(sample, 3, pixel);
+        } else if (colour_type_ == indexed) {
+            for (std::uint32_t i = 0; i < columns; ++i, ++sample, pixel += step)
+                std::copy_n(palette_.data() + std::size_t{3} * *sample, 3, pixel);
+        } else {
+            const unsigned white = 255 / ((1u << std::min(depth_, 8u)) - 1);
+            for (std::uint32_t i = 0; i < columns; ++i, sample += samples_, pixel += step)
+                std::fill_n(pixel, 3, static_cast<std::uint8_t>(*sample * white));
+        }
+    }
+
+    ByteReader file_;
+    std::uint32_t width_ = 0;
+    std::uint32_t height_ = 0;
+    unsigned depth_ = 0; ///< bits of a sample
+    unsigned colour_type_ = 0;
+    unsigned samples_ = 0; ///< of a pixel
+    bool is_interlaced_ = false;
+    bool has_palette_ = false;
+    std::array<std::uint8_t, 768> palette_ = {}; ///< black behind its end
+};
+
+} // namespace
+
+Bitmap read_png(std::string_view bytes)
+{
+    return PngReader(bytes).read();
+}
+
+} // namespace multipath

@@ -1,0 +1,132 @@
+// Reader of Netpbm's bitmaps (P1, P4), grey maps (P2, P5) and colour maps (P3, P6), as text or binary.
+
+#include "scene/texture/byte_reader.h"
+#include "scene/texture/image_formats.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+class PnmReader
+{
+public:
+    explicit PnmReader(std::string_view bytes) : file_(bytes) {}
+
+    Bitmap read()
+    {
+        file_.skip(1); // 'P'
+        const unsigned kind = file_.byte() - unsigned{'0'};
+        is_text_ = kind <= 3;
+        is_bitmap_ = kind == 1 || kind == 4;
+        const bool is_grey = kind == 2 || kind == 5;
+        const std::uint32_t width = number();
+        const std::uint32_t height = number();
+        largest_ = is_bitmap_ ? 1 : number();
+        if (largest_ < 1 || largest_ > 65535)
+            throw ImageError("has a largest value of " + std::to_string(largest_) + ", expected 1 to 65535");
+
+        const std::size_t samples = is_bitmap_ || is_grey ? 1 : 3; // of a pixel
+        require_rows(std::uint64_t{width} * samples, height);
+        Bitmap bitmap = blank_bitmap(width, height);
+        for (std::uint32_t y = 0; y < height; ++y) {
+            std::uint8_t* pixel = bitmap.row(y);
+            used_bits_ = 0; // rows begin at whole bytes
+            for (std::uint32_t x = 0; x < width; ++x, pixel += 3)
+                if (samples == 1)
+                    std::fill_n(pixel, 3, level());
+                else
+                    for (int c = 0; c < 3; ++c)
+                        pixel[c] = level();
+        }
+        return bitmap;
+    }
+
+private:
+    /// Numbers are at most 10^8 and samples of two bytes at most, so that nothing overflows here.
+    void require_rows(std::uint64_t samples, std::uint64_t rows) const
+    {
+        std::uint64_t least = samples * rows * (largest_ > 255 ? 2 : 1);
+        if (is_text_) // digits, and what separates numbers
+            least = is_bitmap_ ? samples * rows : std::max(samples * rows, std::uint64_t{1}) * 2 - 1;
+        else if (is_bitmap_)
+            least = (samples + 7) / 8 * rows;
+        if (least > file_.left())
+            throw ImageError("ends too early");
+    }
+
+    /// The next value, scaled to 0 ... 255.
+    std::uint8_t level()
+    {
+        if (is_bitmap_)
+            return (is_text_ ? digit() : bit()) == 0 ? 255 : 0; // 1 is black
+        const std::uint32_t value = std::min(is_text_ ? number() : binary(), largest_);
+        return static_cast<std::uint8_t>((value * 255 + largest_ / 2) / largest_);
+    }
+
+    std::uint32_t binary()
+    {
+        const std::uint32_t high = file_.byte();
+        return largest_ > 255 ? high << 8 | file_.byte() : high;
+    }
+
+    unsigned bit()
+    {
+        if (used_bits_ % 8 == 0)
+            bits_ = file_.byte();
+        return bits_ >> (7 - used_bits_++ % 8) & 1u;
+    }
+
+    /// A character; a comment, up to the end of its line, counts as one white space.
+    std::uint8_t character()
+    {
+        std::uint8_t c = file_.byte();
+        if (c == '#')
+            while (c != '\n' && c != '\r')
+                c = file_.byte();
+        return c;
+    }
+
+    /// The next digit after white space.
+    unsigned digit()
+    {
+        std::uint8_t c = character();
+        while (c == ' ' || (c >= '\t' && c <= '\r'))
+            c = character();
+        if (c < '0' || c > '9')
+            throw ImageError("has something else where a number is expected");
+        return c - unsigned{'0'};
+    }
+
+    /// The next number and the character that ends it, which is the last before binary values.
+    std::uint32_t number()
+    {
+        std::uint32_t value = digit();
+        while (file_.left() > 0) {
+            const std::uint8_t c = character();
+            if (c < '0' || c > '9')
+                break;
+            value = 10 * value + (c - std::uint32_t{'0'});
+            if (value > 100000000)
+                throw ImageError("has a number that is too large");
+        }
+        return value;
+    }
+
+    ByteReader file_;
+    bool is_text_ = false;
+    bool is_bitmap_ = false;
+    std::uint32_t largest_ = 1;
+    unsigned bits_ = 0;
+    unsigned used_bits_ = 0;
+};
+
+} // namespace
+
+Bitmap read_pnm(std::string_view bytes)
+{
+    return PnmReader(bytes).read();
+}
+
+} // namespace multipath

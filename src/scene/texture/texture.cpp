@@ -1,0 +1,255 @@
+// The mean of a texture over a polygon P is an integral over its border only (Green's theorem): with
+// S(s, t) = integral of T(s', t) ds' from a fixed s to s,
+//
+//   integral of T over P = integral of S dt around P.
+//
+// T is constant within a pixel, so that S is linear in s there: along a straight piece that stays within one pixel the
+// midpoint rule is exact. S comes from sums of the pixels of a row, kept for every 16th pixel. Linear light is counted
+// in whole units of 1/65535: sums are exact, and the same on every machine.
+
+#include "scene/texture/texture.h"
+
+#include "parallel/mix_bits.h"
+#include "scene/texture/image_formats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::int64_t pixels_per_sum = 16;
+constexpr double unit = 1.0 / 65535.0;
+
+std::array<std::uint16_t, 256> make_linear_table()
+{
+    std::array<std::uint16_t, 256> table{};
+    for (std::size_t k = 0; k < table.size(); ++k) {
+        const double x = static_cast<double>(k) / 255.0;
+        const double linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+        table[k] = static_cast<std::uint16_t>(std::lround(linear * 65535.0));
+    }
+    return table;
+}
+
+const std::array<std::uint16_t, 256> linear_of_srgb = make_linear_table();
+
+std::uint64_t hash_of(const Bitmap& bitmap, bool repeats)
+{
+    std::uint64_t hash = mix_bits(std::uint64_t{bitmap.width} << 32 | bitmap.height) ^ (repeats ? 1 : 0);
+    for (std::size_t k = 0; k < bitmap.rgb.size(); k += 8) {
+        std::uint64_t word = 0;
+        for (std::size_t i = k; i < std::min(k + 8, bitmap.rgb.size()); ++i)
+            word = word << 8 | bitmap.rgb[i];
+        hash = mix_bits(hash ^ word);
+    }
+    return hash;
+}
+
+std::int64_t remainder(std::int64_t x, std::int64_t n)
+{
+    const std::int64_t r = x % n;
+    return r < 0 ? r + n : r;
+}
+
+double area_of(const TextureFootprint& p)
+{
+    double twice = 0.0;
+    for (std::size_t k = 0; k < p.count; ++k) {
+        const TexturePoint a = p.corners[k];
+        const TexturePoint b = p.corners[(k + 1) % p.count];
+        twice += (a.s - p.corners[0].s) * (b.t - p.corners[0].t) - (b.s - p.corners[0].s) * (a.t - p.corners[0].t);
+    }
+    return 0.5 * twice;
+}
+
+TexturePoint middle_of(const TextureFootprint& p)
+{
+    TexturePoint sum;
+    for (std::size_t k = 0; k < p.count; ++k)
+        sum = {sum.s + p.corners[k].s, sum.t + p.corners[k].t};
+    const auto n = static_cast<double>(p.count);
+    return {sum.s / n, sum.t / n};
+}
+
+} // namespace
+
+Rgb linear_colour(const std::uint8_t* rgb)
+{
+    return {unit * linear_of_srgb[rgb[0]], unit * linear_of_srgb[rgb[1]], unit * linear_of_srgb[rgb[2]]};
+}
+
+Texture::Texture(std::string name, std::string bytes, bool repeats)
+    : name_(std::move(name)),
+      bytes_(std::move(bytes)),
+      repeats_(repeats),
+      bitmap_(read_image(name_, bytes_)),
+      hash_(hash_of(bitmap_, repeats)),
+      sums_per_row_((bitmap_.width + pixels_per_sum - 1) / pixels_per_sum)
+{
+    sums_.reserve(3 * sums_per_row_ * bitmap_.height);
+    std::array<double, 3> all{};
+    for (std::uint32_t y = 0; y < bitmap_.height; ++y) {
+        std::array<std::uint32_t, 3> sum{};
+        const std::uint8_t* pixel = bitmap_.row(y);
+        for (std::uint32_t x = 0; x < bitmap_.width; ++x, pixel += 3) {
+            if (x % pixels_per_sum == 0)
+                sums_.insert(sums_.end(), sum.begin(), sum.end());
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[c] += linear_of_srgb[pixel[c]];
+        }
+        for (std::size_t c = 0; c < 3; ++c)
+            all[c] += sum[c];
+    }
+    const double scale = unit / (static_cast<double>(bitmap_.width) * bitmap_.height);
+    mean_ = {scale * all[0], scale * all[1], scale * all[2]};
+}
+
+std::int64_t Texture::column(std::int64_t x) const
+{
+    const std::int64_t width = bitmap_.width;
+    return repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width - 1);
+}
+
+/// Of the file, whose first row is the top one.
+std::uint32_t Texture::row(std::int64_t y) const
+{
+    const std::int64_t height = bitmap_.height;
+    const std::int64_t from_below = repeats_ ? remainder(y, height) : std::clamp<std::int64_t>(y, 0, height - 1);
+    return static_cast<std::uint32_t>(height - 1 - from_below);
+}
+
+const std::uint8_t* Texture::pixel(std::int64_t x, std::int64_t y) const
+{
+    return bitmap_.row(row(y)) + 3 * column(x);
+}
+
+/// Of the pixels 0 ... x - 1 of a row, of which x may be any whole number.
+Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
+{
+    const std::int64_t width = bitmap_.width;
+    const auto within = [&](std::int64_t end) { // 0 ... width
+        Sums sums{};
+        const std::int64_t block = std::min(end / pixels_per_sum, static_cast<std::int64_t>(sums_per_row_) - 1);
+        const std::uint32_t* kept = sums_.data() + 3 * (sums_per_row_ * row + static_cast<std::size_t>(block));
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[c] = kept[c];
+        const std::uint8_t* pixel = bitmap_.row(row) + 3 * pixels_per_sum * block;
+        for (std::int64_t k = pixels_per_sum * block; k < end; ++k, pixel += 3)
+            for (std::size_t c = 0; c < 3; ++c)
+                sums[c] += linear_of_srgb[pixel[c]];
+        return sums;
+    };
+    if (x >= 0 && x <= width)
+        return within(x);
+    const std::int64_t inside = repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width);
+    const std::int64_t beyond = x - inside; // whole rows, or pixels like the one at the border
+    Sums sums = within(inside);
+    const Sums row_sums = repeats_ ? within(width) : Sums{};
+    const std::uint8_t* border = bitmap_.row(row) + 3 * (x < 0 ? 0 : width - 1);
+    for (std::size_t c = 0; c < 3; ++c)
+        sums[c] += repeats_ ? beyond / width * row_sums[c] : beyond * linear_of_srgb[border[c]];
+    return sums;
+}
+
+/// Adds the integral of S dt along a straight line; coordinates in pixels, S counted from `first_column`.
+void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_column,
+                        std::array<double, 3>& sums) const
+{
+    const double ds = to.s - from.s;
+    const double dt = to.t - from.t;
+    if (dt == 0.0)
+        return;
+    const auto next_border = [](double x, double d) { return d > 0.0 ? std::floor(x) + 1.0 : std::ceil(x) - 1.0; };
+    double border_s = next_border(from.s, ds);
+    double border_t = next_border(from.t, dt);
+    double before = 0.0; // parameter along the line
+    while (before < 1.0) {
+        const double at_s = ds != 0.0 ? (border_s - from.s) / ds : 2.0;
+        const double at_t = (border_t - from.t) / dt;
+        const double next = std::min({1.0, at_s, at_t});
+        const double middle = 0.5 * (before + next);
+        const double s = from.s + middle * ds;
+        const double t = from.t + middle * dt;
+        const auto x = static_cast<std::int64_t>(std::floor(s));
+        const auto y = static_cast<std::int64_t>(std::floor(t));
+        const std::uint32_t in_row = row(y);
+        const Sums here = sums_before(x, in_row);
+        const Sums start = sums_before(first_column, in_row);
+        const std::uint8_t* under = pixel(x, y);
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[c] +=
+                (next - before) * dt *
+                (static_cast<double>(here[c] - start[c]) + (s - static_cast<double>(x)) * linear_of_srgb[under[c]]);
+        if (at_s <= next)
+            border_s += ds > 0.0 ? 1.0 : -1.0;
+        if (at_t <= next)
+            border_t += dt > 0.0 ? 1.0 : -1.0;
+        before = next;
+    }
+}
+
+Rgb Texture::mean(const TextureFootprint& footprint) const
+{
+    const double width = bitmap_.width;
+    const double height = bitmap_.height;
+    // Near the origin, where numbers are exact; a texture that repeats looks the same there.
+    const double shift_s = repeats_ ? std::floor(footprint.corners[0].s) : 0.0;
+    const double shift_t = repeats_ ? std::floor(footprint.corners[0].t) : 0.0;
+    TextureFootprint p = footprint;
+    double least = 0.0;
+    double length = 0.0;
+    for (std::size_t k = 0; k < p.count; ++k) {
+        p.corners[k] = {width * (p.corners[k].s - shift_s), height * (p.corners[k].t - shift_t)};
+        least = k == 0 ? p.corners[k].s : std::min(least, p.corners[k].s);
+    }
+    for (std::size_t k = 0; k < p.count; ++k)
+        length += std::abs(p.corners[k].s - p.corners[(k + 1) % p.count].s) +
+                  std::abs(p.corners[k].t - p.corners[(k + 1) % p.count].t);
+    constexpr double too_long = 1e6; // pixels: so many that their mean is that of the texture
+    if (!(length < too_long))
+        return mean_;
+    const double area = area_of(p);
+    constexpr double no_area = 1e-9; // [pixels]
+    if (std::abs(area) < no_area) {
+        const TexturePoint middle = middle_of(p);
+        return linear_colour(
+            pixel(static_cast<std::int64_t>(std::floor(middle.s)), static_cast<std::int64_t>(std::floor(middle.t))));
+    }
+    std::array<double, 3> sums{};
+    for (std::size_t k = 0; k < p.count; ++k)
+        integrate(p.corners[k], p.corners[(k + 1) % p.count], static_cast<std::int64_t>(std::floor(least)), sums);
+    const auto channel = [&](std::size_t c) { return std::clamp(unit * sums[c] / area, 0.0, 1.0); };
+    return {channel(0), channel(1), channel(2)};
+}
+
+Rgb texture_mean(const Texture& texture, const TextureFrame& frame, std::size_t corners,
+                 const std::array<std::array<double, 2>, 4>& uv)
+{
+    if (!frame.known)
+        return texture.mean();
+    TextureFootprint footprint;
+    footprint.count = corners;
+    for (std::size_t k = 0; k < corners; ++k)
+        footprint.corners[k] = frame.at(uv[k][0], uv[k][1]);
+    return texture.mean(footprint);
+}
+
+Rgb Texture::at(TexturePoint place) const
+{
+    const double s = (repeats_ ? place.s - std::floor(place.s) : std::clamp(place.s, 0.0, 1.0)) * bitmap_.width - 0.5;
+    const double t = (repeats_ ? place.t - std::floor(place.t) : std::clamp(place.t, 0.0, 1.0)) * bitmap_.height - 0.5;
+    const double x = std::floor(s);
+    const double y = std::floor(t);
+    const auto corner = [&](int right, int up) {
+        return linear_colour(pixel(static_cast<std::int64_t>(x) + right, static_cast<std::int64_t>(y) + up));
+    };
+    const double a = s - x;
+    const double b = t - y;
+    return (1.0 - b) * ((1.0 - a) * corner(0, 0) + a * corner(1, 0)) +
+           b * ((1.0 - a) * corner(0, 1) + a * corner(1, 1));
+}
+
+} // namespace multipath

@@ -1,0 +1,149 @@
+#include "scene/obj/obj_textures.h"
+
+#include "scene/input_error.h"
+#include "scene/obj/obj_reader.h"
+#include "scene/scene.h"
+#include "scene/scratch_folder.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <filesystem>
+
+namespace obj_textures_test {
+
+using namespace multipath;
+
+namespace {
+
+/// White and black, 2 x 1.
+const std::string halves = "P3 2 1 255\n255 255 255 0 0 0\n";
+const std::string square = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+struct Files
+{
+    ScratchFolder folder;
+
+    SceneFile read(const std::string& obj, const std::string& mtl, const ObjChanges& changes = {}) const
+    {
+        folder.write("room.mtl", mtl);
+        return read_obj(folder.write("room.obj", "mtllib room.mtl\nusemtl m\n" + obj), EmissionFrom::ke, changes);
+    }
+};
+
+bool any_contains(const std::vector<std::string>& texts, const std::string& part)
+{
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+} // namespace
+
+TEST_CASE("a patch reflects the mean of its part of the texture times Kd, a material that of its surfaces")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    const SceneFile file = files.read(square + "f 1/1 2/2 3/3 4/4\n", "newmtl m\nKe 1\nKd 0.5 0.4 0.2\nmap_Kd a.ppm\n");
+    REQUIRE(file.surfaces.size() == 1);
+    CHECK(file.materials[0].reflectance.r == doctest::Approx(0.25));
+    CHECK(file.materials[0].reflectance.b == doctest::Approx(0.1));
+    const Scene scene(file, 0.5);
+    REQUIRE(scene.patch_count() == 8);
+    for (std::uint32_t i = 0; i < 8; ++i)
+        CHECK(scene.reflectance(i).g == doctest::Approx(scene.patch(i).shape.centre().x < 1.0 ? 0.4 : 0.0));
+    CHECK(scene.average_reflectance().r == doctest::Approx(0.25));
+    CHECK(scene.reflectance_at(0, 0.25, 0.5).r == doctest::Approx(0.5));
+    const Scene fine = scene.refined(std::vector<std::uint8_t>(32, 1));
+    CHECK(fine.reflectance(0).r == doctest::Approx(0.5));
+    CHECK(fine.hash() != scene.hash());
+    // Turned over, the same points of the face show the same.
+    const Scene back(flipped(file), 0.5);
+    for (std::uint32_t i = 0; i < 8; ++i)
+        CHECK(back.reflectance(i).g == doctest::Approx(back.patch(i).shape.centre().x < 1.0 ? 0.4 : 0.0));
+}
+
+TEST_CASE("triangles are joined where their textures are, too, and quads are cut where theirs is not straight")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    const std::string mtl = "newmtl m\nKe 1\nKd 1\nmap_Kd a.ppm\n";
+    CHECK(files.read(square + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", mtl).surfaces.size() == 1);
+    CHECK(files.read(square + "f 1/1 2/2 3/3\nf 1/2 3/3 4/4\n", mtl).surfaces.size() == 2);
+    CHECK(files.read(square + "vt 3 3\nf 1/1 2/2 3/5 4/4\n", mtl).surfaces.size() == 2);
+    CHECK(files.read(square + "vt 3 3\nf 1/1 2/2 3/5 4/4\n", "newmtl m\nKe 1\nKd 1\n").surfaces.size() == 1);
+    const SceneFile joined = files.read(square + "f 3/3 1/1 2/2\nf 4/4 1/1 3/3\n", mtl);
+    const Scene scene(joined, 0.5);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        CHECK(scene.reflectance(i).g == doctest::Approx(scene.patch(i).shape.centre().x < 1.0 ? 1.0 : 0.0));
+}
+
+TEST_CASE("scale, offset, clamp, blanks, case, folders of other machines, and names like options are understood")
+{
+    Files files;
+    files.folder.write("My Wood.PPM", halves);
+    const auto mean_of_left = [&](const std::string& map) {
+        const SceneFile file = files.read(square + "f 1/1 2/2 3/3 4/4\n", "newmtl m\nKe 1\nKd 1\n" + map + "\n");
+        return Scene(file, 1.0).reflectance(0).g; // s from 0 to 0.5
+    };
+    CHECK(mean_of_left("map_Kd my wood.ppm") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_Kd \"my wood.ppm\"") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_Kd C:\\Users\\me\\Textures\\My Wood.ppm") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_Kd -s 2 2 1 my wood.ppm") == doctest::Approx(0.5));
+    CHECK(mean_of_left("map_Kd -o 0.5 0 my wood.ppm") == doctest::Approx(0.0));
+    CHECK(mean_of_left("map_Kd -s 2 -o 0.5 0 0 -blendu on -mm 0 1 -bm 0.3 my wood.ppm") == doctest::Approx(0.5));
+    CHECK(mean_of_left("map_Kd -o 1 -clamp on my wood.ppm") == doctest::Approx(0.0));
+    CHECK(mean_of_left("map_Kd -o 1 -clamp off my wood.ppm") == doctest::Approx(1.0));
+}
+
+TEST_CASE("what is not read is told with its weight, and Kd stands alone")
+{
+    Files files;
+    files.folder.write("bad.png", "\x89PNG\r\n\x1a\nrubbish");
+    files.folder.write("a.ppm", halves);
+    const std::string two =
+        square + "f 1/1 2/2 3/3 4/4\nusemtl n\nv 0 0 1\nv 2 0 1\nv 2 3 1\nv 0 3 1\nf 5/1 6/2 7/3 8/4\n";
+    const SceneFile file = files.read(two, "newmtl m\nKe 1\nKd 0.3\nmap_Kd none.jpg\nnewmtl n\nKd 0\nmap_Kd a.ppm\n");
+    CHECK(any_contains(file.warnings, "1 of 2 textures are not read"));
+    CHECK(any_contains(file.warnings, "(25 % of the area)"));
+    CHECK(any_contains(file.warnings, "`m` (none.jpg: not found)"));
+    CHECK(any_contains(file.warnings, "Kd = 0 beside a texture, which counts alone: `n`"));
+    CHECK(file.materials[0].reflectance == Rgb{0.3, 0.3, 0.3});
+    CHECK(file.materials[1].reflectance.r == doctest::Approx(0.5));
+    const SceneFile damaged = files.read(square + "f 1 2 3 4\n", "newmtl m\nKe 1\nKd 0.3\nmap_Kd bad.png\n");
+    CHECK(any_contains(damaged.warnings, "`m` (bad.png: "));
+    // Without texture points the mean of all stands in.
+    const SceneFile flat = files.read(square + "f 1 2 3 4\n", "newmtl m\nKe 1\nKd 0.8\nmap_Kd a.ppm\n");
+    CHECK(Scene(flat, 0.5).reflectance(0).g == doctest::Approx(0.4));
+}
+
+TEST_CASE("map_Ke times Ke is the mean of a lamp")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    const std::string face = square + "f 1/1 2/2 3/3 4/4\n";
+    CHECK(files.read(face, "newmtl m\nKd 0\nKe 6 4 2\nmap_Ke a.ppm\n").materials[0].emittance.r ==
+          doctest::Approx(3.0));
+    CHECK(files.read(face, "newmtl m\nKd 0\nmap_Ke a.ppm\n").materials[0].emittance.r == doctest::Approx(0.5));
+    ObjChanges lamp;
+    lamp.lamps = {{"m", {7, 7, 7}}};
+    CHECK(files.read(face, "newmtl m\nKd 0\nKe 1\nmap_Ke a.ppm\n", lamp).materials[0].emittance.r == 7.0);
+    lamp = {};
+    lamp.reflectance_limit = 0.5;
+    const SceneFile limited = files.read(face, "newmtl m\nKe 1\nmap_Kd a.ppm\n", lamp);
+    CHECK(Scene(limited, 1.0).reflectance(0).r == doctest::Approx(0.5));
+}
+
+TEST_CASE("texture points that do not exist, count back, or are no numbers do no harm")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    const std::string mtl = "newmtl m\nKe 1\nKd 1\nmap_Kd a.ppm\n";
+    const auto reflectance = [&](const std::string& obj) { return Scene(files.read(obj, mtl), 1.0).reflectance(0).g; };
+    CHECK(reflectance(square + "f 1/-4 2/-3 3/-2 4/-1\n") == doctest::Approx(1.0));
+    const Scene halved(files.read(square + "f 1/1 2/2 3/3 4/99\n", mtl), 1.0); // two triangles, one with all its points
+    CHECK(halved.reflectance(halved.patch_count() - 1).g == doctest::Approx(0.5));
+    CHECK(reflectance(square + "f 1/0 2/0 3/0 4/0\n") == doctest::Approx(0.5));
+    CHECK(reflectance("vt x y\nvt nan 1e999\n" + square + "f 1/1 2/2 3/1 4/2\n") >= 0.0);
+    CHECK(reflectance(square + "f 1// 2// 3// 4//\n") == doctest::Approx(0.5));
+}
+
+} // namespace obj_textures_test

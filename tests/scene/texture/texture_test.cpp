@@ -1,0 +1,128 @@
+#include "scene/texture/texture.h"
+
+#include "sampling/halton.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <string>
+
+namespace texture_test {
+
+using namespace multipath;
+
+namespace {
+
+/// Of any size, each pixel in a colour of its own.
+std::string motley(int width, int height)
+{
+    std::string text = "P3 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+    for (int k = 0; k < width * height; ++k)
+        text += std::to_string((k * 37 + 11) % 256) + " " + std::to_string((k * k * 53) % 256) + " " +
+                std::to_string(255 - (k * 91) % 256) + "\n";
+    return text;
+}
+
+Texture texture(int width, int height, bool repeats = true)
+{
+    return Texture("a.ppm", motley(width, height), repeats);
+}
+
+/// The texture as it is defined, pixel by pixel.
+Rgb pixel_at(const Texture& t, TexturePoint p)
+{
+    const double w = t.bitmap().width;
+    const double h = t.bitmap().height;
+    const auto place = [&](double x, double n) {
+        const double k = std::floor(x * n);
+        return t.repeats() ? k - n * std::floor(k / n) : std::min(std::max(k, 0.0), n - 1.0);
+    };
+    const auto x = static_cast<std::uint32_t>(place(p.s, w));
+    const auto y = static_cast<std::uint32_t>(h - 1.0 - place(p.t, h));
+    return linear_colour(t.bitmap().row(y) + 3 * x);
+}
+
+Rgb sampled_mean(const Texture& t, const TextureFootprint& f)
+{
+    Rgb sum;
+    constexpr int samples = 40000;
+    for (int k = 1; k <= samples; ++k) {
+        double a = radical_inverse(2, static_cast<std::uint64_t>(k));
+        double b = radical_inverse(3, static_cast<std::uint64_t>(k));
+        if (f.count == 3 && a + b > 1.0) {
+            a = 1.0 - a;
+            b = 1.0 - b;
+        }
+        const TexturePoint o = f.corners[0];
+        const TexturePoint u = f.corners[1];
+        const TexturePoint v = f.corners[f.count - 1];
+        sum += pixel_at(t, {o.s + a * (u.s - o.s) + b * (v.s - o.s), o.t + a * (u.t - o.t) + b * (v.t - o.t)});
+    }
+    return 1.0 / samples * sum;
+}
+
+TextureFootprint parallelogram(TexturePoint o, TexturePoint u, TexturePoint v)
+{
+    return {{o, {o.s + u.s, o.t + u.t}, {o.s + u.s + v.s, o.t + u.t + v.t}, {o.s + v.s, o.t + v.t}}, 4};
+}
+
+bool is_near(Rgb a, Rgb b, double tolerance)
+{
+    return std::abs(a.r - b.r) < tolerance && std::abs(a.g - b.g) < tolerance && std::abs(a.b - b.b) < tolerance;
+}
+
+} // namespace
+
+TEST_CASE("the mean over a polygon is that of its points, wherever it lies on a repeated or clamped texture")
+{
+    for (const bool repeats : {true, false})
+        for (const auto& [width, height] : {std::pair{5, 3}, {17, 40}, {64, 1}, {1, 7}}) {
+            const Texture t = texture(width, height, repeats);
+            for (const TextureFootprint& f :
+                 {parallelogram({0.1, 0.2}, {0.7, 0.1}, {-0.2, 0.5}),
+                  parallelogram({-3.3, 7.9}, {5.1, 0.4}, {0.3, -2.2}),
+                  parallelogram({0.31, 0.77}, {0.001, 0.0}, {0.0, 0.002}), parallelogram({0, 0}, {0, 1}, {1, 0}),
+                  TextureFootprint{{{{0.9, 0.1}, {1.4, 0.3}, {0.2, 1.8}, {}}}, 3},
+                  TextureFootprint{{{{-0.5, -0.5}, {-0.7, -0.5}, {-0.5, -0.9}, {}}}, 3}}) {
+                CAPTURE(width);
+                CAPTURE(f.corners[0].s);
+                CHECK(is_near(t.mean(f), sampled_mean(t, f), 4e-3));
+            }
+        }
+}
+
+TEST_CASE("means of whole pixels and whole textures are exact")
+{
+    const Texture t = texture(8, 4);
+    CHECK(is_near(t.mean(parallelogram({0, 0}, {1, 0}, {0, 1})), t.mean(), 1e-15));
+    CHECK(is_near(t.mean(parallelogram({-7, 3}, {0, -4}, {5, 0})), t.mean(), 1e-15));
+    CHECK(is_near(t.mean(parallelogram({1e5 + 0.125, 0.25}, {0.125, 0}, {0, 0.25})), pixel_at(t, {0.2, 0.3}), 1e-12));
+    // The parts of a quadtree have the mean of the whole.
+    const TextureFootprint whole = parallelogram({0.3, 0.1}, {2.7, 0.4}, {0.1, 1.9});
+    Rgb sum;
+    for (const double a : {0.0, 0.5})
+        for (const double b : {0.0, 0.5})
+            sum += 0.25 *
+                   t.mean(parallelogram({0.3 + a * 2.7 + b * 0.1, 0.1 + a * 0.4 + b * 1.9}, {1.35, 0.2}, {0.05, 0.95}));
+    CHECK(is_near(sum, t.mean(whole), 1e-13));
+}
+
+TEST_CASE("without an area a footprint shows its middle, and an endless one the mean")
+{
+    const Texture t = texture(8, 4);
+    CHECK(is_near(t.mean(parallelogram({0.3, 0.6}, {0, 0}, {0, 0})), pixel_at(t, {0.3, 0.6}), 1e-15));
+    CHECK(is_near(t.mean(parallelogram({0.3, 0.6}, {1e6, 0}, {0, 1e6})), t.mean(), 1e-15));
+}
+
+TEST_CASE("between the middles of pixels the colour is linear")
+{
+    const Texture t("a.ppm", "P3 2 2 255\n0 0 0 255 255 255\n255 0 0 0 0 255\n", true);
+    CHECK(is_near(t.at({0.25, 0.25}), {1, 0, 0}, 1e-12)); // the lower left one is that of the last row
+    CHECK(is_near(t.at({0.75, 0.75}), {1, 1, 1}, 1e-12));
+    CHECK(is_near(t.at({0.5, 0.25}), {0.5, 0, 0.5}, 1e-12));
+    CHECK(is_near(t.at({0.0, 0.25}), {0.5, 0, 0.5}, 1e-12)); // across the border
+    const Texture clamped("a.ppm", "P3 2 1 255\n0 0 0 255 255 255\n", false);
+    CHECK(is_near(clamped.at({-3.0, 0.5}), {0, 0, 0}, 1e-12));
+    CHECK(t.hash() != Texture("a.ppm", t.bytes(), false).hash());
+}
+
+} // namespace texture_test
