@@ -88,6 +88,8 @@ std::vector<std::string> provenance(const CommandTable& table, const CommandLine
     std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(scene.hash()));
     std::vector<std::string> facts = provenance(table, line);
     facts.push_back("scene: " + std::string(hash.data()));
+    if (scene.file().photometric)
+        facts.emplace_back("unit: lx");
     return facts;
 }
 

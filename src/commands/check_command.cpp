@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "export/json.h"
+#include "scene/light_units.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -88,11 +89,11 @@ std::string emitters_text(const Scene& scene)
 {
     std::string text;
     for (const Emitter& e : emitters(scene))
-        text += format("  %-20s %.5g W %s from %.4g m^2, faces %s\n", e.material->name.c_str(), mean(e.power()),
-                       rgb_text(e.power()).c_str(), e.area, facing_text(e).c_str());
+        text += format("  %-20s %.5g %s %s from %.4g m^2, faces %s\n", e.material->name.c_str(), mean(e.power()),
+                       light_units(scene.file()).power, rgb_text(e.power()).c_str(), e.area, facing_text(e).c_str());
     if (const std::optional<Sun>& sun = scene.file().sun)
-        text += format("  %-20s %.5g W %s arrive from (%.3g, %.3g, %.3g)\n", "the sun",
-                       mean(scene.source_power() - scene.lamp_power()),
+        text += format("  %-20s %.5g %s %s arrive from (%.3g, %.3g, %.3g)\n", "the sun",
+                       mean(scene.source_power() - scene.lamp_power()), light_units(scene.file()).power,
                        rgb_text(scene.source_power() - scene.lamp_power()).c_str(), sun->direction.x, sun->direction.y,
                        sun->direction.z);
     return text;
@@ -107,8 +108,8 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
 {
     std::string text;
     text += format("  R_ave  mean reflectance          %.4f\n", r.figures.average_reflectance);
-    text += format("  Phi_T  power of the sources      %.6g W %s\n", mean(scene.source_power()),
-                   rgb_text(scene.source_power()).c_str());
+    text += format("  Phi_T  power of the sources      %.6g %s %s\n", mean(scene.source_power()),
+                   light_units(scene.file()).power, rgb_text(scene.source_power()).c_str());
     text += format("  n_int  per line through the hull %.4f (measured %.4f); through the sphere %.4f (%.4f)\n",
                    r.intersections_per_hull_line, r.intersections_per_hull_line_measured,
                    r.intersections_per_sphere_line, r.intersections_per_sphere_line_measured);
@@ -118,7 +119,8 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
     text += "  (3)    N_l / N_g                 " + ratio_text(r.ratio_first_shot) + " first shot, " +
             ratio_text(r.ratio_extended) + " extended" +
             (r.ratio_first_shot ? "\n" : " (no light falls on what reflects: any ratio does)\n");
-    text += format("  (4)    threshold                 %.6g W/m^2\n", r.threshold_radiosity);
+    text += format("  (4)    threshold                 %.6g %s\n", r.threshold_radiosity,
+                   light_units(scene.file()).per_area);
     if (!r.trapped)
         text += format("  power  in a trial run            %.4g %% escapes, %.4g %% is lost behind surfaces\n",
                        100.0 * mean(r.balance.escaped) / mean(r.balance.emitted),

@@ -433,6 +433,9 @@ void ArchivedScene::visit(Archive& archive)
     if (sun.size() > 1 || (sun.size() == 1 && !is_sound(sun[0])))
         throw ArchiveError("the state is damaged: no such sun");
     kept.sun = sun.empty() ? std::nullopt : std::optional(sun[0]);
+    std::vector<std::uint32_t> photometric(kept.photometric ? 1 : 0, 1u);
+    archive.optional_list<std::uint32_t>("photometric", photometric);
+    kept.photometric = !photometric.empty();
     visit_textures(archive, kept);
     archive.value<double>("patch size", patch_size);
     archive.value<std::uint64_t>("two-sided", two_sided);

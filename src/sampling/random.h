@@ -30,6 +30,7 @@ enum class RandomStream : std::uint64_t {
     replicates = 0x452821e638d01377u,
     stretches = 0xbe5466cf34e90c6cu,
     trapped_light = 0x3f84d5b5b5470917u,
+    light_grid = 0x2e1b21385c26c926u,  ///< rays of the points of a grid
     chosen_patches = 0x6c69676874,     ///< of the search for direct light
     first_truth = 0xa4093822299f31d0u, ///< rays of the two estimates at a point (shown_error.h)
     second_truth = 0x082efa98ec4e6c89u,

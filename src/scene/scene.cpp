@@ -296,7 +296,8 @@ void Scene::let_the_sun_in(int threads)
 Rgb Scene::sunlight(std::uint32_t surface, Vec3 point, Vec3 normal) const
 {
     const double cosine = file_->sun ? dot(normal, file_->sun->direction) : 0.0;
-    if (!(cosine > 0.0) || is_sky(surface) || SunRays(*this).arriving(surface, {point}) == 0)
+    const bool of_sky = surface != Intersector::no_surface && is_sky(surface);
+    if (!(cosine > 0.0) || of_sky || SunRays(*this).arriving(surface, {point}) == 0)
         return {};
     return cosine * file_->sun->irradiance;
 }

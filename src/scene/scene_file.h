@@ -39,6 +39,7 @@ struct SceneFile
 
     std::uint32_t sky_surfaces = 0; ///< the last ones: they lie around the scene and are no part of it
     std::optional<Sun> sun;
+    bool photometric = false; ///< emittances are in lm/m^2, and all results in lm and lx
 
     std::size_t own_surfaces() const { return surfaces.size() - sky_surfaces; }
 

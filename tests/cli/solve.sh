@@ -166,6 +166,25 @@ textures() {
 }
 check "textures colour patches, pictures and meshes, and are kept with states" textures
 
+photometry() {
+    ends 0 solve cornell $quick --unit-light lux --grid 0.1,0.1 -o grid.csv -o lux.png --show irradiance --state lux.state &&
+        says err " lx on average, least " && says err "emitted 1.06167 lm" && grep -q "^# unit: lx" grid.csv &&
+        grep -q "^# grid: .* uniformity 0\." grid.csv && grep -q "^x,y,z,irradiance_r" grid.csv && [ "$(grep -c '^[0-9-]' grid.csv)" -gt 20 ] &&
+        ends 0 render lux.state --grid 0.1,0.1 -q -o again.csv && same_patches grid.csv again.csv || return
+    # In a furnace every point receives what every surface sends.
+    ends 0 solve furnace --lines 2^17 --grid 0.3,0.3 -o furnace.csv && says err "grid       2 W/m^2 on average, least 2, most 2, uniformity 1.000" || return
+    for bad in 1 1,0 x,1 1,-2; do ends 2 solve cornell --grid $bad -o g.csv && says err "--grid" || return; done
+    ends 2 solve cornell $quick --grid 50,0.1 -o g.csv && says err "no point lies above" && [ ! -e g.csv ]
+}
+check "with lamps in lm/m^2 results are in lux, on a horizontal grid, too" photometry
+
+lightmaps() {
+    ends 0 solve cornell $quick -q -o c_lightmap.glb -o c_lightmap.obj -o c_lightmap.mtl -o c_lightmap.png &&
+        grep -q '^mtllib c_lightmap.mtl' c_lightmap.obj && grep -q '^map_Kd c_lightmap.png' c_lightmap.mtl && [ "$(head -c 4 c_lightmap.png | tail -c 3)" = PNG ] &&
+        ends 0 solve c_lightmap.obj $quick --lamp lamp=1 -q -o from.csv
+}
+check "a lightmap is one texture for the undivided surfaces, and is read again" lightmaps
+
 # Rays of the sky from below meet the floor, not the bottom of what stands on it.
 all_agree() {
     for method in local global extended reuse; do

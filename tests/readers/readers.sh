@@ -21,12 +21,13 @@ solved() {
     sed '/^mtllib/d; s/^f \(.*\) \(.*\) \(.*\) \(.*\)$/f \1\/1 \2\/2 \3\/3 \4\/4/' "$root/scenes/4chairs.obj" >faces.obj
     { echo 'mtllib textured.mtl'; printf 'vt 0 0\nvt 4 0\nvt 4 4\nvt 0 4\n'; cat faces.obj; } >textured.obj
     sed 's/^newmtl floor/&\nmap_Kd checks.ppm/; s/^newmtl wall.*/&\nmap_Kd -clamp on walls.png/' "$root/scenes/4chairs.mtl" >textured.mtl
-    ends 0 solve textured.obj --lines 2^16 --quiet -o textured.glb -o textured.png
+    ends 0 solve textured.obj --lines 2^16 --quiet -o textured.glb -o textured.png &&
+        ends 0 solve "$root/scenes/4chairs.obj" --lines 2^16 --quiet -o 4chairs_lightmap.glb
 }
 check "solve writes the meshes" solved
 
 check "three.js reads the areas, powers and names of the table" node three_loaders.mjs
-check "Khronos' validator finds nothing wrong" node validate.cjs flat.glb smooth.glb slanted.glb sphere.glb textured.glb
+check "Khronos' validator finds nothing wrong" node validate.cjs flat.glb smooth.glb slanted.glb sphere.glb textured.glb 4chairs_lightmap.glb
 
 assimp_reads() {
     for kind in ply glb obj; do assimp export flat.$kind $kind.json -fassjson || return; done
@@ -57,6 +58,7 @@ check "a room of flat patches has no crack either" closed flat.glb
 check "nor has a room whose walls are cut otherwise than its floor" closed slanted.glb
 
 check "nor has one with textures" closed textured.glb
+check "nor one of undivided surfaces with a lightmap" closed 4chairs_lightmap.glb
 
 pictured() { file=smooth.glb && browse --screenshot="$screenshot" && [ "$(wc -c <"$screenshot")" -gt 20000 ]; }
 check "a screenshot is kept" pictured

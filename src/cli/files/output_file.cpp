@@ -227,6 +227,15 @@ std::string_view output_extension(const std::string& path, const std::vector<std
     if (path == "-")
         return extensions.front();
     const std::string extension = lower_case_extension(path);
+    const auto ends_in = [&](std::string_view known) { // "_lightmap.glb": longer than an extension
+        const std::size_t stem = known.size() - extension.size();
+        return known.front() == '_' && known.size() > extension.size() && path.size() >= known.size() &&
+               known.substr(stem) == extension &&
+               path.compare(path.size() - known.size(), stem, known.substr(0, stem)) == 0;
+    };
+    for (const std::string_view known : extensions)
+        if (ends_in(known))
+            return known;
     for (const std::string_view known : extensions)
         if (extension == known)
             return known;

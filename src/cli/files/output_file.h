@@ -75,6 +75,7 @@ struct PlannedOutput
 
 /// The one of `extensions`, string literals such as ".csv", that ends a file's name in upper or lower case; the first
 /// of them for `-`. Throws UsageError with the list.
+/// One that begins with "_" is the end of a name, and goes before what follows its dot.
 std::string_view output_extension(const std::string& path, const std::vector<std::string_view>& extensions);
 
 /// Opens all outputs, so that what cannot be written is found before the work. Throws UsageError for an extension that

@@ -106,6 +106,20 @@ void read_views(const CommandLine& line, PictureOptions& options)
 
 } // namespace
 
+namespace {
+
+/// Of "0.85,0.5".
+GridPlan read_grid(const std::string& text, Vec3 up)
+{
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos)
+        throw UsageError("--grid: expected a height and a step such as 0.85,0.5, got " + quoted_argument(text));
+    return {read_real("--grid, height", text.substr(0, comma), -1e9, 1e9),
+            read_positive("--grid, step", text.substr(comma + 1)), up};
+}
+
+} // namespace
+
 std::vector<ShownQuantity> shown_quantities()
 {
     return {known_quantities.begin(), known_quantities.end()};
@@ -134,6 +148,9 @@ OptionGroup picture_option_group()
          {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
          {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
          {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
+         {"grid", 0, "HEIGHT,STEP", "",
+          "Write into .csv files not the patches but the irradiance from above on a horizontal grid: its height above "
+          "the lowest point of the scene and the distance of its points, in metres. Tells mean, least and uniformity."},
          {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
          {"tone-map", 0, "HOW", "reinhard", "How radiosity becomes screen brightness.", false,
           names_of(tone_operators)}}};
@@ -168,6 +185,8 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
         throw UsageError("--up: the camera looks along it; expected another direction");
     if (line.has("fov"))
         options.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
+    if (line.has("grid"))
+        options.grid = read_grid(line.text("grid"), options.up);
     if (line.has("camera"))
         read_views(line, options);
     return options;

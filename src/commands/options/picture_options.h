@@ -2,6 +2,7 @@
 
 #include "cli/options/command_line.h"
 #include "image/camera.h"
+#include "image/gather/light_grid.h"
 #include "image/render.h"
 #include "radiosity/solution.h"
 #include "scene/scene.h"
@@ -59,7 +60,8 @@ struct PictureOptions
     std::optional<Vec3> target;
     std::optional<double> field_of_view; ///< [degrees]
     Vec3 up;
-    std::vector<View> views; ///< if there are several: all of them, the first as above
+    std::optional<GridPlan> grid; ///< what tables hold instead of patches
+    std::vector<View> views;      ///< if there are several: all of them, the first as above
 };
 
 /// The options of every command that makes pictures.

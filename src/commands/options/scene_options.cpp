@@ -29,6 +29,8 @@ constexpr std::array<NamedValue<EmissionFrom>, 2> emission_choices = {
 constexpr std::array<NamedValue<double>, 5> unit_choices = {
     {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}}; // [m]
 
+constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"lux", true}}};
+
 /// The path of a scene: the name itself if there is such a file, otherwise for a bare name, with or without `.obj`, the
 /// bundled scene of that name. Without one the name itself, so that the reader's message has what was typed.
 std::string find_scene(const std::string& name)
@@ -79,6 +81,9 @@ OptionGroup scene_option_group()
          {"sun", 0, "AZIMUTH,ELEVATION,E", "",
           "Parallel light from an azimuth, clockwise from north in degrees, and an elevation above the horizon: E in "
           "W/m^2, or three of them, on a surface that faces it. East is +x; north is -z, or +y where z is up (--up)."},
+         {"unit-light", 0, "UNIT", "watt",
+          "What emittances and powers are in: W/m^2, or lux, with which results are photometric: lm and lx.", false,
+          names_of(light_choices)},
          {"ignore", 0, "NAME", "",
           "Leave out the faces of a material, or else of an object or group, such as the glass before a lamp.", true},
          {"reflectance-limit", 0, "X", "1",
@@ -199,6 +204,7 @@ Scene read_scene(const CommandLine& line, int threads)
                          : default_patch_size(file.surfaces);
     }
     file.sun = sun;
+    file.photometric = line.choice("unit-light", light_choices).value;
     if (line.has("sky"))
         add_sky(file, sky);
     require_memory_for_patches(line, file, sides * cell_count(file, patch_size));

@@ -10,6 +10,8 @@
 #include "image/png.h"
 #include "image/shading/smooth_shading.h"
 #include "image/shading/texture_detail.h"
+#include "image/tone_map.h"
+#include "scene/light_units.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -48,6 +50,8 @@ constexpr std::array known_formats = {
                  [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
     OutputFormat{".csv", FormatKind::table, "table; of a solved scene one row per patch", false,
                  [](SolvedScene& s) {
+                     if (s.options.grid)
+                         return light_grid_table(s.scene, s.grid(), s.comments);
                      return patch_table(s.scene, s.solution.radiosity, s.solution.standard_error, s.comments,
                                         s.options.render.threads);
                  }},
@@ -56,12 +60,26 @@ constexpr std::array known_formats = {
         [](SolvedScene& s) { return ply_bytes(s.mesh(), s.solution.radiosity, s.mesh_colour(), s.mesh_comments()); }},
     OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
                  [](SolvedScene& s) {
-                     const double scale = linear_scale(s.scene, s.solution.radiosity);
-                     return glb_bytes(s.plain_mesh(), s.scene, std::exp2(s.options.tone.exposure) * scale,
-                                      s.mesh_cameras(), s.comments, images_of(s.scene));
+                     return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
+                                      images_of(s.scene));
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
+    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces, the light in one texture", false,
+                 [](SolvedScene& s) {
+                     return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
+                                         s.mesh_cameras(), {}, s.comments);
+                 }},
+    OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, with the two that follow", false,
+                 [](SolvedScene& s) {
+                     const std::string stem = s.file_name.substr(0, s.file_name.size() - 4);
+                     return lightmap_obj(s.scene, s.lightmap(), stem + ".mtl", s.comments);
+                 }},
+    OutputFormat{
+        "_lightmap.mtl", FormatKind::mesh, "its materials", false,
+        [](SolvedScene& s) { return lightmap_mtl(s.scene, s.file_name.substr(0, s.file_name.size() - 4) + ".png"); }},
+    OutputFormat{"_lightmap.png", FormatKind::mesh, "its texture", false,
+                 [](SolvedScene& s) { return s.lightmap_png(); }},
     OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
                  [](SolvedScene& s) { return s.page(); }},
     OutputFormat{".state", FormatKind::state, "all of the run, to go on, merge or render again", false,
@@ -128,7 +146,9 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
     case ShownAs::false_colours:
         break;
     }
-    return false_colour(scene, {std::string(options.shown.title) + " [W/m\xB2]", values}, camera, options.render);
+    return false_colour(
+        scene, {std::string(options.shown.title) + " [" + light_units(scene.file()).per_area_latin1 + "]", values},
+        camera, options.render);
 }
 
 std::vector<PlannedOutput*> quickest_first(std::vector<PlannedOutput>& outputs)
@@ -196,6 +216,50 @@ const ScreenImage& SolvedScene::screen()
     if (!screen_)
         screen_ = screen_picture(scene, shown_values(), camera(), options);
     return *screen_;
+}
+
+const LightGrid& SolvedScene::grid()
+{
+    constexpr int rays = 1024;
+    if (!grid_)
+        grid_ = light_grid(scene, solution.radiosity, *options.grid, rays, options.render.threads);
+    return *grid_;
+}
+
+std::string SolvedScene::grid_summary() const
+{
+    return grid_ ? "grid       " + light_grid_summary(scene, *grid_) + "\n" : "";
+}
+
+const Lightmap& SolvedScene::lightmap()
+{
+    if (!lightmap_) {
+        const std::vector<Rgb> plain = without_texture(scene, solution.radiosity);
+        const SmoothShading smooth(scene, plain, options.render.threads);
+        const auto light = [&](std::uint32_t surface, bool front, double u, double v) {
+            const Hit hit = {0.0, surface, u, v, front};
+            return with_texture(scene, hit, smooth.at(hit));
+        };
+        lightmap_ = multipath::lightmap(scene, usual_lightmap_size, light, options.render.threads);
+    }
+    return *lightmap_;
+}
+
+double SolvedScene::linear_colour_scale() const
+{
+    return std::exp2(options.tone.exposure) * linear_scale(scene, solution.radiosity);
+}
+
+std::string SolvedScene::lightmap_png()
+{
+    const Lightmap& map = lightmap();
+    const double scale = linear_colour_scale();
+    ScreenImage image{static_cast<int>(map.width), static_cast<int>(map.height), {}};
+    image.bytes.reserve(3 * map.texels.size());
+    for (const Rgb& texel : map.texels)
+        for (const double channel : {texel.r, texel.g, texel.b})
+            image.bytes.push_back(screen_byte(scale * channel));
+    return png_bytes(image, one_comment());
 }
 
 const PatchMesh& SolvedScene::mesh()
@@ -324,6 +388,7 @@ void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)
 {
     for (PlannedOutput* const output : quickest_first(outputs)) {
         solved.show(output->view);
+        solved.file_name = output->file.name().substr(output->file.name().find_last_of('/') + 1);
         output->file.write(format_of(*output).bytes(solved));
         output->file.complete();
     }

@@ -4,6 +4,7 @@
 #include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
 #include "export/mesh/glb.h"
+#include "export/mesh/lightmap.h"
 #include "export/mesh/patch_mesh.h"
 #include "radiosity/solve.h"
 
@@ -41,9 +42,16 @@ public:
     const std::vector<Rgb>& shown_values(); ///< of the quantity that pictures show, per patch
     Image light();                          ///< the picture as numbers
     const ScreenImage& screen();            ///< the picture for a screen
-    const PatchMesh& mesh();                ///< with the radiosity at its corners
-    const PatchMesh& plain_mesh();          ///< the same without the detail of textures
-    double mesh_scale();                    ///< [m^2/W] exposure of the mesh's colours, that of pictures of it
+    const LightGrid& grid();                ///< of --grid, which must be given
+    /// What it comes to, for people; empty if no table was written of it.
+    std::string grid_summary() const;
+    const Lightmap& lightmap();
+    double linear_colour_scale() const; ///< [m^2/W] of colours that end at 1, in meshes and lightmaps
+    std::string lightmap_png();
+    std::string file_name;         ///< of the output that is made, without folder
+    const PatchMesh& mesh();       ///< with the radiosity at its corners
+    const PatchMesh& plain_mesh(); ///< the same without the detail of textures
+    double mesh_scale();           ///< [m^2/W] exposure of the mesh's colours, that of pictures of it
     ScreenColour mesh_colour();
     std::vector<GlbCamera> mesh_cameras();    ///< of all views
     std::vector<std::string> mesh_comments(); ///< with the scale
@@ -55,6 +63,8 @@ private:
     std::optional<Camera> camera_;
     std::optional<std::vector<Rgb>> shown_values_;
     std::optional<ScreenImage> screen_;
+    std::optional<LightGrid> grid_;
+    std::optional<Lightmap> lightmap_;
     std::optional<PatchMesh> mesh_;
     std::optional<PatchMesh> plain_mesh_; ///< of scenes with textures
     std::optional<double> mesh_scale_;

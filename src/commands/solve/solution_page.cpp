@@ -2,6 +2,7 @@
 
 #include "commands/explain/story_drawing.h"
 #include "scene/input_error.h"
+#include "scene/light_units.h"
 #include "scene/text/text_format.h"
 #include "viewer/viewer_page.h"
 
@@ -152,7 +153,7 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
         if (shown.on_page && !(shown.needs_replicates && solution.standard_error.empty())) {
             std::string title(shown.title);
             title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-            result.push_back({std::string(shown.name), title, "W/m²",
+            result.push_back({std::string(shown.name), title, light_units(scene.file()).per_area_utf8,
                               shown.is_room() ? ViewerColours::light : ViewerColours::scale,
                               shown.values(scene, solution, threads)});
         }

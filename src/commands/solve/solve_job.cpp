@@ -17,6 +17,7 @@
 #include "radiosity/runs/replicates.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
+#include "scene/light_units.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -112,11 +113,12 @@ std::string summary_text(const SolveSummary& s)
         text += format("warning    with fewer than %d lines per patch in each replicate the error may be several times "
                        "larger than this; more lines or fewer replicates help\n",
                        static_cast<int>(s.options.method->lines_per_patch(s.scene)));
-    text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) W/m^2\n", mean(b), b.r, b.g, b.b);
-    text += format("power      emitted %.6g W: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
+    const LightUnits units = light_units(s.scene.file());
+    text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) %s\n", mean(b), b.r, b.g, b.b, units.per_area);
+    text += format("power      emitted %.6g %s: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
                    "surfaces; balance to %.0e\n",
-                   mean(balance.emitted), percent(balance.absorbed), percent(balance.unshot), percent(balance.escaped),
-                   percent(balance.behind), balance.relative_error());
+                   mean(balance.emitted), units.power, percent(balance.absorbed), percent(balance.unshot),
+                   percent(balance.escaped), percent(balance.behind), balance.relative_error());
     if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 &&
         lines < fewest_balanced_rays(s.scene))
         text +=
@@ -131,9 +133,9 @@ std::string summary_text(const SolveSummary& s)
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=
-            format("warning    the lines sent %.4g W, but the sources emit %.4g W, and chance alone explains %.2g W of "
+            format("warning    the lines sent %.4g %s, but the sources emit %.4g, and chance alone explains %.2g of "
                    "difference: these lines are not uniform, and the result is as wrong\n",
-                   mean(balance.emitted), mean(balance.source), balance.emitted_error);
+                   mean(balance.emitted), units.power, mean(balance.source), balance.emitted_error);
     if (percent(balance.unshot) > 5.0)
         text += format("warning    %.2g %% of the power is not distributed yet, which makes the result too dark; more "
                        "lines help, or "
@@ -186,6 +188,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("average_reflectance", mean_reflectance(s.scene));
     json.number("source_power_w", mean(s.scene.source_power()));
     json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
+    json.text("unit", light_units(s.scene.file()).per_area);
     json.text("method", std::string(s.options.method->name));
     json.text("sequence", s.sequence);
     if (!has_option(s.options.method, "chords"))
@@ -329,6 +332,8 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
     SolvedScene solved(
         scene, solution, pictures, comments, [&] { return state; }, page);
     write_outputs(outputs, solved);
+    if (!job.quiet && job.pictures.grid)
+        print_note(solved.grid_summary());
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,

@@ -169,7 +169,7 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
             courses |= found.scratch_->batch.course[i];
         if (!core_->unfiltered_.empty() || (courses & static_cast<std::uint32_t>(LineCourse::unfit)) != 0)
             for (std::size_t i = first; i < first + together; ++i)
-                found.put(i, core_->nearest(rays[i], core_->plane_[from[i]]));
+                found.put(i, core_->nearest(rays[i], core_->plane_of(from[i])));
         else if (core_->tree_.empty())
             core_->find_first_among_few(from, rays, first, together, found);
         else
@@ -183,7 +183,7 @@ void Intersector::Core::find_first_among_few(const std::uint32_t* from, const Li
 {
     alignas(64) std::array<float, LineBatch::most> own_plane{};
     for (std::size_t i = 0; i < count; ++i)
-        own_plane[i] = static_cast<float>(plane_[from[first + i]]);
+        own_plane[i] = static_cast<float>(plane_of(from[first + i]));
     NearestCandidates candidates;
     kernel_->nearest_flat(flat_surfaces(), found.scratch_->batch, count, own_plane.data(), candidates);
     std::array<std::uint32_t, LineBatch::most> surface;
@@ -199,7 +199,7 @@ void Intersector::Core::find_first_among_few(const std::uint32_t* from, const Li
         const double second = found.scratch_->batch.middle_t[i] + static_cast<double>(candidates.second[i]);
         found.is_hit_[ray] = is_hit;
         if (!any(!passes, alone, every(is_hit, found.hits_[ray].t < second)))
-            found.put(ray, nearest(rays[ray], plane_[from[ray]]));
+            found.put(ray, nearest(rays[ray], plane_of(from[ray])));
     }
 }
 
@@ -209,7 +209,7 @@ void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const Line
     for (std::size_t i = 0; i < count; ++i) {
         const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
         found.put(first + i,
-                  passes ? nearest_in_tree(rays[first + i], found.scratch_->batch.line(i), plane_[from[first + i]])
+                  passes ? nearest_in_tree(rays[first + i], found.scratch_->batch.line(i), plane_of(from[first + i]))
                          : std::nullopt);
     }
 }
@@ -221,7 +221,8 @@ void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* r
     found.scratch_->covered.clear();
     found.scratch_->whole_lines.clear();
     for (std::size_t i = 0; i < count; ++i)
-        if (core_->neighbours_.may_have_some(from[i]) && core_->is_covered(from[i], rays[i].origin)) {
+        if (from[i] != no_surface && core_->neighbours_.may_have_some(from[i]) &&
+            core_->is_covered(from[i], rays[i].origin)) {
             found.scratch_->covered.push_back(static_cast<std::uint32_t>(i));
             found.scratch_->whole_lines.push_back(core_->whole_line(rays[i]));
         }

@@ -68,6 +68,8 @@ private:
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
     std::optional<Hit> nearest_in_tree(const Line& line, const FilterLine& placed, std::uint32_t excluded_plane) const;
     std::optional<Hit> first_of(const Nearest& nearest) const;
+    static constexpr std::uint32_t no_plane = 0xffffffffu;
+    std::uint32_t plane_of(std::uint32_t from) const { return from == no_surface ? no_plane : plane_[from]; }
     double reach_of(const Line& ray) const;
     Line whole_line(const Line& ray) const; ///< the ray and what lies behind its start
     std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;

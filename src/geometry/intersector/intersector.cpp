@@ -12,7 +12,6 @@ namespace multipath {
 namespace {
 
 constexpr std::size_t flat_words = FlatSurfaces::most / 64;
-constexpr std::uint32_t no_plane = 0xffffffffu;
 
 } // namespace
 
@@ -127,7 +126,7 @@ void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
 
 std::optional<Hit> Intersector::closest_hit(const Line& line) const
 {
-    return core_->nearest(line, no_plane);
+    return core_->nearest(line, Core::no_plane);
 }
 
 std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const

@@ -44,7 +44,8 @@ public:
     /// except a coincident face that closes off the point where the ray starts (a box resting on a floor).
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
-    /// The same for many rays, faster. Replaces what `found` held.
+    /// The same for many rays, faster. Replaces what `found` held. Rays from no_surface start in the open.
+    static constexpr std::uint32_t no_surface = 0xffffffffu;
     void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
     /// The surfaces that share the plane of `of` and hold `point`, a point of `of`; without `of` itself.

@@ -33,13 +33,26 @@ IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosi
 {
 }
 
+namespace {
+
+/// Any surface that looks where a place in the open does.
+Surface facing(const Place& place)
+{
+    const Vec3 aside = std::abs(place.normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 edge = normalized(cross(place.normal, aside));
+    return {Shape::parallelogram, place.point, edge, cross(place.normal, edge)};
+}
+
+} // namespace
+
 IndirectSample IndirectLight::at(const Place& place, const Sequence& sequence, std::uint64_t number, RayFan& fan) const
 {
     if (rays_ == 0)
         return {place, {}, 0.0};
     fan.items.resize(rays_);
     sequence.generate(number * rays_, fan.items);
-    const ObliqueAxes axes(scene_.surfaces()[place.surface], place.normal);
+    const ObliqueAxes axes(place.surface == Place::free ? facing(place) : scene_.surfaces()[place.surface],
+                           place.normal);
     fan.rays.clear();
     for (const Item& item : fan.items)
         fan.rays.push_back({place.point, axes.turned(square_to_cosine_hemisphere(item[0], item[1]))});

@@ -15,6 +15,8 @@ namespace multipath {
 /// A point of a surface on one of its sides.
 struct Place
 {
+    static constexpr std::uint32_t free = Intersector::no_surface; ///< in the open, on no surface
+
     std::uint32_t surface = 0;
     Vec3 point;
     Vec3 normal;                           ///< unit vector on that side

@@ -35,6 +35,7 @@ struct Candidate
     std::string name;
     bool is_group;
     std::uint32_t number;
+    double area; ///< [m^2]
 };
 
 /// [m^2] Of the surfaces of each material or group.
@@ -62,9 +63,10 @@ std::vector<Candidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
         materials.push_back(name_of_material(material));
     std::vector<Candidate> result;
     const auto add = [&](const std::string& name, std::string_view word, bool is_group, std::size_t number) {
+        const double area = is_group ? of_groups[number] : of_materials[number];
         if (lower_case(name).find(word) != std::string::npos &&
             std::none_of(result.begin(), result.end(), [&](const Candidate& c) { return c.name == name; }))
-            result.push_back({name, is_group, static_cast<std::uint32_t>(number)});
+            result.push_back({name, is_group, static_cast<std::uint32_t>(number), area});
     };
     for (const std::string_view word : words) {
         for (std::size_t k = 0; k < mesh.materials.size(); ++k)
@@ -84,7 +86,7 @@ std::vector<Candidate> large_materials(const ObjMesh& mesh, const SceneFile& sce
     std::vector<Candidate> result;
     for (std::uint32_t k = 0; k < areas.size(); ++k)
         if (areas[k] > 0.0)
-            result.push_back({name_of_material(mesh.materials[k]), false, k});
+            result.push_back({name_of_material(mesh.materials[k]), false, k, areas[k]});
     std::stable_sort(result.begin(), result.end(),
                      [&](const Candidate& a, const Candidate& b) { return areas[a.number] > areas[b.number]; });
     return result;
@@ -183,6 +185,7 @@ LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
             const double share = lit_share(scene, candidate);
             if (result.lamp.empty() || share > result.lit_share) {
                 result.lamp = candidate.name;
+                result.lamp_area = candidate.area;
                 result.lit_share = share;
             }
             if (share >= enough)

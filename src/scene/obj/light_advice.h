@@ -12,6 +12,7 @@ namespace multipath {
 struct LightAdvice
 {
     std::string lamp;                ///< material or object to become one; empty: better a sky
+    double lamp_area = 0.0;          ///< [m^2] of its surfaces
     std::vector<std::string> others; ///< other likely lamps
     double lit_share = 0.0;          ///< [1] of the light of that lamp or sky that arrives on a front, about
 };

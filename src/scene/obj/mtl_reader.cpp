@@ -319,10 +319,10 @@ std::optional<std::string> find_texture(const std::string& mtl_path, const std::
 {
     const fs::path folder = fs::path(mtl_path).parent_path();
     const std::string last = name.substr(std::min(name.size(), name.find_last_of("/\\") + 1));
-    if (const std::optional<std::string> file = find_file(folder, name))
+    if (std::optional<std::string> file = find_file(folder, name))
         return file;
     for (const char* place : {"", "textures/", "texture/", "maps/", "map/", "images/", "../textures/", "../maps/"})
-        if (const std::optional<std::string> file = find_file(folder, place + last))
+        if (std::optional<std::string> file = find_file(folder, place + last))
             return file;
     return std::nullopt;
 }

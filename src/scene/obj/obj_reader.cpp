@@ -310,9 +310,10 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
             const bool sky = light.lamp.empty();
             const std::string others =
                 light.others.empty() ? "" : (sky ? ", or make a lamp of " : ", or another: ") + list_of(light.others);
-            problems.push_back(
-                (sky ? "to light it by sky and sun" : "to make a lamp of material or object " + in_quotes(light.lamp)) +
-                others);
+            problems.push_back((sky ? "to light it by sky and sun"
+                                    : "to make a lamp of material or object " + in_quotes(light.lamp) +
+                                          format(" (%.3g m^2, so %.3g W)", light.lamp_area, 10.0 * light.lamp_area)) +
+                               others);
             options += sky ? option_text("sky", "10") + option_text("sun", "150,40,20")
                            : option_text("lamp", light.lamp + "=10");
         }

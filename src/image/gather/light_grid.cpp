@@ -1,0 +1,137 @@
+#include "image/gather/light_grid.h"
+
+#include "image/gather/indirect_light.h"
+#include "image/gather/place.h"
+#include "image/gather/source_light.h"
+#include "parallel/blocks.h"
+#include "sampling/random.h"
+#include "scene/input_error.h"
+#include "scene/light_units.h"
+#include "scene/text/text_format.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+/// Across the plane of a grid.
+struct GridAxes
+{
+    Vec3 up;
+    Vec3 along_x;
+    Vec3 along_y;
+
+    explicit GridAxes(Vec3 direction) : up(normalized(direction))
+    {
+        const Vec3 aside = std::abs(up.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, 1.0, 0.0};
+        along_x = normalized(cross(aside, up));
+        along_y = cross(up, along_x);
+    }
+};
+
+struct Range
+{
+    double low;
+    double high;
+
+    double middle_of_part(std::size_t k, std::size_t count) const
+    {
+        return low + (high - low) * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    }
+};
+
+Range extent(const Scene& scene, Vec3 axis)
+{
+    Range range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        for (const Vec3 corner : corners_of(scene.surfaces()[s])) {
+            range.low = std::min(range.low, dot(corner, axis));
+            range.high = std::max(range.high, dot(corner, axis));
+        }
+    return range;
+}
+
+bool has_floor(const Scene& scene, Vec3 point, Vec3 up)
+{
+    const std::optional<Hit> below = scene.intersector().closest_hit({point, -up});
+    return below && !scene.is_sky(below->surface) && (below->front || scene.two_sided());
+}
+
+} // namespace
+
+LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, const GridPlan& plan, int rays, int threads)
+{
+    constexpr double most_points = 1e6;
+    const GridAxes axes(plan.up);
+    const Range x = extent(scene, axes.along_x);
+    const Range y = extent(scene, axes.along_y);
+    const Range heights = extent(scene, axes.up);
+    const double level = heights.low + plan.height;
+    const double columns = std::max(1.0, std::ceil((x.high - x.low) / plan.step - 1e-9));
+    const double rows = std::max(1.0, std::ceil((y.high - y.low) / plan.step - 1e-9));
+    if (!(columns * rows <= most_points))
+        throw SettingsError("--grid: gives more than a million points; expected a larger step");
+    LightGrid grid;
+    const auto n_x = static_cast<std::size_t>(columns);
+    const auto n_y = static_cast<std::size_t>(rows);
+    for (std::size_t j = 0; j < n_y; ++j)
+        for (std::size_t i = 0; i < n_x; ++i) {
+            const Vec3 point =
+                x.middle_of_part(i, n_x) * axes.along_x + y.middle_of_part(j, n_y) * axes.along_y + level * axes.up;
+            if (level > heights.low && level < heights.high && has_floor(scene, point, axes.up))
+                grid.points.push_back({point, {}});
+        }
+    if (grid.points.empty())
+        throw SettingsError("--grid: no point lies above a surface at this height; expected one within the scene");
+    const SourceLight sources(scene);
+    const IndirectLight indirect(scene, radiosity, rays, threads);
+    parallel_ranges(static_cast<std::uint32_t>(grid.points.size()), 16, threads,
+                    [&](std::uint32_t first, std::uint32_t end) {
+                        RayFan fan;
+                        for (std::uint32_t k = first; k < end; ++k) {
+                            const Place place = {Place::free, grid.points[k].point, axes.up};
+                            const std::uint64_t bits = random_bits(random_key(RandomStream::light_grid), k);
+                            const auto to_sources = make_sequence("sobol-owen", bits);
+                            const auto around = make_sequence("sobol-owen", ~bits);
+                            Rgb& light = grid.points[k].irradiance;
+                            light = sources.irradiance(place, {*to_sources, 0, static_cast<std::size_t>(rays)},
+                                                       bits_to_unit(bits), fan);
+                            light += indirect.at(place, *around, 0, fan).irradiance;
+                            light += scene.sunlight(place.surface, place.point, place.normal);
+                        }
+                    });
+    grid.least = std::numeric_limits<double>::infinity();
+    for (const GridPointLight& point : grid.points) {
+        const double light = mean(point.irradiance);
+        grid.mean += light / static_cast<double>(grid.points.size());
+        grid.least = std::min(grid.least, light);
+        grid.most = std::max(grid.most, light);
+    }
+    return grid;
+}
+
+std::string light_grid_summary(const Scene& scene, const LightGrid& grid)
+{
+    return format("%.4g %s on average, least %.4g, most %.4g, uniformity %.3f, of %zu points", grid.mean,
+                  light_units(scene.file()).per_area, grid.least, grid.most, grid.uniformity(), grid.points.size());
+}
+
+std::string light_grid_table(const Scene& scene, const LightGrid& grid, const std::vector<std::string>& comments)
+{
+    std::string text;
+    for (const std::string& comment : comments)
+        text += "# " + comment + "\n";
+    text += "# grid: " + light_grid_summary(scene, grid) + "\n";
+    text += "x,y,z,irradiance_r,irradiance_g,irradiance_b,irradiance\n";
+    for (const GridPointLight& p : grid.points)
+        text += format("%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", p.point.x, p.point.y, p.point.z, p.irradiance.r,
+                       p.irradiance.g, p.irradiance.b, mean(p.irradiance));
+    return text;
+}
+
+} // namespace multipath

@@ -1,0 +1,567 @@
+#include "export/mesh/lightmap.h"
+
+#include "export/mesh/json_reader.h"
+#include "export/mesh/mesh_scenes.h"
+#include "export/mesh/ply_reader.h"
+#include "scene/input_error.h"
+#include "scene/obj/obj_reader.h"
+#include "scene/scratch_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace lightmap_test {
+
+using namespace multipath;
+
+namespace {
+
+Rgb to_light(Vec3 p)
+{
+    return {p.x, p.y, p.z};
+}
+
+Vec3 to_place(Rgb light)
+{
+    return {light.r, light.g, light.b};
+}
+
+/// Light that says where it is.
+SurfaceLight places_of(const Scene& scene)
+{
+    return [&scene](std::uint32_t s, bool, double u, double v) { return to_light(scene.surfaces()[s].at(u, v)); };
+}
+
+/// As graphics processors do it: between the middles of four texels.
+Rgb bilinear(const Lightmap& map, TexturePoint place)
+{
+    const double x = place.s * map.width - 0.5;
+    const double y = (1.0 - place.t) * map.height - 0.5;
+    const double column = std::floor(x);
+    const double row = std::floor(y);
+    const auto texel = [&](double i, double j) {
+        return map.texels.at(static_cast<std::size_t>(j) * map.width + static_cast<std::size_t>(i));
+    };
+    const auto between = [](Rgb a, Rgb b, double share) { return (1.0 - share) * a + share * b; };
+    return between(between(texel(column, row), texel(column + 1, row), x - column),
+                   between(texel(column, row + 1), texel(column + 1, row + 1), x - column), y - row);
+}
+
+/// The point (u, v) of a side that lies at a place of the atlas.
+std::array<double, 2> point_at(const TextureFrame& frame, TexturePoint place)
+{
+    const double s = place.s - frame.origin.s;
+    const double t = place.t - frame.origin.t;
+    const double determinant = frame.along_u.s * frame.along_v.t - frame.along_u.t * frame.along_v.s;
+    return {(s * frame.along_v.t - t * frame.along_v.s) / determinant,
+            (frame.along_u.s * t - frame.along_u.t * s) / determinant};
+}
+
+std::vector<std::array<double, 2>> corners_of(const Surface& surface)
+{
+    if (surface.shape == Shape::triangle)
+        return {{0, 0}, {1, 0}, {0, 1}};
+    return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+}
+
+/// Pieces of a wall, an even floor of a rectangle and a fan of triangles around it, slanted parallelograms, and a
+/// speck.
+SceneBuilder all_kinds()
+{
+    SceneBuilder builder = walls_that_do_not_match();
+    const std::uint32_t floor = builder.grey(0.3, 0.0);
+    builder.rectangle({10, 0, 0}, {0, 0, 2}, {3, 0, 0}, floor);
+    builder.triangle({13, 0, 0}, {13, 0, 2}, {15, 0, 1}, floor);
+    builder.triangle({10, 0, 2}, {11, 0, 4}, {13, 0, 2}, floor);
+    builder.triangle({13, 0, 2}, {11, 0, 4}, {14.5, 0, 3}, floor);
+    builder.rectangle({20, 1, 0.5}, {2, 1, 0.3}, {-0.4, 0.2, 1.7}, floor);
+    builder.rectangle({20, 5, 0.5}, {4, 0.1, 0}, {0, 1e-3, 1e-3}, floor);
+    return builder.rectangle({25, 5, 0.5}, {1e-4, 0, 0}, {0, 2e-4, 0}, floor);
+}
+
+SceneBuilder random_triangles(std::size_t count)
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    std::uint64_t counter = 0;
+    const auto within = [&](double low, double high) {
+        return low + (high - low) * bits_to_unit(random_bits(7, counter++));
+    };
+    for (std::size_t n = 0; n < count; ++n) {
+        const Vec3 a = {within(0, 9), within(0, 9), within(0, 9)};
+        const auto near = [&] { return a + Vec3{within(-0.2, 0.2), within(-0.2, 0.2), within(-0.2, 0.2)}; };
+        builder.triangle(a, near(), near(), paint);
+    }
+    return builder;
+}
+
+/// The chunks of a GLB.
+struct LightmapFile
+{
+    explicit LightmapFile(const std::string& bytes)
+    {
+        const auto word = [&](std::size_t at) {
+            return static_cast<std::size_t>(ByteReader(bytes, at).number("uint"));
+        };
+        REQUIRE(bytes.substr(0, 4) == "glTF");
+        REQUIRE(word(4) == 2);
+        REQUIRE(word(8) == bytes.size());
+        const std::size_t json_length = word(12);
+        REQUIRE(json_length % 4 == 0);
+        REQUIRE(bytes.substr(16, 4) == "JSON");
+        const std::string text = bytes.substr(20, json_length);
+        json = JsonReader(text).document();
+        REQUIRE(bytes.substr(24 + json_length, 4) == std::string("BIN\0", 4));
+        numbers = bytes.substr(28 + json_length);
+        REQUIRE(word(20 + json_length) == numbers.size());
+        REQUIRE(json["buffers"][0]["byteLength"].count() == numbers.size());
+    }
+
+    const JsonValue& primitive(std::size_t mesh) const { return json["meshes"][mesh]["primitives"][0]; }
+
+    std::vector<double> values(const JsonValue& accessor) const
+    {
+        const JsonValue& entry = json["accessors"][accessor.count()];
+        const JsonValue& view = json["bufferViews"][entry["bufferView"].count()];
+        const std::map<std::string, std::size_t> sizes = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}};
+        const std::size_t count = entry["count"].count() * sizes.at(entry["type"].text);
+        REQUIRE(entry["byteOffset"].count() + 4 * count <= view["byteLength"].count());
+        ByteReader reader(numbers, view["byteOffset"].count() + entry["byteOffset"].count());
+        std::vector<double> result;
+        for (std::size_t n = 0; n < count; ++n)
+            result.push_back(reader.number(entry["componentType"].text == "5126" ? "float" : "uint"));
+        return result;
+    }
+    std::string view(std::size_t number) const
+    {
+        const JsonValue& view = json["bufferViews"][number];
+        return numbers.substr(view["byteOffset"].count(), view["byteLength"].count());
+    }
+
+    JsonValue json;
+    std::string numbers;
+};
+
+/// all_kinds() with two textures, of which the second is unused; of the two surfaces with the first, one does not lie
+/// on it.
+SceneFile with_textures()
+{
+    SceneFile file = all_kinds().file();
+    file.textures = {std::make_shared<const Texture>("grey.pgm", "P2 2 1 255\n255 99 ", true),
+                     std::make_shared<const Texture>("white.pgm", "P2 1 1 255\n255 ", false)};
+    file.texture_frames.resize(file.surfaces.size());
+    file.materials.push_back({"paper", {0.3, 0.3, 0.3}, {}, "test", 0, {0.5, 0.5, 0.5}});
+    for (const std::size_t surface : {4u, 5u})
+        file.material[surface] = static_cast<std::uint32_t>(file.materials.size() - 1);
+    file.texture_frames[4] = {{0.25, 0.5}, {2, 0}, {0, 3}, true};
+    file.materials[0].emittance = {1, 1, 1}; // the lamp has become paper
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("surfaces lie on a lightmap undistorted, at one scale, within it, and as they are seen from the front")
+{
+    const Scene scene(all_kinds().file(), 1.0);
+    const Lightmap map = lightmap(scene, 512, places_of(scene), 1);
+    REQUIRE(map.width == 512);
+    REQUIRE(map.height == 512);
+    REQUIRE(map.frames.size() == scene.surfaces().size());
+    REQUIRE(map.texels_per_unit > 30.0);
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s) {
+        const TextureFrame& frame = map.frame(s, true);
+        const Surface& surface = scene.surfaces()[s];
+        const auto texels = [](TexturePoint d) { return Vec3{512 * d.s, 512 * d.t, 0.0}; };
+        const Vec3 u = texels(frame.along_u);
+        const Vec3 v = texels(frame.along_v);
+        CHECK(cross(u, v).z > 0.0);
+        if (surface.area() > 0.02) { // the others are narrower than a texel
+            const double square = map.texels_per_unit * map.texels_per_unit;
+            CHECK(dot(u, u) == doctest::Approx(square * dot(surface.edge_u, surface.edge_u)).epsilon(1e-9));
+            CHECK(dot(v, v) == doctest::Approx(square * dot(surface.edge_v, surface.edge_v)).epsilon(1e-9));
+            CHECK(std::abs(dot(u, v) - square * dot(surface.edge_u, surface.edge_v)) < 1e-9 * square);
+        }
+        for (const auto& [x, y] : corners_of(surface)) {
+            const TexturePoint place = frame.at(x, y);
+            CHECK(std::min(place.s, place.t) > 2.0 / 512);
+            CHECK(std::max(place.s, place.t) < 1.0 - 2.0 / 512);
+            CHECK(std::abs(point_at(frame, place)[0] - x) < 1e-9);
+            CHECK(std::abs(point_at(frame, place)[1] - y) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("what is narrower than a texel is one texel wide")
+{
+    const Scene scene(all_kinds().file(), 1.0);
+    const Lightmap map = lightmap(scene, 512, places_of(scene), 1);
+    const auto last = static_cast<std::uint32_t>(scene.surfaces().size() - 1);
+    const TextureFrame& speck = map.frame(last, true);
+    CHECK(512 * std::hypot(speck.along_u.s, speck.along_u.t) == doctest::Approx(1.0));
+    CHECK(512 * std::hypot(speck.along_v.s, speck.along_v.t) == doctest::Approx(1.0));
+    const TextureFrame& strip = map.frame(last - 1, true);
+    CHECK(512 * std::hypot(strip.along_u.s, strip.along_u.t) ==
+          doctest::Approx(map.texels_per_unit * length(scene.surfaces()[last - 1].edge_u)));
+    CHECK(512 * std::hypot(strip.along_v.s, strip.along_v.t) == doctest::Approx(1.0));
+}
+
+// Surfaces of one chart lie on the picture as in space, so that they may share texels; all others must not.
+TEST_CASE("a texel within two of several surfaces stands for one point on one plane, on one side")
+{
+    const bool with_backs = true;
+    for (const SceneFile& file : {all_kinds().file(), random_triangles(300).file()}) {
+        const Scene scene(file, 1.0, with_backs);
+        const Lightmap map = lightmap(scene, 256, places_of(scene), 1);
+        struct Holder
+        {
+            bool front = true;
+            Vec3 place;
+            Vec3 normal;
+        };
+        std::vector<std::optional<Holder>> holders(map.texels.size());
+        std::size_t held = 0;
+        for (const bool front : {true, false})
+            for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s) {
+                const TextureFrame& frame = map.frame(s, front);
+                const Surface& surface = scene.surfaces()[s];
+                Bounds box;
+                for (const auto& [u, v] : corners_of(surface)) {
+                    const TexturePoint place = frame.at(u, v);
+                    box.include(Vec3{place.s * map.width, place.t * map.height, 0.0});
+                }
+                const auto texel_at = [](double x) { return static_cast<std::uint32_t>(x); };
+                for (std::uint32_t y = texel_at(box.low.y - 2.0); y <= texel_at(box.high.y + 2.0); ++y)
+                    for (std::uint32_t x = texel_at(box.low.x - 2.0); x <= texel_at(box.high.x + 2.0); ++x) {
+                        const auto [u, v] = point_at(frame, {(x + 0.5) / map.width, (y + 0.5) / map.height});
+                        const Holder holder = {front, surface.at(u, v), surface.normal()};
+                        auto& before = holders.at(std::size_t{y} * map.width + x);
+                        held += before ? 0 : 1;
+                        if (!before)
+                            before = holder;
+                        REQUIRE(before->front == holder.front);
+                        REQUIRE(length(before->place - holder.place) < 1e-7);
+                        REQUIRE(length(before->normal - holder.normal) < 1e-7);
+                    }
+            }
+        CHECK(held > map.texels.size() / 2);
+    }
+}
+
+// Edges of charts that are not on middles of texels lie between a point inside and the nearest one on the edge.
+TEST_CASE("bilinear lookup finds linear light: exactly inside, within a texel's step on edges and corners")
+{
+    const Scene scene(all_kinds().file(), 1.0);
+    const Lightmap map = lightmap(scene, 512, places_of(scene), 1);
+    const double step = 1.0 / map.texels_per_unit;
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s) {
+        const Surface& surface = scene.surfaces()[s];
+        const auto miss = [&](double u, double v) {
+            return length(to_place(bilinear(map, map.frame(s, true).at(u, v))) - surface.at(u, v));
+        };
+        for (const double u : {0.25, 0.3, 0.4})
+            for (const double v : {0.2, 0.31, 0.37})
+                if (surface.area() > 0.02)
+                    CHECK(miss(u, v) < 1e-9);
+        const auto corners = corners_of(surface);
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            for (const double share : {0.0, 0.01, 0.3, 0.777}) {
+                const auto& a = corners[k];
+                const auto& b = corners[(k + 1) % corners.size()];
+                CHECK(miss(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])) < step);
+            }
+    }
+}
+
+TEST_CASE("light on an edge along the axes of its chart is exact where the chart begins")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {3, 0, 0}, {0, 0.777, 0}, builder.grey(0.5, 1.0));
+    const Scene scene = builder.scene(1.0);
+    const Lightmap map = lightmap(scene, 64, places_of(scene), 1);
+    for (const double share : {0.0, 0.1, 0.5, 0.9}) {
+        CHECK(length(to_place(bilinear(map, map.frame(0, true).at(share, 0))) - Vec3{3 * share, 0, 0}) < 1e-12);
+        CHECK(length(to_place(bilinear(map, map.frame(0, true).at(0, share))) - Vec3{0, 0.777 * share, 0}) < 1e-12);
+    }
+}
+
+TEST_CASE("coplanar surfaces with common edges are one chart, in which they fit together")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    constexpr int blades = 7;
+    const auto rim = [](int n) { return Vec3{std::cos(n * 0.9), 1.0 / 3.0, -std::sin(n * 0.9)}; };
+    for (int n = 0; n + 1 < blades; ++n)
+        builder.triangle({0, 1.0 / 3.0, 0}, rim(n), rim(n + 1), paint);
+    const Scene scene = builder.scene(9.0);
+    const Lightmap map = lightmap(scene, 128, places_of(scene), 1);
+    CHECK(map.chart_count == 1);
+    for (std::uint32_t s = 0; s + 1 < scene.own_surfaces(); ++s) {
+        const TexturePoint end = map.frame(s, true).at(0, 1);
+        const TexturePoint begin = map.frame(s + 1, true).at(1, 0);
+        CHECK(std::abs(end.s - begin.s) < 1e-12);
+        CHECK(std::abs(end.t - begin.t) < 1e-12);
+    }
+}
+
+TEST_CASE("a crease, another material, the back of a sheet, and a second sheet on the first begin another chart")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, paint);
+    const auto charts = [](const SceneBuilder& b) {
+        const Scene scene = b.scene(9.0);
+        return lightmap(scene, 128, places_of(scene), 1).chart_count;
+    };
+    const auto with = [&](Vec3 corner, Vec3 u, Vec3 v, std::uint32_t material) {
+        SceneBuilder both = builder;
+        return charts(both.rectangle(corner, u, v, material));
+    };
+    CHECK(with({1, 0, 0}, {0, 0, 1}, {1, 0, 0}, paint) == 1);
+    CHECK(with({1, 0, 0}, {0, 0, 1}, {1, 0.01, 0}, paint) == 2);
+    CHECK(with({1, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 1.0)) == 2);
+    CHECK(with({1, 0, 0}, {1, 0, 0}, {0, 0, 1}, paint) == 2);
+    CHECK(with({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, paint) == 2);
+    CHECK(with({1, 0, 1}, {0, 0, 1}, {1, 0, 0}, paint) == 2); // a common corner
+    SceneBuilder crossing = builder;                          // two sheets beyond one edge
+    crossing.rectangle({1, 0, 0}, {0, 0, 1}, {1, 0, 0}, paint).rectangle({1, 0, 0}, {0, 0, 1}, {2, 0, 0}, paint);
+    CHECK(charts(crossing) == 2);
+}
+
+TEST_CASE("the two sides of a surface have places and light of their own")
+{
+    const Scene scene(all_kinds().file(), 1.0, true);
+    const Lightmap map = lightmap(
+        scene, 512,
+        [](std::uint32_t, bool front, double, double) {
+            return front ? Rgb{1, 0, 0} : Rgb{0, 1, 0};
+        },
+        1);
+    const Scene one_sided(all_kinds().file(), 1.0);
+    CHECK(map.chart_count == 2 * lightmap(one_sided, 512, places_of(one_sided), 1).chart_count);
+    REQUIRE(map.frames.size() == 2 * scene.surfaces().size());
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        for (const auto& [u, v] : corners_of(scene.surfaces()[s])) {
+            CHECK(length(to_place(bilinear(map, map.frame(s, true).at(u, v))) - Vec3{1, 0, 0}) < 1e-12);
+            CHECK(length(to_place(bilinear(map, map.frame(s, false).at(u, v))) - Vec3{0, 1, 0}) < 1e-12);
+        }
+}
+
+TEST_CASE("the sky has no place in a lightmap")
+{
+    SceneFile file = all_kinds().file();
+    file.sky_surfaces = 1;
+    const Scene scene(file, 1.0);
+    std::set<std::uint32_t> asked;
+    const Lightmap map = lightmap(
+        scene, 256,
+        [&](std::uint32_t s, bool, double, double) {
+            asked.insert(s);
+            return Rgb{};
+        },
+        1);
+    CHECK(map.frames.size() == file.surfaces.size() - 1);
+    CHECK(asked.size() == file.surfaces.size() - 1);
+    CHECK(asked.count(static_cast<std::uint32_t>(file.surfaces.size() - 1)) == 0);
+}
+
+TEST_CASE("over a texture a texel is the mean of its square")
+{
+    SceneFile file = all_kinds().file();
+    file.textures = {std::make_shared<const Texture>("grey.pgm", "P2 1 1 255\n255 ", true)};
+    file.texture_frames.resize(file.surfaces.size());
+    file.materials[0].texture = 0;
+    const Scene scene(file, 1.0);
+    const auto stripes = [&](std::uint32_t s, bool, double u, double v) { // of a thousandth of a unit
+        const double x = scene.surfaces()[s].at(u, v).x;
+        return Rgb{std::abs(std::remainder(1000.0 * x, 1.0)) < 0.25 ? 1.0 : 0.0, x, 0.0};
+    };
+    const Lightmap map = lightmap(scene, 256, stripes, 1);
+    double sum = 0.0;
+    for (int k = 5; k < 95; ++k) {
+        const double u = 0.01 * k;
+        const Rgb light = bilinear(map, map.frame(0, true).at(u, 0.5));
+        CHECK(light.g == doctest::Approx(4.0 * u)); // linear light stays what it is
+        CHECK(light.r > 0.0);
+        CHECK(light.r < 1.0);
+        sum += light.r / 90.0;
+    }
+    CHECK(sum == doctest::Approx(0.5).epsilon(0.1));
+}
+
+TEST_CASE("a lightmap is the same for any number of threads")
+{
+    const Scene scene(random_triangles(500).file(), 9.0, true);
+    const Lightmap one = lightmap(scene, 512, places_of(scene), 1);
+    const Lightmap three = lightmap(scene, 512, places_of(scene), 3);
+    CHECK(one.texels == three.texels);
+    CHECK(lightmap_obj(scene, one, "a.mtl", {}) == lightmap_obj(scene, three, "a.mtl", {}));
+}
+
+TEST_CASE("many triangles find their places, where they need it in a larger picture, or are refused")
+{
+    const Scene scene = random_triangles(20000).scene(9.0);
+    const SurfaceLight dark = [](std::uint32_t, bool, double, double) { return Rgb{}; };
+    const Lightmap map = lightmap(scene, 2048, dark, 2);
+    CHECK(map.width == 2048);
+    CHECK(map.chart_count == 20000);
+    CHECK(map.used_share > 0.15); // of the half that triangles leave in their rectangles, margins take the larger part
+    CHECK(lightmap(scene, 512, dark, 2).width == 1024);
+    std::string message;
+    try {
+        lightmap(scene, 100, dark, 1, 799);
+    } catch (const InputError& error) {
+        message = error.what();
+    }
+    CHECK(message == "memory: its surfaces do not fit into a lightmap of 400 x 400 texels; expected a larger "
+                     "--lightmap-size or fewer surfaces");
+}
+
+// Light that says where it is makes the picture itself the judge: looked up at a vertex, it must show the vertex.
+TEST_CASE("a lightmap GLB has all surfaces as triangles, which find their light by their texture coordinates")
+{
+    for (const bool two_sided : {false, true}) {
+        const Scene scene(with_textures(), 1.0, two_sided);
+        const Lightmap map = lightmap(scene, 512, places_of(scene), 1);
+        const LightmapFile glb(lightmap_glb(scene, map, "png!!", 0.5, {}, {}, {"one", "two"}));
+        CHECK(glb.json["asset"]["version"].text == "2.0");
+        CHECK(glb.json["asset"]["extras"]["record"][1].text == "two");
+        CHECK(glb.json["asset"]["extras"]["color_scale"].number() == 0.5);
+        CHECK(glb.json["extensionsUsed"][0].text == "KHR_materials_unlit");
+        CHECK(glb.json.members.count("cameras") == 0);
+        double area = 0.0;
+        Vec3 facing;
+        Vec3 front_facing;
+        for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+            front_facing = front_facing + scene.surfaces()[s].area() * scene.surfaces()[s].normal();
+        for (std::size_t mesh = 0; mesh < glb.json["meshes"].list.size(); ++mesh) {
+            const JsonValue& primitive = glb.primitive(mesh);
+            const std::vector<double> p = glb.values(primitive["attributes"]["POSITION"]);
+            const std::vector<double> st = glb.values(primitive["attributes"]["TEXCOORD_0"]);
+            const std::vector<double> triangles = glb.values(primitive["indices"]);
+            REQUIRE(3 * st.size() == 2 * p.size());
+            const auto position = [&](double vertex) {
+                const std::size_t n = 3 * static_cast<std::size_t>(vertex);
+                return Vec3{p.at(n), p.at(n + 1), p.at(n + 2)};
+            };
+            Bounds box;
+            for (std::size_t t = 0; t < triangles.size(); t += 3) {
+                const Vec3 a = position(triangles[t]);
+                const Vec3 twice = cross(position(triangles[t + 1]) - a, position(triangles[t + 2]) - a);
+                area += 0.5 * length(twice);
+                facing = facing + 0.5 * twice;
+                Vec3 middle;
+                TexturePoint place;
+                for (std::size_t k = t; k < t + 3; ++k) {
+                    const std::size_t n = 2 * static_cast<std::size_t>(triangles[k]);
+                    middle = middle + (1.0 / 3.0) * position(triangles[k]);
+                    place = {place.s + st.at(n) / 3.0, place.t + (1.0 - st.at(n + 1)) / 3.0};
+                    box.include(position(triangles[k]));
+                    CHECK(length(to_place(bilinear(map, {st.at(n), 1.0 - st.at(n + 1)})) - position(triangles[k])) <
+                          1.0 / map.texels_per_unit);
+                }
+                CHECK(length(to_place(bilinear(map, place)) - middle) < 1.0 / map.texels_per_unit);
+            }
+            const JsonValue& range = glb.json["accessors"][primitive["attributes"]["POSITION"].count()];
+            CHECK(range["min"][0].number() == box.low.x);
+            CHECK(range["max"][2].number() == box.high.z);
+        }
+        CHECK(area == doctest::Approx(scene.total_area()).epsilon(1e-6)); // floats
+        CHECK(length(facing - (two_sided ? Vec3{} : front_facing)) < 1e-4);
+    }
+}
+
+TEST_CASE("materials of a lightmap GLB keep their names, are unlit, and show the atlas; theirs is kept beside it")
+{
+    const Scene scene(with_textures(), 1.0);
+    const Lightmap map = lightmap(scene, 256, places_of(scene), 1);
+    const std::vector<GlbImage> images = {{"image/png", "first"}, {"image/jpeg", "the second"}};
+    const LightmapFile glb(lightmap_glb(scene, map, "the atlas", 1.0, {}, images, {}));
+    const std::size_t materials = glb.json["materials"].list.size();
+    CHECK(materials == 4); // the lamp's is unused
+    REQUIRE(glb.json["meshes"].list.size() == materials);
+    for (std::size_t n = 0; n < materials; ++n) {
+        const JsonValue& material = glb.json["materials"][n];
+        const bool paper = material["name"].text == "paper";
+        CHECK(glb.primitive(n)["material"].count() == n);
+        CHECK(glb.json["meshes"][n]["name"].text == material["name"].text);
+        CHECK(glb.json["nodes"][n]["mesh"].count() == n);
+        CHECK(material["extensions"].members.count("KHR_materials_unlit") == 1);
+        CHECK(material["pbrMetallicRoughness"]["baseColorTexture"]["index"].count() == 0);
+        CHECK(material["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"].count() == 0);
+        CHECK(glb.primitive(n)["attributes"].members.count("TEXCOORD_1") == (paper ? 1 : 0));
+        CHECK(material["extras"].members.count("texture") == (paper ? 1 : 0));
+        if (paper) {
+            CHECK(material["extras"]["texture"]["index"].count() == 1);
+            CHECK(material["extras"]["texture"]["texCoord"].count() == 1);
+            // The corners of a triangle and a rectangle of which only the first lies on the texture.
+            const std::vector<double> st = glb.values(glb.primitive(n)["attributes"]["TEXCOORD_1"]);
+            CHECK(st == std::vector<double>{0.25, 0.5, 2.25, 0.5, 0.25, -2.5, 0, 1, 0, 1, 0, 1, 0, 1});
+        }
+    }
+    REQUIRE(glb.json["images"].list.size() == 3);
+    REQUIRE(glb.json["textures"].list.size() == 3);
+    const std::vector<std::string> contents = {"the atlas", "first", "the second"};
+    const std::vector<std::string> wraps = {"33071", "10497", "33071"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(glb.view(glb.json["images"][k]["bufferView"].count()) == contents[k]);
+        CHECK(glb.json["textures"][k]["source"].count() == k);
+        CHECK(glb.json["samplers"][glb.json["textures"][k]["sampler"].count()]["wrapS"].text == wraps[k]);
+    }
+    CHECK(glb.json["images"][2]["mimeType"].text == "image/jpeg");
+    CHECK(glb.json["samplers"][0]["minFilter"].text == "9729"); // no small copies, which would mix charts
+}
+
+TEST_CASE("cameras of a lightmap GLB stand at their eyes and look along their views")
+{
+    const Scene scene = all_kinds().scene(1.0);
+    const Lightmap map = lightmap(scene, 128, places_of(scene), 1);
+    const GlbCamera door{"door", {1, 2, 3}, {1, 2, 7}, {0, 1, 1}, 60.0};
+    const GlbCamera top{"top", {0, 5, 0}, {1, 1, 0}, {0, 0, 2}, 90.0};
+    const LightmapFile glb(lightmap_glb(scene, map, "png", 1.0, {door, top}, {}, {}));
+    const std::size_t meshes = glb.json["meshes"].list.size();
+    REQUIRE(glb.json["cameras"].list.size() == 2);
+    CHECK(glb.json["scenes"][0]["nodes"].list.size() == meshes + 2);
+    CHECK(glb.json["cameras"][1]["perspective"]["yfov"].number() == doctest::Approx(std::acos(0.0)));
+    const JsonValue& node = glb.json["nodes"][meshes];
+    CHECK(node["name"].text == "door");
+    std::vector<double> matrix;
+    for (const JsonValue& number : node["matrix"].list)
+        matrix.push_back(number.number());
+    CHECK(matrix == std::vector<double>{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 1, 2, 3, 1});
+}
+
+// Names and numbers are read from files, so that the reader of such files is the judge.
+TEST_CASE("the reader of scenes reads the lightmap's OBJ back, and its texture coordinates find the light")
+{
+    SceneFile file = all_kinds().file();
+    file.materials[0].name = "paint #1 (old)";
+    const Scene scene(file, 1.0);
+    const Lightmap map = lightmap(scene, 512, places_of(scene), 1);
+    const ScratchFolder folder;
+    folder.write("atlas.ppm", "P6 1 1 255\nabc");
+    folder.write("lit.mtl", lightmap_mtl(scene, "atlas.ppm") + "Ke 1 1 1\n"); // scenes need a lamp
+    const SceneFile lit = read_obj(folder.write("lit.obj", lightmap_obj(scene, map, "lit.mtl", {"one", "two"})));
+    CHECK(lit.unknown_materials.empty());
+    CHECK(lit.materials.size() == 4);
+    CHECK(lit.materials[lit.material[0]].name == "paint #1 (old)");
+    REQUIRE(lit.texture_frames.size() == lit.surfaces.size());
+    double area = 0.0;
+    for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
+        area += lit.surfaces[s].area();
+        REQUIRE(lit.texture_frames[s].known);
+        for (const auto& [u, v] : corners_of(lit.surfaces[s]))
+            CHECK(length(to_place(bilinear(map, lit.texture_frames[s].at(u, v))) - lit.surfaces[s].at(u, v)) <
+                  1.0 / map.texels_per_unit);
+    }
+    CHECK(area == doctest::Approx(scene.total_area()).epsilon(1e-6)); // seven digits
+}
+
+} // namespace lightmap_test
