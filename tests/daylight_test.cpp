@@ -78,6 +78,25 @@ TEST_CASE("the floor in the sun lights the wall" * doctest::test_suite("statisti
     }
 }
 
+// A table of pairs that few lines tell would err by half of the light.
+TEST_CASE("sunlight on many patches is right with few lines, too")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 4}, {4, 0, 0}, grey).box({1, 0, 1}, {2, 1, 2}, grey);
+    const Scene scene = builder.sun(sun_at(20, 30, {0, 1, 0}, {10, 10, 10})).scene(0.1);
+    const auto power = [&](std::uint64_t lines) {
+        const Solution solution = solve(scene, random_lines(Method::reuse, lines, 1), silent);
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            sum += scene.area(i) * solution.radiosity[i].g;
+        return sum;
+    };
+    const double right = power(1u << 18);
+    for (const std::uint64_t lines : {1u << 10, 1u << 12, 1u << 13, 1u << 15})
+        CHECK(power(lines) == doctest::Approx(right).epsilon(0.02));
+}
+
 // A lamp, the sky and the sun together are their sum, since light does not disturb light.
 TEST_CASE("lamp, sky and sun add up" * doctest::test_suite("statistics"))
 {

@@ -119,7 +119,7 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
     const auto n = static_cast<double>(scene.patch_count());
     double emitters = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        emitters += mean(scene.emittance(i)) > 0.0 ? 1.0 : 0.0;
+        emitters += mean(scene.first_light(i)) > 0.0 ? 1.0 : 0.0;
     const auto budget = static_cast<double>(lines);
     if (!scene.levels().empty()) // the table takes the patches of a surface to be equal
         return false;

@@ -164,7 +164,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
     }
     const std::vector<bool> is_covered = covered_patches(scene, threads);
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
-        if (is_covered[patch])
+        if (is_covered[patch] || scene.is_sky(scene.surface_of(patch))) // pages have a background of their own
             covered.push_back(patch);
     return JsonObject()
         .text("triangles", packed_bytes(triangles))
