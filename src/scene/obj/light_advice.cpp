@@ -123,25 +123,30 @@ public:
                 const double y = (next() < 0.5 ? -1.0 : 1.0) * std::sqrt(std::max(0.0, 1.0 - x * x));
                 const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
                 from_.push_back(s);
+                weights_.push_back(surface.area());
                 lines_.push_back({surface.at(u, v), surface.normal() + Vec3{r * x, r * y, z}});
             }
         }
     }
 
-    /// The share of the rays whose hit, or none, is as wanted.
+    /// The share of the light whose rays have a hit, or none, as wanted.
     template <class Condition>
     double share(const Intersector& intersector, Condition wanted)
     {
         intersector.closest_hits_from(from_.data(), lines_.data(), lines_.size(), hits_);
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < lines_.size(); ++k)
-            count += wanted(hits_.is_hit(k) ? &hits_[k] : nullptr) ? 1 : 0;
-        return lines_.empty() ? 0.0 : static_cast<double>(count) / static_cast<double>(lines_.size());
+        double part = 0.0;
+        double all = 0.0;
+        for (std::size_t k = 0; k < lines_.size(); ++k) {
+            part += wanted(hits_.is_hit(k) ? &hits_[k] : nullptr) ? weights_[k] : 0.0;
+            all += weights_[k];
+        }
+        return all > 0.0 ? part / all : 0.0;
     }
 
 private:
     std::vector<std::uint32_t> from_;
     std::vector<Line> lines_;
+    std::vector<double> weights_; ///< [m^2]
     FirstHits hits_;
 };
 
@@ -195,11 +200,11 @@ LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
     take_best_of(called);
     if (result.lit_share < enough) {
         const double open = open_share(scene);
-        if (open >= enough || (open > 0.0 && called.empty())) {
+        if (open < enough)
+            take_best_of(large_materials(mesh, scene));
+        if (open >= enough || open > result.lit_share) {
             result.lamp.clear();
             result.lit_share = open;
-        } else {
-            take_best_of(large_materials(mesh, scene));
         }
     }
     result.others.erase(std::remove(result.others.begin(), result.others.end(), result.lamp), result.others.end());

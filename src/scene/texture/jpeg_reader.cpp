@@ -400,7 +400,7 @@ private:
         const std::uint32_t width = jpeg_word(segment);
         if (height == 0)
             throw ImageError("JPEG whose height follows the first scan (DNL) is not supported");
-        picture_ = blank_bitmap(width, height);
+        require_bitmap_size(width, height);
 
         const unsigned count = segment.byte();
         if (count != 1 && count != 3 && count != 4)
@@ -424,6 +424,14 @@ private:
             component.blocks_x = (component.width + 7) / 8;
             component.blocks_y = (component.height + 7) / 8;
         }
+        // A block takes a bit at least; a file with less than a part of them is not worth the memory that it asks for.
+        constexpr std::size_t least_part = 16;
+        std::size_t blocks = 0;
+        for (const JpegComponent& component : components_)
+            blocks += std::size_t{component.blocks_x} * component.blocks_y;
+        if (8 * least_part * bytes_.size() < blocks)
+            throw ImageError("ends too early");
+        picture_ = blank_bitmap(width, height);
     }
 
     JpegScan read_scan_header(ByteReader segment)
