@@ -14,8 +14,8 @@ struct Bitmap
     std::uint32_t height = 0;
     std::vector<std::uint8_t> rgb; ///< 3 * width * height
 
-    std::uint8_t* row(std::uint32_t y) { return rgb.data() + std::size_t{3} * width * y; }
-    const std::uint8_t* row(std::uint32_t y) const { return rgb.data() + std::size_t{3} * width * y; }
+    std::uint8_t* row(std::uint32_t y) { return &rgb[std::size_t{3} * width * y]; }
+    const std::uint8_t* row(std::uint32_t y) const { return &rgb[std::size_t{3} * width * y]; }
 };
 
 /// What is wrong with an image file, without its name: "ends too early", "12 bits per colour are not supported".

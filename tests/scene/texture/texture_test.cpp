@@ -75,15 +75,15 @@ bool is_near(Rgb a, Rgb b, double tolerance)
 TEST_CASE("the mean over a polygon is that of its points, wherever it lies on a repeated or clamped texture")
 {
     for (const bool repeats : {true, false})
-        for (const auto& [width, height] : {std::pair{5, 3}, {17, 40}, {64, 1}, {1, 7}}) {
-            const Texture t = texture(width, height, repeats);
+        for (const auto& size : {std::pair{5, 3}, {17, 40}, {64, 1}, {1, 7}}) {
+            const Texture t = texture(size.first, size.second, repeats);
             for (const TextureFootprint& f :
                  {parallelogram({0.1, 0.2}, {0.7, 0.1}, {-0.2, 0.5}),
                   parallelogram({-3.3, 7.9}, {5.1, 0.4}, {0.3, -2.2}),
                   parallelogram({0.31, 0.77}, {0.001, 0.0}, {0.0, 0.002}), parallelogram({0, 0}, {0, 1}, {1, 0}),
                   TextureFootprint{{{{0.9, 0.1}, {1.4, 0.3}, {0.2, 1.8}, {}}}, 3},
                   TextureFootprint{{{{-0.5, -0.5}, {-0.7, -0.5}, {-0.5, -0.9}, {}}}, 3}}) {
-                CAPTURE(width);
+                CAPTURE(size.first);
                 CAPTURE(f.corners[0].s);
                 CHECK(is_near(t.mean(f), sampled_mean(t, f), 4e-3));
             }
