@@ -143,7 +143,7 @@ daylight() {
     [ "$(grep -c ',sky,' day.csv)" = 6 ] && ! grep ',sky,' day.csv | cut -d, -f10 | grep -qv '^0$' && ! grep -q '"name": *"sky' day.glb && ! grep -q 'usemtl sky' day.obj &&
         [ "$(sed -n 's/.*"area_m2": //p' out)" = "22," ] && ends 0 compare day.csv day.state && says out "relative 0, its root 0" &&
         ends 0 render day.state --size 40x30 -q -o again.png && ends 0 check open.obj --sky 10 --sun 0,90,1 && says out "the sun" &&
-        ends 0 check 5cubes --sky 1 || return
+        ends 0 check "$scene" --sky 1 || return
     for bad in 1,2 a,40,20 1,91,5 1,-1,5 1,40,0 1,40,1,2; do ends 2 solve open.obj --sun $bad && says err "--sun" || return; done
     for bad in 0 -1 x 1,2 0,0,0; do ends 2 solve open.obj --sky $bad && says err "--sky" || return; done
     ends 0 solve open.obj $quick --sky 1 --sun 90,20,3 -q --shard 1/2 --state s1.state &&
@@ -167,19 +167,19 @@ textures() {
 check "textures colour patches, pictures and meshes, and are kept with states" textures
 
 photometry() {
-    ends 0 solve cornell $quick --unit-light lux --grid 0.1,0.1 -o grid.csv -o lux.png --show irradiance --state lux.state &&
+    ends 0 solve "$root/scenes/cornell.obj" $quick --unit-light lux --grid 0.1,0.1 -o grid.csv -o lux.png --show irradiance --state lux.state &&
         says err " lx on average, least " && says err "emitted 1.06167 lm" && grep -q "^# unit: lx" grid.csv &&
         grep -q "^# grid: .* uniformity 0\." grid.csv && grep -q "^x,y,z,irradiance_r" grid.csv && [ "$(grep -c '^[0-9-]' grid.csv)" -gt 20 ] &&
         ends 0 render lux.state --grid 0.1,0.1 -q -o again.csv && same_patches grid.csv again.csv || return
     # In a furnace every point receives what every surface sends.
-    ends 0 solve furnace --lines 2^17 --grid 0.3,0.3 -o furnace.csv && says err "grid       2 W/m^2 on average, least 2, most 2, uniformity 1.000" || return
-    for bad in 1 1,0 x,1 1,-2; do ends 2 solve cornell --grid $bad -o g.csv && says err "--grid" || return; done
-    ends 2 solve cornell $quick --grid 50,0.1 -o g.csv && says err "no point lies above" && [ ! -e g.csv ]
+    ends 0 solve "$root/scenes/furnace.obj" --lines 2^17 --grid 0.3,0.3 -o furnace.csv && says err "grid       2 W/m^2 on average, least 2, most 2, uniformity 1.000" || return
+    for bad in 1 1,0 x,1 1,-2; do ends 2 solve "$root/scenes/cornell.obj" --grid $bad -o g.csv && says err "--grid" || return; done
+    ends 2 solve "$root/scenes/cornell.obj" $quick --grid 50,0.1 -o g.csv && says err "no point lies above" && [ ! -e g.csv ]
 }
 check "with lamps in lm/m^2 results are in lux, on a horizontal grid, too" photometry
 
 lightmaps() {
-    ends 0 solve cornell $quick -q -o c_lightmap.glb -o c_lightmap.obj -o c_lightmap.mtl -o c_lightmap.png &&
+    ends 0 solve "$root/scenes/cornell.obj" $quick -q -o c_lightmap.glb -o c_lightmap.obj -o c_lightmap.mtl -o c_lightmap.png &&
         grep -q '^mtllib c_lightmap.mtl' c_lightmap.obj && grep -q '^map_Kd c_lightmap.png' c_lightmap.mtl && [ "$(head -c 4 c_lightmap.png | tail -c 3)" = PNG ] &&
         ends 0 solve c_lightmap.obj $quick --lamp lamp=1 -q -o from.csv
 }
