@@ -23,11 +23,6 @@ Rgb srgb_encoded(Rgb linear)
     return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
 }
 
-double srgb_decoded(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 Rgb srgb_decoded(Rgb encoded)
 {
     return {srgb_decoded(encoded.r), srgb_decoded(encoded.g), srgb_decoded(encoded.b)};

@@ -15,7 +15,6 @@ double srgb_encoded(double linear);
 Rgb srgb_encoded(Rgb linear);
 
 /// Its inverse.
-double srgb_decoded(double encoded);
 Rgb srgb_decoded(Rgb encoded);
 
 /// A channel of linear light as the nearest sRGB byte.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace multipath {
 
 /// Three independent colour channels of one quantity; the unit is said where it is declared.
@@ -48,6 +50,12 @@ inline bool operator!=(Rgb a, Rgb b)
 inline double mean(Rgb a)
 {
     return a.r == a.g && a.g == a.b ? a.r : (a.r + a.g + a.b) / 3.0;
+}
+
+/// Linear light of a value of a screen or a picture file, both in [0, 1] (IEC 61966-2-1, sRGB).
+inline double srgb_decoded(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 } // namespace multipath

@@ -2,6 +2,7 @@
 
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
+#include "export/csv_text.h"
 #include "export/mesh/obj_colours.h"
 #include "export/mesh/ply.h"
 #include "export/patch_table.h"
@@ -50,8 +51,11 @@ constexpr std::array known_formats = {
                  [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
     OutputFormat{".csv", FormatKind::table, "table; of a solved scene one row per patch", false,
                  [](SolvedScene& s) {
-                     if (s.options.grid)
-                         return light_grid_table(s.scene, s.grid(), s.comments);
+                     if (s.options.grid) {
+                         std::vector<std::string> comments = s.comments;
+                         comments.push_back("grid: " + light_grid_summary(s.scene, s.grid()));
+                         return comment_lines(comments) + light_grid_table(s.grid());
+                     }
                      return patch_table(s.scene, s.solution.radiosity, s.solution.standard_error, s.comments,
                                         s.options.render.threads);
                  }},

@@ -23,6 +23,37 @@ namespace multipath {
 
 namespace {
 
+/// From the camera's coordinates, in which it looks along -z, to the room's; column by column.
+std::vector<double> matrix_of(const GlbCamera& camera)
+{
+    const Vec3 back = normalized(camera.eye - camera.target);
+    const Vec3 right = normalized(cross(camera.up, back));
+    std::vector<double> matrix;
+    for (const Vec3 column : {right, cross(back, right), back, camera.eye})
+        matrix.insert(matrix.end(), {column.x, column.y, column.z, 0.0});
+    matrix.back() = 1.0;
+    return matrix;
+}
+
+} // namespace
+
+JsonObject glb_camera(const GlbCamera& camera, const Scene& scene)
+{
+    constexpr double near = 0.002; // as far away as the scene is large
+    return JsonObject()
+        .text("type", "perspective")
+        .object("perspective", JsonObject()
+                                   .number("yfov", camera.field_of_view * pi / 180.0)
+                                   .number("znear", near * scene.bounds().diagonal()));
+}
+
+JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number)
+{
+    return JsonObject().text("name", camera.name).count("camera", number).numbers("matrix", matrix_of(camera));
+}
+
+namespace {
+
 /// Otherwise the surface has none, or does not lie on it.
 bool shows_texture(const Scene& scene, std::uint32_t surface)
 {
@@ -249,28 +280,6 @@ std::vector<double> numbers_below(std::size_t count)
     return numbers;
 }
 
-/// From the camera's coordinates, in which it looks along -z, to the room's; column by column.
-std::vector<double> matrix_of(const GlbCamera& camera)
-{
-    const Vec3 back = normalized(camera.eye - camera.target);
-    const Vec3 right = normalized(cross(camera.up, back));
-    std::vector<double> matrix;
-    for (const Vec3 column : {right, cross(back, right), back, camera.eye})
-        matrix.insert(matrix.end(), {column.x, column.y, column.z, 0.0});
-    matrix.back() = 1.0;
-    return matrix;
-}
-
-JsonObject perspective(const GlbCamera& camera, const Scene& scene)
-{
-    constexpr double near = 0.002; // as far away as the scene is large
-    return JsonObject()
-        .text("type", "perspective")
-        .object("perspective", JsonObject()
-                                   .number("yfov", camera.field_of_view * pi / 180.0)
-                                   .number("znear", near * scene.bounds().diagonal()));
-}
-
 /// One for each mesh, then one for each camera.
 std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts,
                               const std::vector<GlbCamera>& cameras)
@@ -279,8 +288,7 @@ std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart
     for (const MaterialPart& part : parts)
         list.push_back(JsonObject().text("name", scene.materials()[part.material].name).count("mesh", list.size()));
     for (std::size_t k = 0; k < cameras.size(); ++k)
-        list.push_back(
-            JsonObject().text("name", cameras[k].name).count("camera", k).numbers("matrix", matrix_of(cameras[k])));
+        list.push_back(glb_camera_node(cameras[k], k));
     return list;
 }
 
@@ -315,7 +323,7 @@ std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std
         materials.push_back(unlit_material(scene.materials()[part.material], part.textured));
     std::vector<JsonObject> cameras;
     for (const GlbCamera& camera : facts.cameras)
-        cameras.push_back(perspective(camera, scene));
+        cameras.push_back(glb_camera(camera, scene));
     JsonObject description;
     description.object("asset", asset(facts))
         .texts("extensionsUsed", {"KHR_materials_unlit"})

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "export/json.h"
 #include "export/mesh/patch_mesh.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,10 @@ struct GlbCamera
     Vec3 up;              ///< not along the view
     double field_of_view; ///< [degrees] vertical
 };
+
+/// The lens of a camera in a glTF file, and its node; `number`: of the lens in the file.
+JsonObject glb_camera(const GlbCamera& camera, const Scene& scene);
+JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number);
 
 /// A texture of the scene as glTF holds it.
 struct GlbImage

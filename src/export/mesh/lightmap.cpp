@@ -9,7 +9,6 @@
 
 #include "export/csv_text.h"
 #include "export/json.h"
-#include "geometry/pi.h"
 #include "parallel/blocks.h"
 #include "parallel/memory.h"
 #include "parallel/mix_bits.h"
@@ -879,18 +878,6 @@ void add_lightmap_images(JsonObject& description, const Scene& scene, const std:
     description.objects("images", files).objects("samplers", samplers).objects("textures", textures);
 }
 
-/// The camera's coordinates have x to the right, y up, and -z along the view.
-JsonObject camera_node(const GlbCamera& camera, std::size_t number)
-{
-    const Vec3 back = normalized(camera.eye - camera.target);
-    const Vec3 right = normalized(cross(camera.up, back));
-    const Vec3 up = cross(back, right);
-    const Vec3 eye = camera.eye;
-    const std::vector<double> matrix = {right.x, right.y, right.z, 0.0, up.x,  up.y,  up.z,  0.0,
-                                        back.x,  back.y,  back.z,  0.0, eye.x, eye.y, eye.z, 1.0};
-    return JsonObject().text("name", camera.name).count("camera", number).numbers("matrix", matrix);
-}
-
 /// One node for each mesh, then one for each camera.
 void add_lightmap_nodes(JsonObject& description, const Scene& scene, const LightmapMesh& mesh,
                         const std::vector<GlbCamera>& cameras)
@@ -900,12 +887,8 @@ void add_lightmap_nodes(JsonObject& description, const Scene& scene, const Light
         nodes.push_back(JsonObject().text("name", scene.materials()[material].name).count("mesh", nodes.size()));
     std::vector<JsonObject> lenses;
     for (const GlbCamera& camera : cameras) {
-        constexpr double near = 0.002; // as far away as the scene is large
-        nodes.push_back(camera_node(camera, lenses.size()));
-        const JsonObject lens = JsonObject()
-                                    .number("yfov", camera.field_of_view * pi / 180.0)
-                                    .number("znear", near * scene.bounds().diagonal());
-        lenses.push_back(JsonObject().text("type", "perspective").object("perspective", lens));
+        nodes.push_back(glb_camera_node(camera, lenses.size()));
+        lenses.push_back(glb_camera(camera, scene));
     }
     std::vector<double> numbers(nodes.size());
     std::iota(numbers.begin(), numbers.end(), 0.0);
@@ -920,8 +903,8 @@ std::string glb_file(std::string json, const std::string& binary, const std::str
     json.append((4 - json.size() % 4) % 4, ' ');
     const std::size_t size = 28 + json.size() + binary.size();
     if (size > std::numeric_limits<std::uint32_t>::max())
-        throw InputError(path + ": too much for a GLB, which holds less than 4 GB; expected a smaller --lightmap-size "
-                                "or fewer surfaces");
+        throw InputError(path + ": too much for a GLB, which holds less than 4 GB; expected fewer "
+                                "surfaces");
     std::string bytes = "glTF";
     bytes.reserve(size);
     for (const std::size_t word : {std::size_t{2}, size, json.size()})
@@ -955,7 +938,7 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
     }
     if (!packing)
         throw InputError(scene.path() + ": its surfaces do not fit into a lightmap of " + std::to_string(size) + " x " +
-                         std::to_string(size) + " texels; expected a larger --lightmap-size or fewer surfaces");
+                         std::to_string(size) + " texels; expected fewer surfaces");
 
     Lightmap map;
     map.width = size;

@@ -121,13 +121,9 @@ std::string light_grid_summary(const Scene& scene, const LightGrid& grid)
                   light_units(scene.file()).per_area, grid.least, grid.most, grid.uniformity(), grid.points.size());
 }
 
-std::string light_grid_table(const Scene& scene, const LightGrid& grid, const std::vector<std::string>& comments)
+std::string light_grid_table(const LightGrid& grid)
 {
-    std::string text;
-    for (const std::string& comment : comments)
-        text += "# " + comment + "\n";
-    text += "# grid: " + light_grid_summary(scene, grid) + "\n";
-    text += "x,y,z,irradiance_r,irradiance_g,irradiance_b,irradiance\n";
+    std::string text = "x,y,z,irradiance_r,irradiance_g,irradiance_b,irradiance\n";
     for (const GridPointLight& p : grid.points)
         text += format("%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", p.point.x, p.point.y, p.point.z, p.irradiance.r,
                        p.irradiance.g, p.irradiance.b, mean(p.irradiance));

@@ -40,8 +40,8 @@ struct LightGrid
 LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, const GridPlan& plan, int rays,
                      int threads);
 
-/// As a table (CSV): x, y, z [m], irradiance of the channels and its mean; in comments what the grid comes to.
-std::string light_grid_table(const Scene& scene, const LightGrid& grid, const std::vector<std::string>& comments);
+/// As a table (CSV): x, y, z [m], irradiance of the channels and its mean.
+std::string light_grid_table(const LightGrid& grid);
 
 /// "512 lx on average, least 301, most 820, uniformity 0.588, of 96 points"
 std::string light_grid_summary(const Scene& scene, const LightGrid& grid);

@@ -27,8 +27,7 @@ std::array<std::uint16_t, 256> make_linear_table()
 {
     std::array<std::uint16_t, 256> table{};
     for (std::size_t k = 0; k < table.size(); ++k) {
-        const double x = static_cast<double>(k) / 255.0;
-        const double linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+        const double linear = srgb_decoded(static_cast<double>(k) / 255.0);
         table[k] = static_cast<std::uint16_t>(std::lround(linear * 65535.0));
     }
     return table;

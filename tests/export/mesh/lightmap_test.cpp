@@ -420,8 +420,7 @@ TEST_CASE("many triangles find their places, where they need it in a larger pict
     } catch (const InputError& error) {
         message = error.what();
     }
-    CHECK(message == "memory: its surfaces do not fit into a lightmap of 400 x 400 texels; expected a larger "
-                     "--lightmap-size or fewer surfaces");
+    CHECK(message == "memory: its surfaces do not fit into a lightmap of 400 x 400 texels; expected fewer surfaces");
 }
 
 // Light that says where it is makes the picture itself the judge: looked up at a vertex, it must show the vertex.
