@@ -301,4 +301,21 @@ std::string png_bytes(const ScreenImage& image, const std::string& comment)
     return bytes;
 }
 
+std::vector<ImageFile> texture_files(const Scene& scene)
+{
+    std::vector<ImageFile> images;
+    for (const std::shared_ptr<const Texture>& texture : scene.file().textures) {
+        const std::string& bytes = texture->bytes();
+        const Bitmap& bitmap = texture->bitmap();
+        if (bytes.compare(0, 3, "\xff\xd8\xff") == 0)
+            images.push_back({"image/jpeg", bytes});
+        else if (bytes.compare(0, 4, "\x89PNG") == 0)
+            images.push_back({"image/png", bytes});
+        else
+            images.push_back({"image/png", png_bytes({static_cast<int>(bitmap.width), static_cast<int>(bitmap.height),
+                                                      bitmap.rgb})});
+    }
+    return images;
+}
+
 } // namespace multipath

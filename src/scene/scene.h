@@ -72,6 +72,11 @@ public:
     }
     /// [1] At a point of a surface, as its texture shows it.
     Rgb reflectance_at(std::uint32_t surface, double u, double v) const;
+    /// It is textured and lies on its texture; else it has the colour of its material.
+    bool shows_texture(std::uint32_t surface) const
+    {
+        return is_textured(surface) && file().texture_frames[surface].known;
+    }
     bool is_textured(std::uint32_t surface) const { return surface_material(surface).texture != Material::no_texture; }
     /// [W/m^2]; only fronts emit
     Rgb emittance(std::uint32_t patch) const { return is_front(patch) ? material_of(patch).emittance : Rgb{}; }

@@ -8,9 +8,12 @@
 #include "export/mesh/covered_patches.h"
 #include "image/false_colour/colour_map.h"
 #include "image/false_colour/legend.h"
+#include "image/png.h"
 #include "image/render.h"
 #include "image/shading/smooth_shading.h"
+#include "image/shading/texture_detail.h"
 #include "image/tone_map.h"
+#include "scene/light_units.h"
 #include "scene/text/text_format.h"
 #include "viewer/packed_values.h"
 
@@ -19,6 +22,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace multipath {
@@ -147,6 +151,22 @@ std::vector<double> channels(Rgb c)
     return {c.r, c.g, c.b};
 }
 
+/// How surfaces lie on their textures, six numbers each, not numbers where one shows none; empty if there are none.
+std::vector<double> texture_frames(const Scene& scene)
+{
+    std::vector<double> numbers;
+    if (scene.file().textures.empty())
+        return numbers;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
+        const bool shown = scene.shows_texture(s);
+        const TextureFrame frame = shown ? scene.file().texture_frames[s] : TextureFrame{};
+        for (const TexturePoint& point : {frame.origin, frame.along_u, frame.along_v})
+            for (const double x : {point.s, point.t})
+                numbers.push_back(shown ? x : std::numeric_limits<double>::quiet_NaN());
+    }
+    return numbers;
+}
+
 JsonObject surfaces_json(const Scene& scene, int threads)
 {
     std::vector<std::uint8_t> triangles;
@@ -174,6 +194,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
         .text("materials", packed_counts(scene.file().material))
         .text("groups", packed_counts(scene.file().group))
         .text("lines", packed_counts(scene.file().line))
+        .text("texture_frames", packed_numbers(texture_frames(scene)))
         .text("covered", packed_counts(covered));
 }
 
@@ -181,10 +202,26 @@ std::vector<JsonObject> materials_json(const Scene& scene)
 {
     std::vector<JsonObject> result;
     for (const Material& material : scene.materials()) {
-        result.push_back(JsonObject()
-                             .text("name", material.name)
-                             .numbers("reflectance", channels(material.reflectance))
-                             .numbers("emittance", channels(material.emittance)));
+        JsonObject json;
+        json.text("name", material.name);
+        json.numbers("reflectance", channels(material.reflectance));
+        json.numbers("emittance", channels(material.emittance));
+        if (material.texture != Material::no_texture) {
+            json.count("texture", material.texture);
+            json.numbers("white", channels(material.texture_scale));
+        }
+        result.push_back(json);
+    }
+    return result;
+}
+
+std::vector<JsonObject> textures_json(const Scene& scene)
+{
+    std::vector<JsonObject> result;
+    for (const ImageFile& file : texture_files(scene)) {
+        const bool repeats = scene.file().textures[result.size()]->repeats();
+        result.push_back(
+            JsonObject().text("type", file.type).boolean("repeats", repeats).text("data", base64(file.bytes)));
     }
     return result;
 }
@@ -249,10 +286,24 @@ void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>&
     json.number(key + "_unit", packed.unit);
 }
 
-/// At the corners of the patches; own values stand behind the shared ones, so that they have one unit.
+/// [1] Of the patches, where their textures make them differ.
+JsonObject reflectances_json(const Scene& scene)
+{
+    JsonObject json;
+    if (scene.file().textures.empty())
+        return json;
+    std::vector<Rgb> reflectances;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        reflectances.push_back(scene.reflectance(patch));
+    add_light(json, "light", reflectances);
+    return json;
+}
+
+/// At the corners of the patches, without the detail of textures; own values stand behind the shared ones, so that they
+/// have one unit.
 void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& values, int threads)
 {
-    CornerValues corners = corner_values(scene, values, threads);
+    CornerValues corners = corner_values(scene, without_texture(scene, values), threads);
     corners.shared.insert(corners.shared.end(), corners.own.begin(), corners.own.end());
     add_light(json, "corners", corners.shared);
     json.text("own_places", packed_counts(corners.places));
@@ -307,10 +358,13 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
     return JsonObject()
         .text("scene", scene.path())
         .texts("record", content.record)
+        .text("power_unit", light_units(scene.file()).power)
         .boolean("two_sided", scene.two_sided())
         .count("patches", scene.patch_count())
         .object("surfaces", surfaces_json(scene, content.render.threads))
         .objects("materials", materials_json(scene))
+        .objects("textures", textures_json(scene))
+        .object("reflectances", reflectances_json(scene))
         .texts("groups", scene.file().groups)
         .object("camera", camera_json(content.camera))
         .object("tone", tone_json(scene, content))

@@ -59,18 +59,28 @@ holds() {
 }
 
 # One sample in the middle of every pixel, and patches in flat colours: what a click must find.
-# usage: solved NAME SCENE OPTIONS...
+# usage: solved NAME FILE OPTIONS...
 solved() {
-    name=$1 scene=$2
+    name=$1 file=$2
     shift 2
-    "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --quiet -o "$name.html" -o "$name.png" &&
-        "$program" solve "$root/scenes/$scene.obj" --lines 2^14 "$@" --samples 1 --shading flat --quiet -o "$name.pfm"
+    "$program" solve "$file" --lines 2^14 "$@" --quiet -o "$name.html" -o "$name.png" &&
+        "$program" solve "$file" --lines 2^14 "$@" --samples 1 --shading flat --quiet -o "$name.pfm"
 }
 # Triangles with much noise, so that neighbours differ; a wall seen from its dark back beside the room behind it. Both
 # are cut adaptively.
-check "rooms are solved" solved 5cubes 5cubes
-check "so are triangles" solved sphere sphere --method global --eye 0.2,0.3,0.1 --target 1,-0.4,0.3 --adaptive 1500
-check "and both sides of surfaces" solved sided cornell --two-sided --eye=-0.5,0.4,1.2 --adaptive 4000
+check "rooms are solved" solved 5cubes "$root/scenes/5cubes.obj"
+check "so are triangles" solved sphere "$root/scenes/sphere.obj" --method global --eye 0.2,0.3,0.1 --target 1,-0.4,0.3 --adaptive 1500
+check "and both sides of surfaces" solved sided "$root/scenes/cornell.obj" --two-sided --eye=-0.5,0.4,1.2 --adaptive 4000
+
+# White surfaces with a picture that is repeated, from a file that browsers do not read; red ones with one that is not.
+textured() {
+    printf 'P3 3 2 255\n255 255 255 90 120 90\n100 100 160 255 200 255\n 180 180 90 140 200 240\n' >fields.ppm
+    "$program" solve "$root/scenes/cornell.obj" --lines 2^14 --quiet --show normals --size 64x48 -o room.png || return
+    { printf 'vt 0 0\nvt 2 0.5\nvt 1.5 2.5\nvt -0.5 2\n'; sed 's/^\(f [0-9-]*\) \([0-9-]*\) \([0-9-]*\) \([0-9-]*\)$/\1\/1 \2\/2 \3\/3 \4\/4/; s/^mtllib .*/mtllib textured.mtl/' "$root/scenes/cornell.obj"; } >textured.obj
+    sed 's/^newmtl white.*/&\nmap_Kd fields.ppm/; s/^newmtl red.*/&\nmap_Kd -clamp on room.png/' "$root/scenes/cornell.mtl" >textured.mtl
+    solved textured textured.obj
+}
+check "and those with textures" textured
 
 # The page's findings `at X Y R G B`, radiosities of patches found at pixels, against the pixels of a PFM of 800 x 600.
 # Radiosities of two patches are hardly ever the same, so the patch is the right one. The page holds coordinates with 24
@@ -88,12 +98,14 @@ same_patches() {
 check "a click finds the patch that the program sees there" same_patches 5cubes
 check "on triangles too" same_patches sphere
 check "and on both sides of surfaces" same_patches sided
+check "and with textures" same_patches textured
 
 # Edges are smoothed in another way, and there is some noise below a step of the screen.
 same_picture() { look "$1" picture_compared && holds 'mean_difference < 0.6 && far_off < 0.01'; }
 check "the page shows the picture that the program draws" same_picture 5cubes
 check "of triangles too" same_picture sphere
 check "and of both sides of surfaces" same_picture sided
+check "and of textures" same_picture textured
 
 visible() { look 5cubes first_view && holds 'varied > 0.5 && white > 0.001 && black < 0.05 && red_left > 10 && blue_right > 10'; }
 check "the room is drawn: not black, the lamp white, walls that colour what is near" visible

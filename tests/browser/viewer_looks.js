@@ -64,6 +64,7 @@ async function look_once(act) {
   try {
     show_controls(false);
     await pause();
+    await multipath.decoded;
     await act();
     find('resources', view.performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length);
     find('wide', page.documentElement.scrollWidth > page.documentElement.clientWidth ? 1 : 0);

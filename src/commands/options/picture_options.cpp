@@ -23,23 +23,25 @@ constexpr std::array<NamedValue<Shading>, 3> shading_choices = {
     {{"smooth", Shading::smooth}, {"flat", Shading::flat}, {"gather", Shading::gather}}};
 
 constexpr std::array known_quantities = {
-    ShownQuantity{"radiosity", "the room as an eye would see it", ShownAs::room, "radiosity", true, false,
+    ShownQuantity{"radiosity", "the room as an eye would see it", ShownAs::room, "radiosity", true, false, false,
                   [](const Scene&, const Solution& solution, int) { return solution.radiosity; }},
     ShownQuantity{"direct", "the same with light that was reflected once only", ShownAs::directly_lit_room,
-                  "direct radiosity", true, false,
+                  "direct radiosity", true, false, false,
                   [](const Scene& scene, const Solution&, int threads) { return direct_radiosity(scene, threads); }},
     ShownQuantity{
-        "irradiance", "in false colours with a legend", ShownAs::false_colours, "irradiance", true, false,
+        "irradiance", "in false colours with a legend and lines of equal values", ShownAs::false_colours, "irradiance",
+        true, false, true,
         [](const Scene& scene, const Solution& solution, int) { return irradiance(scene, solution.radiosity); }},
     ShownQuantity{"error", "likewise, the standard error of the radiosity, which needs --replicates or --tolerance",
-                  ShownAs::false_colours, "standard error of the radiosity", true, true,
+                  ShownAs::false_colours, "standard error of the radiosity", true, true, false,
                   [](const Scene&, const Solution& solution, int) { return solution.standard_error; }},
     ShownQuantity{"unshot", "likewise, what the run has left unsent", ShownAs::false_colours, "unshot radiosity", false,
-                  false, [](const Scene&, const Solution& solution, int) { return magnitudes(solution.unshot); }},
-    ShownQuantity{"patches", "each in a colour of its own", ShownAs::light_of_screen, "patches", false, false,
+                  false, false,
+                  [](const Scene&, const Solution& solution, int) { return magnitudes(solution.unshot); }},
+    ShownQuantity{"patches", "each in a colour of its own", ShownAs::light_of_screen, "patches", false, false, false,
                   [](const Scene& scene, const Solution&, int) { return patch_colours(scene.patch_count()); }},
     ShownQuantity{"normals", "0.5 + 0.5 n as red, green and blue", ShownAs::numbers_of_screen, "normals", false, false,
-                  [](const Scene& scene, const Solution&, int) { return normal_colours(scene); }}};
+                  false, [](const Scene& scene, const Solution&, int) { return normal_colours(scene); }}};
 
 std::string help_of_shown()
 {

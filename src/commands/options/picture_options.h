@@ -32,6 +32,7 @@ struct ShownQuantity
     std::string_view title; ///< of a legend or a menu; [W/m^2] unless the values are colours
     bool on_page;           ///< the page to walk through the room has it too
     bool needs_replicates;  ///< a single run does not tell it
+    bool contours;          ///< false colours have lines of equal values
     /// Per patch, >= 0; not a number in the channels where a patch has none.
     std::vector<Rgb> (*values)(const Scene&, const Solution&, int threads);
 

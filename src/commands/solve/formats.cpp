@@ -24,24 +24,6 @@ namespace multipath {
 
 namespace {
 
-/// PNG and JPEG files as they are, others as PNG.
-std::vector<GlbImage> images_of(const Scene& scene)
-{
-    std::vector<GlbImage> images;
-    for (const std::shared_ptr<const Texture>& texture : scene.file().textures) {
-        const std::string& bytes = texture->bytes();
-        const Bitmap& bitmap = texture->bitmap();
-        if (bytes.compare(0, 3, "\xff\xd8\xff") == 0)
-            images.push_back({"image/jpeg", bytes});
-        else if (bytes.compare(0, 4, "\x89PNG") == 0)
-            images.push_back({"image/png", bytes});
-        else
-            images.push_back({"image/png", png_bytes({static_cast<int>(bitmap.width), static_cast<int>(bitmap.height),
-                                                      bitmap.rgb})});
-    }
-    return images;
-}
-
 constexpr std::array known_formats = {
     OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
                  [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
@@ -65,7 +47,7 @@ constexpr std::array known_formats = {
     OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
                  [](SolvedScene& s) {
                      return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
-                                      images_of(s.scene));
+                                      texture_files(s.scene));
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
@@ -150,9 +132,10 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
     case ShownAs::false_colours:
         break;
     }
-    return false_colour(
-        scene, {std::string(options.shown.title) + " [" + light_units(scene.file()).per_area_latin1 + "]", values},
-        camera, options.render);
+    return false_colour(scene,
+                        {std::string(options.shown.title) + " [" + light_units(scene.file()).per_area_latin1 + "]",
+                         values, options.shown.contours},
+                        camera, options.render);
 }
 
 std::vector<PlannedOutput*> quickest_first(std::vector<PlannedOutput>& outputs)

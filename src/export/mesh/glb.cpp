@@ -54,12 +54,6 @@ JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number)
 
 namespace {
 
-/// Otherwise the surface has none, or does not lie on it.
-bool shows_texture(const Scene& scene, std::uint32_t surface)
-{
-    return scene.is_textured(surface) && scene.file().texture_frames[surface].known;
-}
-
 /// The part of a mesh that has one material.
 struct MaterialPart
 {
@@ -78,7 +72,7 @@ std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& sce
     std::vector<MaterialPart> parts(2 * materials);
     for (const MeshSide& side : mesh.sides) {
         const std::uint32_t material = scene.file().material[side.surface];
-        const bool textured = shows_texture(scene, side.surface);
+        const bool textured = scene.shows_texture(side.surface);
         MaterialPart& part = parts[2 * material + (textured ? 1 : 0)];
         part.material = material;
         part.textured = textured;
@@ -132,15 +126,15 @@ struct GlbBlocks
 constexpr const char* texture_attribute = "TEXCOORD_0";
 
 /// Images follow the numbers, each at a multiple of four bytes.
-std::size_t padded_size(const GlbImage& image)
+std::size_t padded_size(const ImageFile& image)
 {
     return (image.bytes.size() + 3) / 4 * 4;
 }
 
-std::size_t size_of(const std::vector<GlbImage>& images)
+std::size_t size_of(const std::vector<ImageFile>& images)
 {
     std::size_t sum = 0;
-    for (const GlbImage& image : images)
+    for (const ImageFile& image : images)
         sum += padded_size(image);
     return sum;
 }
@@ -149,7 +143,7 @@ std::size_t size_of(const std::vector<GlbImage>& images)
 struct GlbFacts
 {
     std::vector<std::string> attributes; ///< names; the first is POSITION
-    std::vector<GlbImage> images;
+    std::vector<ImageFile> images;
     double scale = 1.0; ///< [m^2/W] from radiosity to colour
     std::vector<GlbCamera> cameras;
     std::vector<std::string> comments;
@@ -165,7 +159,7 @@ JsonObject view(std::size_t offset, std::size_t length, std::uint64_t target)
     return view(offset, length).count("target", target);
 }
 
-std::vector<JsonObject> views(const GlbBlocks& blocks, const std::vector<GlbImage>& images)
+std::vector<JsonObject> views(const GlbBlocks& blocks, const std::vector<ImageFile>& images)
 {
     std::vector<JsonObject> list;
     for (std::size_t n = 0; n < blocks.attribute_count; ++n)
@@ -173,7 +167,7 @@ std::vector<JsonObject> views(const GlbBlocks& blocks, const std::vector<GlbImag
             view(n * blocks.attribute_bytes, blocks.attribute_bytes, array_buffer).count("byteStride", vector_size));
     list.push_back(view(blocks.attribute_count * blocks.attribute_bytes, blocks.triangle_bytes, element_array_buffer));
     std::size_t offset = blocks.total();
-    for (const GlbImage& image : images) {
+    for (const ImageFile& image : images) {
         list.push_back(view(offset, image.bytes.size()));
         offset += padded_size(image);
     }
@@ -293,7 +287,7 @@ std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart
 }
 
 /// Images, and textures with samplers of the same numbers.
-void add_textures(JsonObject& description, const Scene& scene, const std::vector<GlbImage>& images,
+void add_textures(JsonObject& description, const Scene& scene, const std::vector<ImageFile>& images,
                   std::size_t first_view)
 {
     constexpr std::uint64_t repeat = 10497;
@@ -396,7 +390,7 @@ std::vector<Attribute> attributes_of(const PatchMesh& mesh, const Scene& scene, 
     const std::vector<std::uint32_t> surfaces = textured ? surfaces_of_vertices(mesh) : std::vector<std::uint32_t>();
     const auto shown = [&mesh, &scene, surfaces, scale](std::size_t vertex) {
         Rgb light = scale * to_rgb(mesh.radiosity[vertex]);
-        if (!surfaces.empty() && shows_texture(scene, surfaces[vertex]))
+        if (!surfaces.empty() && scene.shows_texture(surfaces[vertex]))
             light = white_factor(scene.surface_material(surfaces[vertex])) * light;
         return single(Rgb{std::min(light.r, 1.0), std::min(light.g, 1.0), std::min(light.b, 1.0)});
     };
@@ -464,7 +458,7 @@ struct LitArea
 double white_brightness(const Scene& scene, const std::vector<Rgb>& radiosity, std::uint32_t patch)
 {
     Rgb light = radiosity[patch];
-    if (shows_texture(scene, scene.surface_of(patch))) {
+    if (scene.shows_texture(scene.surface_of(patch))) {
         const Rgb rho = scene.reflectance(patch);
         const Rgb white = scene.material_of(patch).texture_scale;
         constexpr double black = 1e-3; // tells nothing of the light on it
@@ -515,7 +509,7 @@ double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
 }
 
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
-                      const std::vector<std::string>& comments, const std::vector<GlbImage>& images)
+                      const std::vector<std::string>& comments, const std::vector<ImageFile>& images)
 {
     const std::vector<MaterialPart> parts = material_parts(mesh, scene);
     const std::vector<Attribute> attributes = attributes_of(mesh, scene, scale);
@@ -540,7 +534,7 @@ std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, c
     for (const std::uint32_t word : {size(numbers), number_chunk})
         append_little_endian(bytes, word);
     append_numbers(bytes, mesh, parts, attributes);
-    for (const GlbImage& image : images)
+    for (const ImageFile& image : images)
         bytes.append(image.bytes).append(padded_size(image) - image.bytes.size(), '\0');
     return bytes;
 }

@@ -29,13 +29,6 @@ struct GlbCamera
 JsonObject glb_camera(const GlbCamera& camera, const Scene& scene);
 JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number);
 
-/// A texture of the scene as glTF holds it.
-struct GlbImage
-{
-    std::string type;  ///< "image/png" or "image/jpeg"
-    std::string bytes; ///< of the file
-};
-
 /// A mesh as binary glTF 2.0: one mesh per material, unlit, and the cameras. In a scene with textures the mesh must
 /// hold the radiosity without their detail; their materials show the texture (one of `images` for each of the scene's)
 /// times COLOR_0, which then is that of a white texture. COLOR_0 is linear, min(1, scale * radiosity); it is a float,
@@ -43,6 +36,6 @@ struct GlbImage
 /// _ERROR is its standard error, if known. The asset's extras hold the scale [m^2/W] and the comments. Throws
 /// InputError for 4 GB or more, which the format cannot hold.
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
-                      const std::vector<std::string>& comments, const std::vector<GlbImage>& images = {});
+                      const std::vector<std::string>& comments, const std::vector<ImageFile>& images = {});
 
 } // namespace multipath

@@ -857,7 +857,7 @@ JsonObject lightmap_material(const Material& material, std::optional<std::size_t
 
 /// Images, samplers and textures of the same numbers: first the atlas, then the scene's own.
 void add_lightmap_images(JsonObject& description, const Scene& scene, const std::string& atlas_png,
-                         const std::vector<GlbImage>& images, GltfChunk& chunk)
+                         const std::vector<ImageFile>& images, GltfChunk& chunk)
 {
     std::vector<JsonObject> files;
     std::vector<JsonObject> samplers;
@@ -964,7 +964,7 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
 }
 
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
-                         const std::vector<GlbCamera>& cameras, const std::vector<GlbImage>& images,
+                         const std::vector<GlbCamera>& cameras, const std::vector<ImageFile>& images,
                          const std::vector<std::string>& comments)
 {
     const LightmapMesh mesh(scene, map);

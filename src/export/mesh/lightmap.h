@@ -51,7 +51,7 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
 /// change materials: TEXCOORD_1 says how a textured surface lies on its own, and the material's extras which it is.
 /// Throws InputError for 4 GB or more.
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
-                         const std::vector<GlbCamera>& cameras, const std::vector<GlbImage>& images,
+                         const std::vector<GlbCamera>& cameras, const std::vector<ImageFile>& images,
                          const std::vector<std::string>& comments);
 
 /// The same surfaces as Wavefront OBJ with a texture coordinate for each corner, material by material. The comments

@@ -2,11 +2,14 @@
 
 #include "image/false_colour/colour_map.h"
 #include "image/false_colour/legend.h"
+#include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
+#include "parallel/blocks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace multipath {
 
@@ -36,6 +39,113 @@ RenderOptions flat(RenderOptions options)
     options.white = std::numeric_limits<double>::infinity();
     return options;
 }
+
+/// The interpolated value in the middle of a pixel.
+struct SeenValue
+{
+    static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t side = nothing; ///< of a surface; values on others are unrelated
+    double value = 0.0;
+};
+
+/// Row by row. Sources are left out: they are not interpolated.
+std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>& values, const Camera& camera,
+                                   const RenderOptions& options)
+{
+    std::vector<Rgb> known;
+    known.reserve(values.size());
+    for (const double value : values)
+        known.push_back(std::isfinite(value) ? Rgb{value, value, value} : Rgb{});
+    const SmoothShading smooth(scene, known, options.threads);
+    const PixelRays rays(camera, options.width, options.height);
+    std::vector<SeenValue> seen(pixel_index(options.width, 0, options.height));
+    parallel_blocks(static_cast<std::uint64_t>(options.height), options.threads, [&](std::uint64_t row) {
+        VisibleHits visible(scene);
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < options.width; ++x) {
+            const std::optional<Hit> hit = visible.first(rays.through(x + 0.5, y + 0.5));
+            if (!hit || scene.surface_material(hit->surface).emittance != Rgb{})
+                continue;
+            if (std::isfinite(values[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)]))
+                seen[pixel_index(options.width, x, y)] = {2 * hit->surface + (hit->front ? 0 : 1), smooth.at(*hit).r};
+        }
+    });
+    return seen;
+}
+
+/// Draws lines of equal values.
+class ContourPen
+{
+public:
+    ContourPen(ScreenImage& screen, const std::vector<SeenValue>& seen, const Legend& legend)
+        : screen_(screen), seen_(seen), legend_(legend), width_(std::max(1.0, screen.height / 400.0))
+    {
+    }
+
+    void draw()
+    {
+        for (int y = 0; y < screen_.height; ++y)
+            for (int x = 0; x < screen_.width; ++x)
+                if (at(x, y).side != SeenValue::nothing)
+                    draw_at(x, y);
+    }
+
+private:
+    const SeenValue& at(int x, int y) const { return seen_[pixel_index(screen_.width, x, y)]; }
+
+    bool is_same_side(int x, int y, std::uint32_t side) const
+    {
+        return x >= 0 && y >= 0 && x < screen_.width && y < screen_.height && at(x, y).side == side;
+    }
+
+    /// Per pixel along (step_x, step_y): the central difference, or what there is of it.
+    double slope(int x, int y, int step_x, int step_y) const
+    {
+        const std::uint32_t side = at(x, y).side;
+        const bool before = is_same_side(x - step_x, y - step_y, side);
+        const bool after = is_same_side(x + step_x, y + step_y, side);
+        if (!before && !after)
+            return 0.0;
+        const double low = before ? at(x - step_x, y - step_y).value : at(x, y).value;
+        const double high = after ? at(x + step_x, y + step_y).value : at(x, y).value;
+        return (high - low) / (before && after ? 2.0 : 1.0);
+    }
+
+    /// Some pixel of the surface near this one lies beyond the level: it is crossed, not only approached.
+    bool is_crossed(int x, int y, double level) const
+    {
+        const int reach = static_cast<int>(std::ceil(0.5 * width_)) + 1;
+        const bool above = at(x, y).value >= level;
+        for (int v = y - reach; v <= y + reach; ++v)
+            for (int u = x - reach; u <= x + reach; ++u)
+                if (is_same_side(u, v, at(x, y).side) && (at(u, v).value >= level) != above)
+                    return true;
+        return false;
+    }
+
+    /// Covers the pixel as far as it is nearer to the line than half of its width.
+    void draw_at(int x, int y)
+    {
+        const double steepness = std::hypot(slope(x, y, 1, 0), slope(x, y, 0, 1));
+        for (int step = 1; steepness > 0.0 && step <= legend_.scale.steps; ++step) {
+            const double level = legend_.scale.top() * step / legend_.scale.steps;
+            const double cover = 0.5 * width_ + 0.5 - std::abs(at(x, y).value - level) / steepness;
+            if (!legend_.has_contour(step) || cover <= 0.0 || !is_crossed(x, y, level))
+                continue;
+            for (int channel = 0; channel < 3; ++channel) {
+                std::uint8_t& byte = screen_.at(x, y)[channel];
+                byte = static_cast<std::uint8_t>(
+                    std::lround(byte + std::min(cover, 1.0) * (legend_.contour_grey(step) - byte)));
+            }
+        }
+    }
+
+    ScreenImage& screen_;
+    const std::vector<SeenValue>& seen_;
+    const Legend& legend_;
+    double width_; ///< [pixels]
+};
 
 /// The scale for values in rising order, and whether it leaves some out.
 Legend legend_for(const std::string& title, const std::vector<double>& sorted)
@@ -72,13 +182,16 @@ ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Cam
     values.reserve(quantity.values.size());
     for (const Rgb& value : quantity.values)
         values.push_back(mean(value));
-    const Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, view, flat(options)));
+    Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, view, flat(options)));
+    legend.contours = quantity.contours;
 
     std::vector<Rgb> colours;
     colours.reserve(values.size());
     for (const double value : values)
         colours.push_back(std::isfinite(value) ? map_colour(value / legend.scale.top()) : Rgb{});
     ScreenImage screen = flat_picture(scene, colours, view, options);
+    if (quantity.contours)
+        ContourPen(screen, seen_values(scene, values, view, options), legend).draw();
     if (strip_height > 0) {
         const ScreenImage strip = legend_strip(options.width, strip_height, legend);
         screen.bytes.insert(screen.bytes.end(), strip.bytes.begin(), strip.bytes.end());

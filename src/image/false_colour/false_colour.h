@@ -18,6 +18,7 @@ ScreenImage flat_picture(const Scene& scene, const std::vector<Rgb>& colours, co
 /// The mean of the channels of a quantity as a colour per patch, black where a patch has no value, above a legend if
 /// the picture has room for it. The scale goes from 0 to a round number at or above the 99th percentile of what is
 /// seen, or twice the 90th if that is less: a small spot much brighter than the rest does not make the rest dark.
+/// Contours are of the interpolated values (SmoothShading), at the numbers of the legend.
 ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Camera& camera, RenderOptions options);
 
 } // namespace multipath

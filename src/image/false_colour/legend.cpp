@@ -118,8 +118,9 @@ constexpr std::uint8_t paper = 32; // neither black, which means no value, nor a
 constexpr std::uint8_t ink = 230;
 
 /// Colours and marks between the columns `left` and `right`.
-void draw_bar(ScreenImage& strip, int scale, int left, int right, int steps)
+void draw_bar(ScreenImage& strip, int scale, int left, int right, const Legend& legend)
 {
+    const int steps = legend.scale.steps;
     for (int x = left; x < right; ++x) {
         const Rgb colour = map_colour((x - left + 0.5) / (right - left));
         const std::array<std::uint8_t, 3> bytes = {screen_byte(colour.r), screen_byte(colour.g), screen_byte(colour.b)};
@@ -130,10 +131,17 @@ void draw_bar(ScreenImage& strip, int scale, int left, int right, int steps)
         const int middle = left + (right - left) * step / steps;
         for (int y = scale * bar_bottom; y < scale * mark_bottom; ++y)
             std::fill_n(strip.at(middle - scale / 2, y), 3 * scale, ink);
+        for (int y = scale * bar_top; legend.has_contour(step) && step < steps && y < scale * bar_bottom; ++y)
+            std::fill_n(strip.at(middle - scale / 2, y), 3 * scale, legend.contour_grey(step));
     }
 }
 
 } // namespace
+
+std::uint8_t Legend::contour_grey(int step) const
+{
+    return 5 * step < 3 * scale.steps ? ink : 0; // the upper part of the scale is light
+}
 
 double LegendScale::top() const
 {
@@ -186,7 +194,7 @@ ScreenImage legend_strip(int width, int height, const Legend& legend)
     const int left = scale * side_margin;
     const int right = width - left;
     draw_text(strip, left, scale * title_top, scale, legend.title, ink);
-    draw_bar(strip, scale, left, right, legend.scale.steps);
+    draw_bar(strip, scale, left, right, legend);
     for (int step = 0; step <= legend.scale.steps; ++step) {
         const bool open = legend.exceeded && step == legend.scale.steps;
         const std::string number = legend.scale.number(step) + (open ? "+" : "");

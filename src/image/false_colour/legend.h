@@ -42,6 +42,11 @@ struct Legend
     std::string title; ///< quantity and unit, in the characters of draw_text
     LegendScale scale;
     bool exceeded = false; ///< there are values beyond the scale, shown like its end
+    bool contours = false; ///< lines of the picture stand for the numbers
+
+    /// The number of a step has a line: all but the ends do.
+    bool has_contour(int step) const { return contours && step > 0 && (step < scale.steps || exceeded); }
+    std::uint8_t contour_grey(int step) const; ///< seen well on the colours on both sides of the line
 };
 
 /// [pixels] Height of a legend with that title in a picture; 0 if the picture is too small for one.

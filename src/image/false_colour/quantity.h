@@ -12,6 +12,7 @@ struct Quantity
 {
     std::string title;       ///< with its unit in brackets, in the characters of draw_text
     std::vector<Rgb> values; ///< per patch, >= 0; not a number in the channels where a patch has none
+    bool contours = false;   ///< it varies smoothly over surfaces: lines of equal values help to read it
 };
 
 /// [W/m^2] H = (B - E) / rho of every patch; not a number in the channels in which it reflects nothing, since there the

@@ -18,6 +18,13 @@ struct TexturePoint
     double t = 0.0;
 };
 
+/// An image as browsers and glTF take it.
+struct ImageFile
+{
+    std::string type; ///< "image/png" or "image/jpeg"
+    std::string bytes;
+};
+
 /// How a surface lies on a texture: its point (u, v) at origin + u along_u + v along_v.
 struct TextureFrame
 {

@@ -11,11 +11,14 @@ uniform mat4 to_clip;
 in vec3 position;
 in vec2 corner;
 in uvec3 numbers;   // cells along u and v (0: a triangle), the first patch
+in vec2 on_texture;
 out vec2 place;
+out vec2 texture_place;
 flat out uvec3 surface;
 void main() {
   place = corner;
   surface = numbers;
+  texture_place = on_texture;
   gl_Position = to_clip * vec4(position, 1.0);
 }`;
 
@@ -36,7 +39,12 @@ uniform bool smooth_shading;
 uniform bool false_colours;
 uniform bool borders;
 uniform vec3 nothing;             // colour of patches without a value
+uniform sampler2D image;          // of the surfaces that are drawn now, in linear light
+uniform bool textured;
+uniform vec3 emitted;             // on the tone curve, by fronts
+uniform vec3 contrast;            // reflectance where the texture is white, over the mean
 in vec2 place;
+in vec2 texture_place;
 flat in uvec3 surface;
 out vec4 colour;
 
@@ -99,6 +107,9 @@ void main() {
     vec2 within = clamp(p - vec2(float(i), float(j)), 0.0, 1.0);
     vec3 light = smooth_shading ? corner_scale * between_corners(number, within, triangle, upper)
                                                    : patch_scale * texel(patch_values, number);
+    vec3 emission = gl_FrontFacing ? emitted : vec3(0.0);
+    if (textured && smooth_shading)
+      light = emission + contrast * texture(image, texture_place).rgb * max(light - emission, 0.0);
     if (arrived_scale > 0.0)
       light = 0.1 * light + arrived_scale * texel(arrived, number);
     shown = encoded(curve(min(light, vec3(1e4)))) + noise() / 255.0;
@@ -178,6 +189,8 @@ class Drawing {
     this.mark_count = 0;
     this.textures = new Map(); // by the values that they hold
     this.arrived = this.texture('colours', new Float32Array(3));
+    this.images = []; // by the number of a texture of the room, once they are decoded
+    this.blank = this.texture('colours', new Float32Array(3));
   }
 
   program(vertex, fragment) {
@@ -199,43 +212,80 @@ class Drawing {
     return { program, uniforms, attribute: name => gl.getAttribLocation(program, name) };
   }
 
-  // The corners of the pieces of all surfaces; the numbers for the shader stand at each of them.
+  // Decodes the textures of the room. The colours of files are sRGB, which the graphics processor makes linear.
+  async load_images(list) {
+    const gl = this.gl, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    const sharp = gl.getExtension('EXT_texture_filter_anisotropic');
+    const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' };
+    for (const [number, { type, data, repeats }] of list.entries()) {
+      let bitmap = await createImageBitmap(new Blob([bytes_of(data)], { type }), options).catch(() => null);
+      if (!bitmap)
+        continue; // its surfaces keep the mean
+      const shrink = most / Math.max(bitmap.width, bitmap.height);
+      if (shrink < 1)
+        bitmap = await createImageBitmap(bitmap, { ...options, resizeQuality: 'high',
+          resizeWidth: Math.max(1, Math.floor(shrink * bitmap.width)), resizeHeight: Math.max(1, Math.floor(shrink * bitmap.height)) });
+      const texture = gl.createTexture(), wrap = repeats ? gl.REPEAT : gl.CLAMP_TO_EDGE;
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+      gl.generateMipmap(gl.TEXTURE_2D);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrap);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap);
+      if (sharp)
+        gl.texParameterf(gl.TEXTURE_2D, sharp.TEXTURE_MAX_ANISOTROPY_EXT, 8);
+      this.images[number] = texture;
+      bitmap.close();
+    }
+  }
+
+  // The corners of the pieces of all surfaces, one material with a texture after the other; the numbers for the shader
+  // stand at each of them.
   make_surfaces() {
-    const gl = this.gl, room = this.room, words = 8; // 3 + 2 numbers, 3 counts
-    const pieces = [];
+    const gl = this.gl, room = this.room, words = 10; // 3 + 2 numbers, 3 counts, 2 numbers
+    const pieces = [], kind = s => room.shows_texture(s) ? room.material[s] : -1;
     for (let s = 0; s < room.surface_count; ++s)
       for (const piece of room.pieces(s))
         pieces.push([s, piece]);
+    pieces.sort(([a], [b]) => kind(a) - kind(b));
     const corner_count = pieces.reduce((sum, [, { corners }]) => sum + corners.length, 0);
     const numbers = new Float32Array(words * corner_count), counts = new Uint32Array(numbers.buffer);
     const indices = new Uint32Array(3 * (corner_count - 2 * pieces.length));
     let n = 0, used = 0;
+    this.groups = []; // { material, first, count } of indices
     for (const [s, { corners, places, cells, patch }] of pieces) {
       const first = n;
       corners.forEach(([u, v], k) => {
         numbers.set([...room.point(s, u, v), ...places[k]], words * n);
         counts.set([cells[0], room.triangles[s] ? 0 : cells[1], patch], words * n + 5);
+        if (kind(s) >= 0)
+          numbers.set(room.texture_place(s, u, v), words * n + 8);
         ++n;
       });
+      if (this.groups.length === 0 || this.groups[this.groups.length - 1].material !== kind(s))
+        this.groups.push({ material: kind(s), first: used, count: 0 });
       for (let k = 2; k < corners.length; ++k) {
         indices.set([first, first + k - 1, first + k], used);
         used += 3;
       }
+      this.groups[this.groups.length - 1].count += 3 * (corners.length - 2);
     }
-    this.index_count = used;
     this.surface_array = gl.createVertexArray();
     gl.bindVertexArray(this.surface_array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, numbers.subarray(0, words * n), gl.STATIC_DRAW);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices.subarray(0, used), gl.STATIC_DRAW);
-    const [position, corner, numbers_at] = ['position', 'corner', 'numbers'].map(this.room_program.attribute);
+    const [position, corner, numbers_at, on_texture] =
+      ['position', 'corner', 'numbers', 'on_texture'].map(this.room_program.attribute);
     gl.enableVertexAttribArray(position);
     gl.vertexAttribPointer(position, 3, gl.FLOAT, false, 4 * words, 0);
     gl.enableVertexAttribArray(corner);
     gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 4 * words, 12);
     gl.enableVertexAttribArray(numbers_at);
     gl.vertexAttribIPointer(numbers_at, 3, gl.UNSIGNED_INT, 4 * words, 20);
+    gl.enableVertexAttribArray(on_texture);
+    gl.vertexAttribPointer(on_texture, 2, gl.FLOAT, false, 4 * words, 32);
     gl.bindVertexArray(null);
   }
 
@@ -348,7 +398,7 @@ class Drawing {
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.uniform1i(uniforms[name], unit);
     });
-    gl.activeTexture(gl.TEXTURE0 + 4); // where textures are filled
+    gl.uniform1i(uniforms.image, 4);
     gl.uniformMatrix4fv(uniforms.to_clip, false, to_clip);
     gl.uniform1ui(uniforms.backs_patch, this.room.cell_count);
     gl.uniform1f(uniforms.patch_scale, look.scale * values.patches.unit);
@@ -360,8 +410,23 @@ class Drawing {
     gl.uniform1i(uniforms.borders, look.borders ? 1 : 0);
     gl.uniform3f(uniforms.nothing, 0.13, 0.13, 0.14);
     gl.bindVertexArray(this.surface_array);
-    gl.drawElements(gl.TRIANGLES, this.index_count, gl.UNSIGNED_INT, 0);
+    for (const group of this.groups)
+      this.draw_group(group, look);
     gl.bindVertexArray(null);
+    gl.activeTexture(gl.TEXTURE0 + 5); // where textures are filled
+  }
+
+  // Surfaces of one material; of several, if they show no texture.
+  draw_group({ material, first, count }, look) {
+    const gl = this.gl, { uniforms } = this.room_program;
+    const { texture, white, reflectance, emittance } = material < 0 ? {} : this.room.materials[material];
+    const image = this.images[texture];
+    gl.activeTexture(gl.TEXTURE0 + 4);
+    gl.bindTexture(gl.TEXTURE_2D, image || this.blank);
+    gl.uniform1i(uniforms.textured, image ? 1 : 0);
+    gl.uniform3fv(uniforms.emitted, image ? times(look.scale, emittance) : [0, 0, 0]);
+    gl.uniform3fv(uniforms.contrast, image ? white.map((w, k) => reflectance[k] > 0 ? w / reflectance[k] : 0) : [1, 1, 1]);
+    gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
   }
 
   // What is hidden by the room is seen through it faintly.

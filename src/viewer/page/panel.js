@@ -125,7 +125,7 @@ class Panel {
     const material = room.material_of(patch);
     const back = room.is_back(patch) ? ', its back' : '';
     const rows = [['Number', String(patch)], ['Surface', room.surface_name(room.surface_of(patch)) + back],
-                  ['Material', material.name], ['Reflectance ρ', colour_text(material.reflectance)],
+                  ['Material', material.name], ['Reflectance ρ', colour_text(room.reflectance(patch))],
                   [`Emittance E [${quantities.list[0].unit}]`, colour_text(room.emittance(patch))]];
     for (const { title, unit, patches } of quantities.list)
       rows.push([`${title} [${unit}]`, colour_text(patches.at(patch))]);

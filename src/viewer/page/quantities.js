@@ -27,6 +27,8 @@ class Values {
   }
 }
 
+const light_values = data => new Values('light', data.light_unit, () => counts_of(data.light));
+
 // Light at the corners of patches: what they share, and behind it what some have of their own.
 function corner_words(data, room) {
   const words = counts_of(data.corners), places = counts_of(data.own_places), shared = words.length - places.length;
@@ -39,7 +41,7 @@ function corner_words(data, room) {
 const light_of = (data, room) => ({
   light: true,
   patches: data.values ? new Values('colours', 1, () => numbers_of(data.values))
-                       : new Values('light', data.light_unit, () => counts_of(data.light)),
+                       : light_values(data),
   corners: new Values('light', data.corners_unit, () => corner_words(data, room)),
 });
 const means_of = data => ({ light: false, patches: new Values('means', 1, () => numbers_of(data.means)) });

@@ -38,6 +38,9 @@ class Room {
     this.material = counts_of(data.surfaces.materials);
     this.group = counts_of(data.surfaces.groups);
     this.line = counts_of(data.surfaces.lines);
+    this.power_unit = data.power_unit;
+    this.frames = numbers_of(data.surfaces.texture_frames);
+    this.reflectances = data.reflectances.light ? light_values(data.reflectances) : null;
     this.covered = new Set(counts_of(data.surfaces.covered));
     this.surface_count = this.triangles.length;
     this.trees = this.trees_of(bytes_of(data.surfaces.levels));
@@ -114,6 +117,13 @@ class Room {
   edge_u(s) { return this.vector(s, 1); }
   edge_v(s) { return this.vector(s, 2); }
   point(s, u, v) { return plus(this.origin(s), plus(times(u, this.edge_u(s)), times(v, this.edge_v(s)))); }
+
+  // Whether a texture is seen on it, and where a point lies on that: from the top, as images are stored.
+  shows_texture(s) { return this.frames.length > 0 && Number.isFinite(this.frames[6 * s]); }
+  texture_place(s, u, v) {
+    const [a, b, c, d, e, f] = this.frames.subarray(6 * s, 6 * s + 6);
+    return [a + u * c + v * e, 1 - (b + u * d + v * f)];
+  }
 
   // The corners (u, v) of a surface, counter-clockwise.
   corners(s) { return this.triangles[s] ? [[0, 0], [1, 0], [0, 1]] : [[0, 0], [1, 0], [1, 1], [0, 1]]; }
@@ -235,6 +245,7 @@ class Room {
   }
 
   material_of(patch) { return this.materials[this.material[this.surface_of(patch)]]; }
+  reflectance(patch) { return this.reflectances ? this.reflectances.at(patch) : this.material_of(patch).reflectance; }
   emittance(patch) { return this.is_back(patch) ? [0, 0, 0] : this.material_of(patch).emittance; }
 
   area(patch) {

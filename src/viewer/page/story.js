@@ -12,10 +12,10 @@ const mean = c => (c[0] + c[1] + c[2]) / 3;
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
 // The unit in which the power that usually goes along a line is a number above one.
-function usual_unit(chapter) {
+function usual_unit(chapter, base) {
   const usual = median(chapter.lines.flatMap(line => line.transfers.map(({ counted }) => mean(channels(counted))))) || 1;
-  const units = [['W', 1], ['mW', 1e-3], ['µW', 1e-6], ['nW', 1e-9]].map(([name, watts]) => ({ name, watts }));
-  return units.find(({ watts }) => usual >= watts) || units[3];
+  const units = [['', 1], ['m', 1e-3], ['µ', 1e-6], ['n', 1e-9]].map(([prefix, size]) => ({ name: prefix + base, size }));
+  return units.find(({ size }) => usual >= size) || units[3];
 }
 
 class Story {
@@ -26,7 +26,7 @@ class Story {
     this.chapter = chapters.length > 0 ? chapters.length - 1 : 0;
     this.line = 0; // lines that have been told; 0: none yet
     this.scales = chapters.map(chapter => this.glow_scale(chapter));
-    this.units = chapters.map(usual_unit);
+    this.units = chapters.map(chapter => usual_unit(chapter, room.power_unit));
   }
 
   get lines() { return this.chapters.length > 0 ? this.chapters[this.chapter].lines : []; }
@@ -42,7 +42,7 @@ class Story {
 
   // [W/m^2] by which a transfer raises the radiosity of the patch where it arrives.
   gain(transfer) {
-    const rho = this.room.material_of(transfer.to).reflectance, area = this.room.area(transfer.to);
+    const rho = this.room.reflectance(transfer.to), area = this.room.area(transfer.to);
     return channels(transfer.counted).map((power, k) => rho[k] * power / area);
   }
 
@@ -188,7 +188,7 @@ class StoryPanel {
       this.add_patch(row, transfer.to);
       const forecast = channels(transfer.forecast), held = channels(transfer.held);
       for (const power of [forecast, held, plus(forecast, held)])
-        append_element(row, 'td', colour_text(times(1 / unit.watts, power), 3));
+        append_element(row, 'td', colour_text(times(1 / unit.size, power), 3));
     }
   }
 

@@ -24,6 +24,12 @@ class Viewer {
     this.change({});
   }
 
+  // Textures are decoded while the room is looked at already.
+  async load_images(list) {
+    await this.drawing.load_images(list);
+    this.request_draw();
+  }
+
   change(part) {
     const selected = this.state.selected;
     Object.assign(this.state, part);
@@ -131,6 +137,7 @@ class Viewer {
 function script_interface(viewer) {
   return {
     ready: null, // [ms] from the opening of the page to its first picture
+    decoded: null, // a promise: all textures are seen
     room: viewer.room,
     get state() { return { ...viewer.state, line: viewer.story.line, chapter: viewer.story.chapter }; },
     change: part => viewer.change(part),
@@ -147,9 +154,11 @@ function script_interface(viewer) {
 }
 
 try {
-  const viewer = new Viewer(JSON.parse(element('room').textContent), element('view'));
+  const data = JSON.parse(element('room').textContent), viewer = new Viewer(data, element('view'));
   window.multipath = script_interface(viewer);
-  requestAnimationFrame(() => requestAnimationFrame(() => { window.multipath.ready = performance.now(); }));
+  window.multipath.decoded = viewer.load_images(data.textures);
+  window.multipath.decoded.finally(() =>
+    requestAnimationFrame(() => requestAnimationFrame(() => { window.multipath.ready = performance.now(); })));
 } catch (error) {
   element('failure').textContent = error.message;
   element('failure').hidden = false;

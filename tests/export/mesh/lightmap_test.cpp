@@ -481,7 +481,7 @@ TEST_CASE("materials of a lightmap GLB keep their names, are unlit, and show the
 {
     const Scene scene(with_textures(), 1.0);
     const Lightmap map = lightmap(scene, 256, places_of(scene), 1);
-    const std::vector<GlbImage> images = {{"image/png", "first"}, {"image/jpeg", "the second"}};
+    const std::vector<ImageFile> images = {{"image/png", "first"}, {"image/jpeg", "the second"}};
     const LightmapFile glb(lightmap_glb(scene, map, "the atlas", 1.0, {}, images, {}));
     const std::size_t materials = glb.json["materials"].list.size();
     CHECK(materials == 4); // the lamp's is unused
