@@ -3,12 +3,16 @@
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "parallel/mix_bits.h"
+#include "scene/daylight.h"
 #include "scene/room_shell.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -29,15 +33,6 @@ std::string name_of_material(const ObjName& material)
     return material.name.empty() ? "default" : material.name;
 }
 
-/// A material or group that may become a lamp.
-struct Candidate
-{
-    std::string name;
-    bool is_group;
-    std::uint32_t number;
-    double area; ///< [m^2]
-};
-
 /// [m^2] Of the surfaces of each material or group.
 std::vector<double> areas_of(const SceneFile& scene, const std::vector<std::uint32_t>& numbers, std::size_t count)
 {
@@ -48,7 +43,7 @@ std::vector<double> areas_of(const SceneFile& scene, const std::vector<std::uint
 }
 
 /// Materials and objects that are called as lamps or windows are, the most likely first.
-std::vector<Candidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
+std::vector<LampCandidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
 {
     // Lamps first, then what daylight comes through, in some languages of public models.
     constexpr std::array<std::string_view, 32> words = {
@@ -61,11 +56,11 @@ std::vector<Candidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
     std::vector<std::string> materials; // --lamp takes a name for that of a material first
     for (const ObjName& material : mesh.materials)
         materials.push_back(name_of_material(material));
-    std::vector<Candidate> result;
+    std::vector<LampCandidate> result;
     const auto add = [&](const std::string& name, std::string_view word, bool is_group, std::size_t number) {
         const double area = is_group ? of_groups[number] : of_materials[number];
         if (lower_case(name).find(word) != std::string::npos &&
-            std::none_of(result.begin(), result.end(), [&](const Candidate& c) { return c.name == name; }))
+            std::none_of(result.begin(), result.end(), [&](const LampCandidate& c) { return c.name == name; }))
             result.push_back({name, is_group, static_cast<std::uint32_t>(number), area});
     };
     for (const std::string_view word : words) {
@@ -80,32 +75,32 @@ std::vector<Candidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
 }
 
 /// All materials, the largest first.
-std::vector<Candidate> large_materials(const ObjMesh& mesh, const SceneFile& scene)
+std::vector<LampCandidate> large_materials(const ObjMesh& mesh, const SceneFile& scene)
 {
     const std::vector<double> areas = areas_of(scene, scene.material, mesh.materials.size());
-    std::vector<Candidate> result;
+    std::vector<LampCandidate> result;
     for (std::uint32_t k = 0; k < areas.size(); ++k)
         if (areas[k] > 0.0)
             result.push_back({name_of_material(mesh.materials[k]), false, k, areas[k]});
     std::stable_sort(result.begin(), result.end(),
-                     [&](const Candidate& a, const Candidate& b) { return areas[a.number] > areas[b.number]; });
+                     [&](const LampCandidate& a, const LampCandidate& b) { return areas[a.number] > areas[b.number]; });
     return result;
 }
 
-/// Rays that leave the fronts of some surfaces, about as diffuse light does.
+/// Rays that leave the fronts of some surfaces, about as diffuse light does, or all to one side.
 class Rays
 {
 public:
     /// From those for which `from` is true.
     template <class Condition>
-    Rays(const SurfaceList& surfaces, Condition from)
+    Rays(const SurfaceList& surfaces, Condition from, std::optional<Vec3> direction = std::nullopt)
     {
         std::vector<std::uint32_t> chosen;
         for (std::uint32_t s = 0; s < surfaces.size(); ++s)
             if (from(s))
                 chosen.push_back(s);
         constexpr std::size_t most = 4096;
-        constexpr std::size_t rays_per_surface = 8;
+        const std::size_t rays_per_surface = std::max(std::size_t{8}, 8 * most / std::max(chosen.size(), most / 64));
         std::uint64_t bits = 1;
         const auto next = [&bits] { // in [0, 1)
             bits = mix_bits(bits);
@@ -123,8 +118,8 @@ public:
                 const double y = (next() < 0.5 ? -1.0 : 1.0) * std::sqrt(std::max(0.0, 1.0 - x * x));
                 const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
                 from_.push_back(s);
-                weights_.push_back(surface.area());
-                lines_.push_back({surface.at(u, v), surface.normal() + Vec3{r * x, r * y, z}});
+                weights_.push_back(surface.area() * (direction ? dot(surface.normal(), *direction) : 1.0));
+                lines_.push_back({surface.at(u, v), direction.value_or(surface.normal() + Vec3{r * x, r * y, z})});
             }
         }
     }
@@ -151,7 +146,7 @@ private:
 };
 
 /// [1] Of the light of a lamp the share that arrives on fronts of others, walls that look outward turned over.
-double lit_share(const SceneFile& scene, const Candidate& lamp)
+double lit_share(const SceneFile& scene, const LampCandidate& lamp)
 {
     SceneFile lit;
     lit.surfaces = scene.surfaces;
@@ -168,25 +163,60 @@ double lit_share(const SceneFile& scene, const Candidate& lamp)
 }
 
 /// [1] Of the light of fronts the share that leaves the scene.
-double open_share(const SceneFile& scene)
+double open_share(const SceneFile& scene, const Intersector& intersector)
 {
-    return Rays(scene.surfaces, [](std::uint32_t) { return true; })
-        .share(Intersector(scene.surfaces), [](const Hit* hit) { return hit == nullptr; });
+    return Rays(scene.surfaces, [](std::uint32_t) { return true; }).share(intersector, [](const Hit* hit) {
+        return hit == nullptr;
+    });
 }
+
+/// [m^2] Of fronts, as seen from the sun, that it reaches.
+double sunlit_area(const SceneFile& scene, const Intersector& intersector, Vec3 towards_sun)
+{
+    double turned = 0.0; // to the sun, if nothing stood before it
+    for (const Surface& surface : scene.surfaces)
+        turned += surface.area() * std::max(0.0, dot(surface.normal(), towards_sun));
+    const auto faces_sun = [&](std::uint32_t s) { return dot(scene.surfaces[s].normal(), towards_sun) > 0.0; };
+    Rays rays(scene.surfaces, faces_sun, towards_sun);
+    return turned * rays.share(intersector, [](const Hit* hit) { return hit == nullptr; });
+}
+
+constexpr double azimuth = 150.0;
+constexpr double elevation = 40.0;
+constexpr double sun_irradiance = 20.0; // [W/m^2]
 
 } // namespace
 
-LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
+std::string lamp_option(const std::string& name)
+{
+    return option_text("lamp", name + format("=%g", advised_emittance));
+}
+
+std::string sky_option()
+{
+    return option_text("sky", format("%g", advised_emittance));
+}
+
+std::string sun_option()
+{
+    return option_text("sun", format("%g,%g,%g", azimuth, elevation, sun_irradiance));
+}
+
+LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene)
+{
+    return {called_lamps(mesh, scene), large_materials(mesh, scene)};
+}
+
+LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& scene)
 {
     constexpr double enough = 0.05;
     constexpr std::size_t most_tried = 4; // each needs a tree of its own
-    const std::vector<Candidate> called = called_lamps(mesh, scene);
     LightAdvice result;
-    for (const Candidate& candidate : called)
+    for (const LampCandidate& candidate : candidates.called)
         result.others.push_back(candidate.name);
-    const auto take_best_of = [&](std::vector<Candidate> candidates) {
-        candidates.resize(std::min(candidates.size(), most_tried));
-        for (const Candidate& candidate : candidates) {
+    const auto take_best_of = [&](std::vector<LampCandidate> tried) {
+        tried.resize(std::min(tried.size(), most_tried));
+        for (const LampCandidate& candidate : tried) {
             const double share = lit_share(scene, candidate);
             if (result.lamp.empty() || share > result.lit_share) {
                 result.lamp = candidate.name;
@@ -197,11 +227,11 @@ LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
                 break;
         }
     };
-    take_best_of(called);
+    take_best_of(candidates.called);
     if (result.lit_share < enough) {
-        const double open = open_share(scene);
+        const double open = open_share(scene, Intersector(scene.surfaces));
         if (open < enough)
-            take_best_of(large_materials(mesh, scene));
+            take_best_of(candidates.materials);
         if (open >= enough || open > result.lit_share) {
             result.lamp.clear();
             result.lit_share = open;
@@ -209,6 +239,30 @@ LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
     }
     result.others.erase(std::remove(result.others.begin(), result.others.end(), result.lamp), result.others.end());
     return result;
+}
+
+std::vector<LightYield> light_yields(const LampCandidates& candidates, const SceneFile& scene)
+{
+    constexpr std::size_t most_lamps = 12;
+    std::vector<LampCandidate> lamps = candidates.called;
+    for (const LampCandidate& material : candidates.materials)
+        if (std::none_of(lamps.begin(), lamps.end(), [&](const LampCandidate& c) { return c.name == material.name; }))
+            lamps.push_back(material);
+    lamps.resize(std::min(lamps.size(), most_lamps));
+    std::vector<LightYield> yields;
+    for (const LampCandidate& lamp : lamps) {
+        const double power = advised_emittance * lamp.area;
+        yields.push_back({lamp_option(lamp.name), power, power * lit_share(scene, lamp)});
+    }
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Intersector intersector(scene.surfaces);
+    double area = 0.0;
+    for (const Surface& surface : scene.surfaces)
+        area += surface.area();
+    yields.push_back({sky_option(), unknown, advised_emittance * area * open_share(scene, intersector)});
+    const Sun sun = sun_at(azimuth, elevation, {0.0, 1.0, 0.0}, {sun_irradiance, sun_irradiance, sun_irradiance});
+    yields.push_back({sun_option(), unknown, sun_irradiance * sunlit_area(scene, intersector, sun.direction)});
+    return yields;
 }
 
 } // namespace multipath

@@ -288,6 +288,7 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
 {
     std::vector<std::string> problems;
     std::string options;
+    LampCandidates candidates;
     const auto too_bright = std::find_if(materials.used.begin(), materials.used.end(),
                                          [](const MtlMaterial& m) { return !m.flaw.empty(); });
     if (too_bright != materials.used.end())
@@ -300,22 +301,23 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
     if (!problems.empty() || (!lit && may_trap))
         options += " --reflectance-limit 0.9";
     if (!lit) {
+        candidates = lamp_candidates(mesh, scene);
         problems.push_back(darkness(materials, mesh, missing_files, emission_from));
         const std::vector<std::string> by_ambient = lamps_by_ambient(materials.used);
         if (emission_from == EmissionFrom::ke && !by_ambient.empty()) {
             problems.push_back("Ka makes a lamp of " + list_of(by_ambient));
             options += " --emission-from Ka";
         } else {
-            const LightAdvice light = advised_light(mesh, scene);
+            const LightAdvice light = advised_light(candidates, scene);
             const bool sky = light.lamp.empty();
             const std::string others =
                 light.others.empty() ? "" : (sky ? ", or make a lamp of " : ", or another: ") + list_of(light.others);
-            problems.push_back((sky ? "to light it by sky and sun"
-                                    : "to make a lamp of material or object " + in_quotes(light.lamp) +
-                                          format(" (%.3g m^2, so %.3g W)", light.lamp_area, 10.0 * light.lamp_area)) +
-                               others);
-            options += sky ? option_text("sky", "10") + option_text("sun", "150,40,20")
-                           : option_text("lamp", light.lamp + "=10");
+            problems.push_back(
+                (sky ? "to light it by sky and sun"
+                     : "to make a lamp of material or object " + in_quotes(light.lamp) +
+                           format(" (%.3g m^2, so %.3g W)", light.lamp_area, advised_emittance * light.lamp_area)) +
+                others);
+            options += sky ? sky_option() + sun_option() : lamp_option(light.lamp);
         }
     }
     if (problems.empty())
@@ -323,7 +325,10 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
     options += changes.options;
     const std::string text = join(problems, "; ") + (lit ? "; to lower it" : "") + ": multipath solve " +
                              shell_word((mesh.path[0] == '-' ? "./" : "") + mesh.path) + options;
-    throw InputError(too_bright != materials.used.end() ? text : name_of({mesh.path, 0}) + ": " + text);
+    const std::string message = too_bright != materials.used.end() ? text : name_of({mesh.path, 0}) + ": " + text;
+    if (!lit)
+        throw DarkScene(message, std::move(candidates), scene);
+    throw InputError(message);
 }
 
 void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMaterial>& used,

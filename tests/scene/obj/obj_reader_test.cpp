@@ -1,10 +1,13 @@
 #include "scene/obj/obj_reader.h"
 
+#include "geometry/pi.h"
 #include "scene/input_problem.h"
+#include "scene/obj/light_advice.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -208,6 +211,40 @@ TEST_CASE("the error of a file without lamps names one by its name, or else the 
     CHECK(contains(SceneText{cube, ""}.problem(), "--lamp default=10"));
     const SceneText nameless{square + "f 1 2 3 4\n", ""};
     CHECK(nameless.read(EmissionFrom::ke, {{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
+}
+
+// A unit cube without the wall at z = 1: all light that comes through the opening stays.
+TEST_CASE("a file without lamps knows what lamps, sky and sun would bring")
+{
+    const auto yields = [](const std::string& obj) {
+        try {
+            SceneText{obj, ""}.read();
+        } catch (const DarkScene& dark) {
+            return light_yields(dark.candidates, *dark.scene);
+        }
+        return std::vector<LightYield>{};
+    };
+    const std::string opening = "f 8 7 6 5\n";
+    std::string open_cube = cube;
+    const std::vector<LightYield> open = yields(open_cube.erase(cube.find(opening), opening.size()));
+    REQUIRE(open.size() == 3);
+    CHECK(open[0].option == " --lamp default=10");
+    CHECK(open[0].emitted == doctest::Approx(50.0));
+    CHECK(open[0].arriving == 0.0); // all that could receive shines
+    CHECK(open[1].option == " --sky 10");
+    CHECK(open[1].arriving == doctest::Approx(10.0).epsilon(0.05));
+    CHECK(open[2].option == " --sun 150,40,20");
+    const double cosine = std::cos(40.0 * pi / 180.0) * std::cos(30.0 * pi / 180.0);
+    CHECK(open[2].arriving == doctest::Approx(20.0 * cosine).epsilon(0.05));
+
+    const std::string panel_in_cube = cube + "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.6 0.6 0.4\nv 0.4 0.6 0.4\n";
+    const std::vector<LightYield> closed = yields(panel_in_cube + "o lamp\nf -4 -3 -2 -1\n");
+    REQUIRE(closed.size() == 4);
+    CHECK(closed[0].option == " --lamp lamp=10");
+    CHECK(closed[0].emitted == doctest::Approx(0.4));
+    CHECK(closed[0].arriving == doctest::Approx(0.4));
+    CHECK(closed[2].arriving == 0.0);
+    CHECK(closed[3].arriving == 0.0);
 }
 
 TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open one is not")
