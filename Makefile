@@ -3,7 +3,7 @@
 # make test       builds and runs all tests
 # make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
 # make mutants    plants the bugs of tests/mutants.list one by one and tells which the tests notice; takes about an hour
-# make bench      measures speed; close other programs first
+# make bench      measures speed; close other programs first. OBJ=FILE.obj: of lines through this file
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
 # make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures and numbers
@@ -31,8 +31,8 @@ Q         = $(if $(V),,@)
 sources      = $(sort $(shell find src -name '*.cpp'))
 test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' ! -path 'tests/fuzz/*'))
 
-# Compiled by themselves: kernels, which have the same names for every instruction set, and the version, which any change changes.
-alone = $(filter src/main.cpp src/cli/version.cpp %_plain.cpp %_sse2.cpp %_avx2.cpp %_avx512.cpp,$(sources))
+# Compiled by themselves: kernels, whose lanes have the same names in each of them, and the version, which any change changes.
+alone = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
 # Folders and files that are compiled as one file.
 src/lines    = src/parallel src/sampling src/transport
 src/commands = src/cli src/commands
@@ -147,7 +147,7 @@ mutants: $(BUILD)/unit_tests $(PROGRAM)
 	+@UNITY=no sh tests/mutants.sh $(BUILD) $(PROGRAM)
 
 bench: $(BUILD)/bench
-	./$(BUILD)/bench
+	./$(BUILD)/bench $(OBJ)
 
 # Compared with Embree if its headers are there.
 bench_objects = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/bench/*.cpp))

@@ -30,7 +30,7 @@ constexpr int exit_usage = 2;
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
 {
     if (!kernel_limit_is_known())
-        throw UsageError("MULTIPATH_KERNELS: expected avx512, avx2, sse2 or plain");
+        throw UsageError("MULTIPATH_KERNELS: expected one of " + join(instruction_sets(), ", "));
     if (words[0] == "--version") {
         print(version_text());
         return exit_done;

@@ -23,6 +23,15 @@ std::string compiler()
 #endif
 }
 
+std::string usable_sets()
+{
+    std::string names;
+    for (const std::string& name : instruction_sets())
+        if (usable(name))
+            names += (names.empty() ? "" : " ") + name;
+    return names;
+}
+
 } // namespace
 
 std::string version()
@@ -37,7 +46,7 @@ std::string sources_checksum()
 
 std::string version_text()
 {
-    return version() + "\ncompiler: " + compiler() + "\ninstruction sets: " + usable_instruction_sets() + "\n";
+    return version() + "\ncompiler: " + compiler() + "\ninstruction sets: " + usable_sets() + "\n";
 }
 
 } // namespace multipath

@@ -1,8 +1,8 @@
 #include "parallel/instruction_set.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdlib>
-#include <optional>
+#include <iterator>
 
 namespace multipath {
 
@@ -10,65 +10,66 @@ namespace {
 
 struct NamedSet
 {
-    InstructionSet set;
-    const char* name;
+    std::string_view name;
+    bool (*of_processor)();
 };
 
-constexpr std::array<NamedSet, 4> all_sets = {{{InstructionSet::avx512, "avx512"},
-                                               {InstructionSet::avx2, "avx2"},
-                                               {InstructionSet::sse2, "sse2"},
-                                               {InstructionSet::plain, "plain"}}};
-
-constexpr const char* limit_variable = "MULTIPATH_KERNELS";
-
-bool processor_has(InstructionSet set)
+constexpr bool always()
 {
-#if defined(__x86_64__)
-    __builtin_cpu_init(); // kernels may be chosen before main
-    switch (set) {
-    case InstructionSet::avx512:
-        return __builtin_cpu_supports("avx512f");
-    case InstructionSet::avx2:
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    case InstructionSet::sse2:
-    case InstructionSet::plain:
-        break;
-    }
     return true;
-#else
-    return set == InstructionSet::plain;
-#endif
 }
 
-std::optional<InstructionSet> named_set(const std::string& name)
+// The fastest first.
+constexpr NamedSet all_sets[] = {
+#if defined(__x86_64__)
+    {"avx512", [] { return __builtin_cpu_supports("avx512f") != 0; }},
+    {"avx2", [] { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }},
+    {"sse2", always},
+#elif defined(__aarch64__)
+    {"neon", always},
+#elif defined(__VSX__)
+    {"vsx", always},
+#endif
+    {"plain", always}};
+
+const NamedSet* set_named(std::string_view name)
 {
-    for (const NamedSet& named : all_sets)
-        if (named.name == name)
-            return named.set;
-    return std::nullopt;
+    const auto* found =
+        std::find_if(std::begin(all_sets), std::end(all_sets), [&](const NamedSet& set) { return set.name == name; });
+    return found == std::end(all_sets) ? nullptr : found;
+}
+
+/// The fastest that may be used.
+const NamedSet* limit()
+{
+    const char* name = std::getenv("MULTIPATH_KERNELS");
+    const NamedSet* named = name == nullptr ? nullptr : set_named(name);
+    return named == nullptr ? std::begin(all_sets) : named;
 }
 
 } // namespace
 
-bool usable(InstructionSet set)
+bool usable(std::string_view instruction_set)
 {
-    const char* limit = std::getenv(limit_variable);
-    return processor_has(set) && (limit == nullptr || set <= named_set(limit).value_or(InstructionSet::avx512));
+#if defined(__x86_64__)
+    __builtin_cpu_init(); // kernels may be chosen before main
+#endif
+    const NamedSet* named = set_named(instruction_set);
+    return named != nullptr && named >= limit() && named->of_processor();
 }
 
-std::string usable_instruction_sets()
+std::vector<std::string> instruction_sets()
 {
-    std::string names;
-    for (const NamedSet& named : all_sets)
-        if (usable(named.set))
-            names += (names.empty() ? "" : " ") + std::string(named.name);
+    std::vector<std::string> names;
+    for (const NamedSet& set : all_sets)
+        names.emplace_back(set.name);
     return names;
 }
 
 bool kernel_limit_is_known()
 {
-    const char* limit = std::getenv(limit_variable);
-    return limit == nullptr || named_set(limit);
+    const char* name = std::getenv("MULTIPATH_KERNELS");
+    return name == nullptr || set_named(name) != nullptr;
 }
 
 } // namespace multipath

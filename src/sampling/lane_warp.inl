@@ -1,8 +1,9 @@
 // The maps of warp.cpp and the sine and cosine of warp.h, several points at a time: the same operations in the
-// same order, with choices between results for branches. Included once by the file of each instruction set, after its
-// DoubleLanes. warp.cpp is the version to read first, double_lanes_plain.h tells what the functions of lanes do.
+// same order, with choices between results for branches. Included once for each instruction set. warp.cpp is the version
+// to read first, parallel/lanes/plain.inl tells what the functions of lanes do.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
 
 struct LaneSinCos
@@ -72,5 +73,8 @@ KERNEL_ENTRY void cosine_hemisphere(const SquarePoints& square, std::size_t coun
     }
 }
 
+constexpr WarpKernel table = {LANE_SET_NAME, uniform_sphere, cosine_hemisphere};
+
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

@@ -2,6 +2,9 @@
 
 #include "parallel/instruction_set.h"
 
+#define KERNELS "sampling/lane_warp.inl"
+#include "parallel/lanes/every_set.inl"
+
 namespace multipath {
 
 void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
@@ -16,11 +19,7 @@ void take_square(const Item* items, std::size_t count, std::size_t first_number,
 
 std::vector<const WarpKernel*> available_warp_kernels()
 {
-#if defined(__x86_64__)
-    return usable_kernels(avx512_warp_kernel, avx2_warp_kernel, sse2_warp_kernel, plain_warp_kernel);
-#else
-    return {&plain_warp_kernel};
-#endif
+    return usable_kernels<WarpKernel>({EVERY_TABLE});
 }
 
 namespace {

@@ -33,7 +33,7 @@ void take_square(const Item* items, std::size_t count, std::size_t first_number,
 /// maps for one point, bit for bit. They fill whole groups of lanes: `count` rounded up to the next multiple of 8.
 struct WarpKernel
 {
-    const char* name; ///< plain, sse2, avx2 or avx512
+    const char* name; ///< of the instruction set
 
     void (*uniform_sphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
     void (*cosine_hemisphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
@@ -44,13 +44,5 @@ std::vector<const WarpKernel*> available_warp_kernels();
 
 /// The fastest of them.
 const WarpKernel& warp_kernel();
-
-// Each in its own file; they are one template (lane_warp.inl) over the Lanes of the instruction set.
-extern const WarpKernel plain_warp_kernel;
-#if defined(__x86_64__)
-extern const WarpKernel sse2_warp_kernel;
-extern const WarpKernel avx2_warp_kernel;
-extern const WarpKernel avx512_warp_kernel;
-#endif
 
 } // namespace multipath

@@ -186,8 +186,13 @@ int main(int argc, char** argv)
         compare_sequences();
     if (runs("mapping"))
         compare_maps(scene_of(room_with_boxes(5), 1000));
-    if (runs("crossings"))
-        compare_crossings();
+    if (runs("rooms"))
+        compare_rooms();
+    if (runs("soups"))
+        compare_soups();
+    for (const std::string& name : wanted)
+        if (name.size() > 4 && name.compare(name.size() - 4, 4, ".obj") == 0)
+            compare_file(name);
     if (runs("solvers"))
         compare_solvers();
     if (runs("patches")) {

@@ -79,14 +79,17 @@ SurfaceList as_triangles(const SurfaceList& surfaces, int n)
 {
     SurfaceList triangles;
     for (const Surface& s : surfaces)
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) {
-                const Vec3 u = (1.0 / n) * s.edge_u;
-                const Vec3 v = (1.0 / n) * s.edge_v;
-                const Vec3 corner = s.origin + static_cast<double>(i) * u + static_cast<double>(j) * v;
-                triangles.push_back({Shape::triangle, corner, u, v});
-                triangles.push_back({Shape::triangle, corner + u + v, -u, -v});
-            }
+        if (s.shape == Shape::triangle && n == 1)
+            triangles.push_back(s);
+        else
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    const Vec3 u = (1.0 / n) * s.edge_u;
+                    const Vec3 v = (1.0 / n) * s.edge_v;
+                    const Vec3 corner = s.origin + static_cast<double>(i) * u + static_cast<double>(j) * v;
+                    triangles.push_back({Shape::triangle, corner, u, v});
+                    triangles.push_back({Shape::triangle, corner + u + v, -u, -v});
+                }
     return triangles;
 }
 

@@ -16,7 +16,7 @@ SurfaceList room_with_boxes(int boxes);
 /// Triangles of about this size scattered through the unit cube.
 SurfaceList triangle_soup(std::size_t count, double size);
 
-/// The same surfaces, each cut into n x n cells of two triangles.
+/// The same surfaces, rectangles cut into n x n cells of two triangles; triangles as they are, n = 1.
 SurfaceList as_triangles(const SurfaceList& surfaces, int n);
 
 /// A scene of these surfaces, grey, whose first one emits, cut into about so many patches.

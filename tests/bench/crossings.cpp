@@ -7,6 +7,7 @@
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/kernel.h"
 #include "geometry/intersector/surface_sizes.h"
+#include "scene/obj/obj_reader.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
 
@@ -176,17 +177,34 @@ void compare_closest_hits(const Rivals& rivals)
 
 } // namespace
 
-void compare_crossings()
+namespace {
+
+void compare(const Rivals& rivals)
 {
-    std::vector<Rivals> all;
-    all.push_back({"room of 37 rectangles", room_with_boxes(5), {1, 16, 164}});
-    all.push_back({"room of 301 rectangles", room_with_boxes(49), {1}});
-    all.push_back({"soup of 20,000 triangles", triangle_soup(20000, 0.05), {0}});
-    all.push_back({"soup of 1,000,000 triangles", triangle_soup(1000000, 0.01), {0}});
-    for (const Rivals& rivals : all) {
-        compare_all_hits(rivals);
-        compare_closest_hits(rivals);
-    }
+    compare_all_hits(rivals);
+    compare_closest_hits(rivals);
+}
+
+} // namespace
+
+void compare_rooms()
+{
+    compare({"room of 37 rectangles", room_with_boxes(5), {1, 16, 164}});
+    compare({"room of 301 rectangles", room_with_boxes(49), {1}});
+}
+
+void compare_soups()
+{
+    compare({"soup of 20,000 triangles", triangle_soup(20000, 0.05), {0}});
+    compare({"soup of 1,000,000 triangles", triangle_soup(1000000, 0.01), {0}});
+}
+
+void compare_file(const std::string& path)
+{
+    ObjChanges changes;
+    changes.lit_from_outside = true; // lamps do not matter here
+    const SurfaceList surfaces = read_obj(path, EmissionFrom::ke, changes).surfaces;
+    compare({path + ", " + std::to_string(surfaces.size()) + " surfaces", surfaces, {1}});
 }
 
 } // namespace multipath

@@ -1,16 +1,16 @@
 #include "geometry/intersector/kernel.h"
 
+#include "geometry/conditions.h"
 #include "parallel/instruction_set.h"
+
+#define KERNELS "geometry/intersector/kernels/filter_kernel.inl"
+#include "parallel/lanes/every_set.inl"
 
 namespace multipath {
 
 std::vector<const FilterKernel*> available_kernels()
 {
-#if defined(__x86_64__)
-    return usable_kernels(avx512_kernel, avx2_kernel, sse2_kernel, plain_kernel);
-#else
-    return {&plain_kernel};
-#endif
+    return usable_kernels<FilterKernel>({EVERY_TABLE});
 }
 
 } // namespace multipath

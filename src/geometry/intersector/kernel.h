@@ -36,7 +36,7 @@ using VisitBlock = float (*)(void* context, std::uint32_t block, unsigned lanes)
 /// FilterFrame; what is met is decided in double precision, so that all lead to the same results bit for bit.
 struct FilterKernel
 {
-    const char* name; ///< plain, sse2, avx2 or avx512
+    const char* name; ///< of the instruction set
 
     /// Places up to LineBatch::most lines.
     void (*place_lines)(const FilterFrame& frame, const Line* lines, std::size_t count, LineBatch& batch);
@@ -75,13 +75,5 @@ struct FilterKernel
 
 /// Those whose instruction set is usable, the fastest first; the plain one is always there.
 std::vector<const FilterKernel*> available_kernels();
-
-// Each in its own file; they are one source (lane_*.inl) over the Lanes of the instruction set.
-extern const FilterKernel plain_kernel;
-#if defined(__x86_64__)
-extern const FilterKernel sse2_kernel;
-extern const FilterKernel avx2_kernel;
-extern const FilterKernel avx512_kernel;
-#endif
 
 } // namespace multipath

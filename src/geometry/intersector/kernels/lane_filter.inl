@@ -1,14 +1,8 @@
-// The filters for one instruction set. To be included once by the file of each instruction set, after it has defined
-//
-// * KERNEL_CODE: what functions must carry, the instruction set for these functions alone, to be expanded in place;
-// * KERNEL_ENTRY: the same for functions that are called;
-// * Lanes: that many floats side by side, with the functions used below.
-//
-// All is static, so that no code for a special processor can be taken for that of the rest of the program.
-//
-// lane_filter_plain.cpp is the version to read first: one lane, ordinary arithmetic.
+// The filters of blocks of surfaces for one line and one instruction set. Included once for each
+// (parallel/lanes/every_set.inl), all static.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
 
 /// Three numbers of a line, each in all lanes.
@@ -104,4 +98,5 @@ KERNEL_ENTRY void filter_line(const SurfaceBlock* blocks, std::uint32_t block_co
 }
 
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

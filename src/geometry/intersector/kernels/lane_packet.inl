@@ -3,6 +3,7 @@
 // is tested against as many of them as there are lanes.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
 
 /// What the tests of surfaces need of some lines.
@@ -216,4 +217,5 @@ KERNEL_ENTRY void nearest_flat(const FlatSurfaces& surfaces, const LineBatch& ba
 }
 
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

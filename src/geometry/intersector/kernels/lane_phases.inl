@@ -3,6 +3,7 @@
 // all static.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
 
 /// Lines member by member.
@@ -91,4 +92,5 @@ KERNEL_ENTRY void decide_nearest(const SurfaceTable& table, const Line* lines, c
 }
 
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

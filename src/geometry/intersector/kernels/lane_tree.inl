@@ -2,6 +2,7 @@
 // file of each instruction set, all static.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
 
 /// What the tests of boxes need of a line: where it meets the planes x = c is c * inverse.x + at_zero.x.
@@ -159,4 +160,5 @@ KERNEL_ENTRY void visit_nearest(const WideNode* nodes, const SurfaceBlock* block
 }
 
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

@@ -1,12 +1,57 @@
-// Included once by the file of each instruction set that has no way of its own, after KERNEL_CODE.
+// SurfaceTable::decide for one instruction set: the four numbers of a row's columns side by side, if they fit, the same
+// operations in the same order. Included once for each, all static.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
+
+#if LANE_BYTES >= 32
+
+typedef double RowVector __attribute__((vector_size(32)));
+
+KERNEL_CODE RowVector times_columns(const SurfaceRow& row, Vec3 v)
+{
+    RowVector x;
+    RowVector y;
+    RowVector z;
+    std::memcpy(&x, __builtin_assume_aligned(row.x.data(), 32), 32);
+    std::memcpy(&y, __builtin_assume_aligned(row.y.data(), 32), 32);
+    std::memcpy(&z, __builtin_assume_aligned(row.z.data(), 32), 32);
+    return x * v.x + y * v.y + z * v.z;
+}
+
+KERNEL_CODE bool decide(const SurfaceTable& table, const Line& line, std::uint32_t surface, Hit& hit)
+{
+    const SurfaceRow& row = table.row(surface);
+    RowVector offset;
+    std::memcpy(&offset, __builtin_assume_aligned(row.offset.data(), 32), 32);
+    const RowVector at_origin = times_columns(row, line.origin);
+    const RowVector along = times_columns(row, line.direction);
+    const double approach = along[0];
+    const double t = (row.offset[0] - at_origin[0]) / approach;
+    const RowVector places = at_origin + offset + t * along; // second and third: u and v
+    const RowVector uvuv = {places[1], places[2], places[1], places[2]};
+    const RowVector vuvu = {places[2], places[1], places[2], places[1]};
+    const RowVector rest = 1.0 - uvuv - row.offset[3] * vuvu;
+    const RowVector borders = {uvuv[0], uvuv[1], rest[2], rest[3]};
+    const bool inside = _mm256_movemask_pd(borders >= 0.0) == 0xf;
+    hit.t = t;
+    hit.surface = surface;
+    hit.u = places[1];
+    hit.v = places[2];
+    hit.front = approach < 0.0;
+    return every(approach != 0.0, t >= 0.0, t <= line.t_max, inside);
+}
+
+#else
 
 KERNEL_CODE bool decide(const SurfaceTable& table, const Line& line, std::uint32_t surface, Hit& hit)
 {
     return table.decide(line, surface, hit);
 }
 
+#endif
+
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

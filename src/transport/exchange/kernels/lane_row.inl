@@ -1,7 +1,8 @@
-// A row of a symmetric matrix times some vectors. Included once by the file of each instruction set, after its
-// DoubleLanes; double_lanes_plain.h tells what the functions of lanes do.
+// A row of a symmetric matrix times some vectors. Included once for each instruction set; parallel/lanes/plain.inl tells
+// what the functions of lanes do.
 
 namespace multipath {
+namespace LANE_SET {
 namespace {
 
 constexpr std::uint32_t sum_count = 8; // whatever the lanes, so that all instruction sets add in the same order
@@ -39,5 +40,8 @@ KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct
     }
 }
 
+constexpr RowKernel table = {LANE_SET_NAME, multiply_row<1>, multiply_row<3>};
+
 } // namespace
+} // namespace LANE_SET
 } // namespace multipath

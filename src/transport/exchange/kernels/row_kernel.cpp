@@ -2,15 +2,14 @@
 
 #include "parallel/instruction_set.h"
 
+#define KERNELS "transport/exchange/kernels/lane_row.inl"
+#include "parallel/lanes/every_set.inl"
+
 namespace multipath {
 
 std::vector<const RowKernel*> available_row_kernels()
 {
-#if defined(__x86_64__)
-    return usable_kernels(avx512_row_kernel, avx2_row_kernel, sse2_row_kernel, plain_row_kernel);
-#else
-    return {&plain_row_kernel};
-#endif
+    return usable_kernels<RowKernel>({EVERY_TABLE});
 }
 
 } // namespace multipath

@@ -18,7 +18,7 @@ struct RowProduct
 /// side by side, and so give the same bits.
 struct RowKernel
 {
-    const char* name; ///< plain, sse2, avx2 or avx512
+    const char* name; ///< of the instruction set
 
     void (*multiply_one)(const float* row, std::uint32_t count, RowProduct* product);
     void (*multiply_three)(const float* row, std::uint32_t count, RowProduct* products);
@@ -26,13 +26,5 @@ struct RowKernel
 
 /// Those whose instruction set is usable, the fastest first; the plain one is always there.
 std::vector<const RowKernel*> available_row_kernels();
-
-// Each in its own file; they are one template (lane_row.inl) over the lanes of the instruction set.
-extern const RowKernel plain_row_kernel;
-#if defined(__x86_64__)
-extern const RowKernel sse2_row_kernel;
-extern const RowKernel avx2_row_kernel;
-extern const RowKernel avx512_row_kernel;
-#endif
 
 } // namespace multipath

@@ -1,0 +1,22 @@
+// The filters for one instruction set.
+
+#include "geometry/intersector/kernels/lane_filter.inl"
+
+#include "geometry/intersector/kernels/lane_packet.inl"
+
+#include "geometry/intersector/kernels/row_decision.inl"
+
+#include "geometry/intersector/kernels/lane_phases.inl"
+
+#include "geometry/intersector/kernels/lane_tree.inl"
+
+namespace multipath {
+namespace LANE_SET {
+namespace {
+
+constexpr FilterKernel table = {LANE_SET_NAME, place_lines,   filter_flat,       nearest_flat,  filter_line,
+                                visit_all,     visit_nearest, decide_candidates, decide_nearest};
+
+} // namespace
+} // namespace LANE_SET
+} // namespace multipath
