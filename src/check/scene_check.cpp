@@ -1,5 +1,6 @@
 #include "check/scene_check.h"
 
+#include "geometry/elementary.h"
 #include "scene/mesh_faults.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
@@ -39,7 +40,7 @@ std::string list_of(const std::vector<std::string>& names)
 /// Rounded down to a number with one digit that is not 0.
 double one_digit(double value)
 {
-    const double unit = std::pow(10.0, std::floor(std::log10(value)));
+    const double unit = elementary::pow(10.0, std::floor(elementary::log10(value)));
     return std::floor(value / unit) * unit;
 }
 

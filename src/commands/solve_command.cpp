@@ -7,6 +7,7 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
+#include "geometry/elementary.h"
 #include "refinement/adaptive_patches.h"
 #include "refinement/shown_error.h"
 #include "scene/input_error.h"
@@ -135,7 +136,7 @@ Scene as_accurate_as_asked(SolveJob& job, Scene scene)
         const double room = most / scene.patch_count();
         if (fixed || error <= wanted || room < least)
             return scene;
-        const double growth = std::clamp(std::pow(error / wanted, 2.0 / order), least, std::min(step, room));
+        const double growth = std::clamp(elementary::pow(error / wanted, 2.0 / order), least, std::min(step, room));
         const auto patches = static_cast<std::uint64_t>(growth * scene.patch_count());
         require_memory_for_patches(job.line, scene.file(), static_cast<double>(patches));
         Scene finer = adapted(scene, patches, job.options.memory, job.options.threads, show);

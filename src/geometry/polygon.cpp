@@ -1,5 +1,6 @@
 #include "geometry/polygon.h"
 
+#include "geometry/elementary.h"
 #include "geometry/pi.h"
 
 #include <algorithm>
@@ -114,7 +115,7 @@ double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 norm
         const Vec3 across = cross(a, b);
         const double sine = length(across);
         if (sine > 0.0)
-            sum -= std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
+            sum -= elementary::atan2(sine, dot(a, b)) / sine * dot(normal, across);
     }
     return sum / (2.0 * pi);
 }

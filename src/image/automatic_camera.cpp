@@ -7,6 +7,7 @@
 #include "image/automatic_camera.h"
 
 #include "geometry/bounds.h"
+#include "geometry/elementary.h"
 #include "geometry/polygon.h"
 #include "scene/input_error.h"
 
@@ -296,7 +297,7 @@ Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
 double field_of_view(double vertical, double widest, double aspect)
 {
     const double from_width =
-        2.0 / radians_per_degree * std::atan(std::tan(0.5 * widest * radians_per_degree) / aspect);
+        2.0 / radians_per_degree * elementary::atan(elementary::tan(0.5 * widest * radians_per_degree) / aspect);
     return std::min(vertical, from_width);
 }
 
@@ -334,8 +335,8 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
 {
     std::vector<Camera> cameras;
     const Vec3 size = room.box.size();
-    const double half_height = std::tan(0.5 * angle * radians_per_degree);
-    const double diagonal_distance = 0.5 * room.box.diagonal() / std::sin(0.5 * angle * radians_per_degree);
+    const double half_height = elementary::tan(0.5 * angle * radians_per_degree);
+    const double diagonal_distance = 0.5 * room.box.diagonal() / elementary::sin(0.5 * angle * radians_per_degree);
     for (const double side : {1.0, -1.0}) {
         const double for_height = 0.5 * size.y / half_height;
         const double along_z = std::max(for_height, 0.5 * size.x / (half_height * aspect)) / size.z + 0.5;

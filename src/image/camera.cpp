@@ -1,5 +1,6 @@
 #include "image/camera.h"
 
+#include "geometry/elementary.h"
 #include "sampling/warp.h"
 #include "scene/input_error.h"
 
@@ -45,8 +46,8 @@ void require_camera(const Camera& camera)
 
 Camera cropped(Camera camera, int rows_before, int rows)
 {
-    const double half_height = std::tan(0.5 * camera.field_of_view * radians_per_degree) * rows / rows_before;
-    camera.field_of_view = 2.0 / radians_per_degree * std::atan(half_height);
+    const double half_height = elementary::tan(0.5 * camera.field_of_view * radians_per_degree) * rows / rows_before;
+    camera.field_of_view = 2.0 / radians_per_degree * elementary::atan(half_height);
     return camera;
 }
 

@@ -4,6 +4,7 @@
 
 #include "image/render.h"
 
+#include "geometry/elementary.h"
 #include "image/camera.h"
 #include "image/gather/final_gather.h"
 #include "image/shading/smooth_shading.h"
@@ -194,7 +195,7 @@ double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, cons
     const double base = tone.scale
                             ? *tone.scale
                             : automatic_scale(render(scene, radiosity, camera, preview_options(options)), tone.tone);
-    return base * std::exp2(tone.exposure);
+    return base * elementary::exp2(tone.exposure);
 }
 
 ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,

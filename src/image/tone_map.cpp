@@ -4,6 +4,8 @@
 
 #include "image/tone_map.h"
 
+#include "geometry/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,7 @@ double srgb_encoded(double linear)
         return 0.0;
     if (linear >= 1.0)
         return 1.0;
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * elementary::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
 Rgb srgb_encoded(Rgb linear)
@@ -84,8 +86,8 @@ double middle_luminance(const std::vector<double>& sorted)
     const std::size_t last = std::max(first + 1, sorted.size() - first);
     double sum = 0.0;
     for (std::size_t i = first; i < last; ++i)
-        sum += std::log(sorted[i]);
-    return std::exp(sum / static_cast<double>(last - first));
+        sum += elementary::log(sorted[i]);
+    return elementary::exp(sum / static_cast<double>(last - first));
 }
 
 /// The 98th percentile of what is not far brighter than the middle, as lamps are.

@@ -1,8 +1,13 @@
 #include "parallel/instruction_set.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cstdlib>
 #include <iterator>
+
+#if FLT_EVAL_METHOD != 0
+#error "Numbers are rounded to more digits than they have (x87), so results would differ: add -msse2 -mfpmath=sse"
+#endif
 
 namespace multipath {
 

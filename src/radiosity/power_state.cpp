@@ -1,5 +1,6 @@
 #include "radiosity/power_state.h"
 
+#include "geometry/elementary.h"
 #include "parallel/memory.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ void add(const PowerBalance& part, double share, PowerBalance& sum)
     sum.escaped += share * part.escaped;
     sum.behind += share * part.behind;
     sum.source += share * part.source;
-    sum.emitted_error = std::hypot(sum.emitted_error, share * part.emitted_error);
+    sum.emitted_error = elementary::hypot(sum.emitted_error, share * part.emitted_error);
 }
 
 PowerBalance power_balance(const Scene& scene, const PowerState& state)

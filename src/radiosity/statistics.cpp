@@ -1,5 +1,6 @@
 #include "radiosity/statistics.h"
 
+#include "geometry/elementary.h"
 #include "geometry/pi.h"
 
 #include <cmath>
@@ -8,8 +9,8 @@ namespace multipath {
 
 double student_tail(double t, int degrees)
 {
-    const double angle = std::atan(t / std::sqrt(static_cast<double>(degrees)));
-    const double cosine = std::cos(angle);
+    const double angle = elementary::atan(t / std::sqrt(static_cast<double>(degrees)));
+    const double cosine = elementary::cos(angle);
     const bool odd = degrees % 2 == 1;
     double term = odd ? cosine : 1.0;
     double sum = degrees == 1 ? 0.0 : term;
@@ -17,7 +18,7 @@ double student_tail(double t, int degrees)
         term *= cosine * cosine * (k - 1.0) / k;
         sum += term;
     }
-    const double within = std::sin(angle) * sum;
+    const double within = elementary::sin(angle) * sum;
     return 1.0 - (odd ? 2.0 / pi * (angle + within) : within);
 }
 

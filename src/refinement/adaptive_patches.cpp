@@ -1,5 +1,6 @@
 #include "refinement/adaptive_patches.h"
 
+#include "geometry/elementary.h"
 #include "image/shading/smooth_shading.h"
 #include "image/shading/texture_detail.h"
 
@@ -76,7 +77,7 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
     constexpr std::uint64_t fewest_lines = 8; // where the patches are very many: as good, if each is only cut once
     constexpr std::uint64_t many_lines = 1u << 20;
     const double growth = static_cast<double>(most) / coarse.patch_count();
-    const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * std::log2(growth))), 0, most_rounds);
+    const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * elementary::log2(growth))), 0, most_rounds);
     Scene scene = coarse;
     for (int round = 0; round < rounds; ++round) {
         SolveOptions quick;
@@ -87,7 +88,7 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
         quick.memory = memory;
         quick.threads = threads;
         const Solution solution = solve(scene, quick, [&](double done) { progress((round + done) / rounds); });
-        const double wanted = coarse.patch_count() * std::pow(growth, (round + 1.0) / rounds);
+        const double wanted = coarse.patch_count() * elementary::pow(growth, (round + 1.0) / rounds);
         scene = cut(scene, errors(scene, solution.radiosity, threads),
                     std::min(most, static_cast<std::uint64_t>(std::lround(wanted))), threads);
     }

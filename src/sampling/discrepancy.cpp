@@ -1,5 +1,7 @@
 #include "sampling/discrepancy.h"
 
+#include "geometry/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -79,14 +81,15 @@ double l2_star_discrepancy(const PointSet& points)
             row += boxes_around(points, n, m);
         pairs += 2.0 * row + boxes_around(points, n, n);
     }
-    const double square = std::pow(3.0, -points.dimensions) - std::pow(2.0, 1 - points.dimensions) * single / count +
-                          pairs / (count * count);
+    const double square = elementary::pow(3.0, -points.dimensions) -
+                          elementary::pow(2.0, 1 - points.dimensions) * single / count + pairs / (count * count);
     return std::sqrt(std::max(square, 0.0));
 }
 
 double random_l2_star_discrepancy(std::size_t count, int dimensions)
 {
-    return std::sqrt((std::pow(2.0, -dimensions) - std::pow(3.0, -dimensions)) / static_cast<double>(count));
+    return std::sqrt((elementary::pow(2.0, -dimensions) - elementary::pow(3.0, -dimensions)) /
+                     static_cast<double>(count));
 }
 
 std::optional<double> star_discrepancy(const PointSet& points)

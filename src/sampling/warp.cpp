@@ -1,5 +1,7 @@
 #include "sampling/warp.h"
 
+#include "geometry/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +56,7 @@ SphericalTriangle::SphericalTriangle(Vec3 a, Vec3 b, Vec3 c) : a_(a), b_(b), c_(
     const double lengths = length(normal_ab) * length(normal_ac);
     if (!(volume > 0.0) || !(lengths > 0.0))
         return;
-    solid_angle_ = 2.0 * std::atan2(volume, denominator);
+    solid_angle_ = 2.0 * elementary::atan2(volume, denominator);
     cos_alpha_ = dot(normal_ab, normal_ac) / lengths;
     sin_alpha_ = volume / lengths; // |(a x b) x (a x c)| = |a (a . (b x c))|
 }
@@ -63,8 +65,8 @@ Vec3 SphericalTriangle::direction(double u, double v) const
 {
     // The arc from b through c' cuts off the share u of the triangle; c' lies between a and c.
     const double part = u * solid_angle_;
-    const double s = std::sin(part) * cos_alpha_ - std::cos(part) * sin_alpha_; // sin(part - alpha)
-    const double t = std::cos(part) * cos_alpha_ + std::sin(part) * sin_alpha_; // cos(part - alpha)
+    const double s = elementary::sin(part) * cos_alpha_ - elementary::cos(part) * sin_alpha_; // sin(part - alpha)
+    const double t = elementary::cos(part) * cos_alpha_ + elementary::sin(part) * sin_alpha_; // cos(part - alpha)
     const double p = t - cos_alpha_;
     const double q = s + sin_alpha_ * cos_ab_;
     const double divisor = (q * s + p * t) * sin_alpha_;

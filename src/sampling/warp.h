@@ -1,45 +1,10 @@
 #pragma once
 
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "geometry/surface.h"
 #include "geometry/vec3.h"
 
 namespace multipath {
-
-struct SinCos
-{
-    double sin;
-    double cos;
-};
-
-/// Sine and cosine of 2 pi * turns for 0 <= turns <= 1, error below 2e-16. Our own polynomial, because the C libraries
-/// differ in the last bits and results must not depend on the machine.
-inline SinCos sin_cos_of_turns(double turns)
-{
-    // turns = quarter / 4 + rest with |rest| <= 1/8; both steps are exact.
-    const int quarter = static_cast<int>(4.0 * turns + 0.5);
-    const double rest = turns - 0.25 * quarter;
-    const double x = 2.0 * pi * rest;
-    const double y = x * x;
-    // Taylor series on |x| <= pi/4; the first omitted terms are x^17/17! and x^18/18!.
-    const double s =
-        x * (1.0 +
-             y * (-1.0 / 6 +
-                  y * (1.0 / 120 + y * (-1.0 / 5040 + y * (1.0 / 362880 + y * (-1.0 / 39916800 +
-                                                                               y * (1.0 / 6227020800.0 +
-                                                                                    y * (-1.0 / 1307674368000.0))))))));
-    const double c =
-        1.0 + y * (-1.0 / 2 +
-                   y * (1.0 / 24 +
-                        y * (-1.0 / 720 +
-                             y * (1.0 / 40320 +
-                                  y * (-1.0 / 3628800 + y * (1.0 / 479001600 + y * (-1.0 / 87178291200.0 +
-                                                                                    y * (1.0 / 20922789888000.0))))))));
-    const bool swap = (quarter & 1) != 0;
-    const double sine = swap ? c : s;
-    const double cosine = swap ? s : c;
-    return {(quarter & 2) != 0 ? -sine : sine, ((quarter + 1) & 2) != 0 ? -cosine : cosine};
-}
 
 // Maps from the unit square, each with a density that does not vary over its target.
 

@@ -1,6 +1,7 @@
 #include "scene/daylight.h"
 
 #include "geometry/bounds.h"
+#include "geometry/elementary.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "geometry/pi.h"
 
@@ -42,7 +43,8 @@ Sun sun_at(double azimuth, double elevation, Vec3 up, Rgb irradiance)
     const Vec3 north = cross(zenith, east);
     const double a = azimuth * (pi / 180.0);
     const double h = elevation * (pi / 180.0);
-    const Vec3 toward = std::cos(h) * std::sin(a) * east + std::cos(h) * std::cos(a) * north + std::sin(h) * zenith;
+    const Vec3 toward = elementary::cos(h) * elementary::sin(a) * east +
+                        elementary::cos(h) * elementary::cos(a) * north + elementary::sin(h) * zenith;
     // The last bits of sines differ between machines, those of what is computed from here on do not.
     const auto rounded = [](double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); };
     return {normalized({rounded(toward.x), rounded(toward.y), rounded(toward.z)}), irradiance};

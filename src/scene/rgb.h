@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geometry/elementary.h"
+
 #include <cmath>
 
 namespace multipath {
@@ -55,7 +57,7 @@ inline double mean(Rgb a)
 /// Linear light of a value of a screen or a picture file, both in [0, 1] (IEC 61966-2-1, sRGB).
 inline double srgb_decoded(double encoded)
 {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    return encoded <= 0.04045 ? encoded / 12.92 : elementary::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 } // namespace multipath

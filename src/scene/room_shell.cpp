@@ -1,5 +1,6 @@
 #include "scene/room_shell.h"
 
+#include "geometry/elementary.h"
 #include "geometry/pi.h"
 #include "geometry/polygon.h"
 #include "scene/vertex_weld.h"
@@ -19,7 +20,8 @@ namespace {
 double solid_angle(Vec3 a, Vec3 b, Vec3 c)
 {
     const double la = length(a), lb = length(b), lc = length(c);
-    return 2.0 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    return 2.0 *
+           elementary::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
 double solid_angle(const Surface& surface, Vec3 from)

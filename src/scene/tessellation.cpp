@@ -1,5 +1,6 @@
 #include "scene/tessellation.h"
 
+#include "geometry/elementary.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "scene/input_error.h"
 
@@ -208,7 +209,7 @@ double round_size(int k)
     constexpr std::array<double, 10> mantissas = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
     const int exponent = k >= 0 ? k / 10 : -((9 - k) / 10);
     const double mantissa = mantissas[static_cast<std::size_t>(k - 10 * exponent)];
-    return exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
+    return exponent < 0 ? mantissa / elementary::pow(10.0, -exponent) : mantissa * elementary::pow(10.0, exponent);
 }
 
 double total_area(const SurfaceList& surfaces)
@@ -230,7 +231,7 @@ bool has_more_cells(const SurfaceList& surfaces, double patch_size, std::uint64_
 double default_patch_size(const SurfaceList& surfaces)
 {
     const double wanted = std::sqrt(total_area(surfaces) / 2500.0);
-    int k = 10 * static_cast<int>(std::floor(std::log10(wanted)));
+    int k = 10 * static_cast<int>(std::floor(elementary::log10(wanted)));
     while (round_size(k + 1) <= wanted)
         ++k;
     // Long or many triangles give more cells than their area says.

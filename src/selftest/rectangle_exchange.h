@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/elementary.h"
 #include "geometry/pi.h"
 
 #include <cmath>
@@ -26,7 +27,8 @@ inline double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interva
     const auto term = [&](double u, double v) {
         const double p = std::sqrt(u * u + z * z);
         const double q = std::sqrt(v * v + z * z);
-        return v * p * std::atan(v / p) + u * q * std::atan(u / q) - 0.5 * z * z * std::log(u * u + v * v + z * z);
+        return v * p * elementary::atan(v / p) + u * q * elementary::atan(u / q) -
+               0.5 * z * z * elementary::log(u * u + v * v + z * z);
     };
     double sum = 0.0;
     for (int bits = 0; bits < 16; ++bits) {
@@ -42,8 +44,8 @@ inline double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Int
     const auto term = [](double u, double c2) {
         const double c = std::sqrt(c2);
         const double square = u * u + c2;
-        return (c > 0.0 ? u * c * std::atan(u / c) : 0.0) -
-               (square > 0.0 ? 0.25 * (c2 - u * u) * std::log(square) : 0.0);
+        return (c > 0.0 ? u * c * elementary::atan(u / c) : 0.0) -
+               (square > 0.0 ? 0.25 * (c2 - u * u) * elementary::log(square) : 0.0);
     };
     double sum = 0.0;
     for (int bits = 0; bits < 16; ++bits) {

@@ -1,5 +1,6 @@
 #include "selftest/selftest.h"
 
+#include "geometry/elementary.h"
 #include "parallel/blocks.h"
 #include "radiosity/runs/replicates.h"
 #include "radiosity/statistics.h"
@@ -200,7 +201,7 @@ std::vector<Check> material_checks(const Scene& scene, const Method method, cons
 Check compared_with(Check check, const Check& other)
 {
     check.expected = other.measured;
-    check.standard_error = std::hypot(check.standard_error, other.standard_error);
+    check.standard_error = elementary::hypot(check.standard_error, other.standard_error);
     check.degrees = std::min(check.degrees, other.degrees);
     check.resolution = scene_resolution * other.measured;
     return check;

@@ -1,6 +1,7 @@
 #include "study/convergence_plot.h"
 
 #include "export/svg/svg_plot.h"
+#include "geometry/elementary.h"
 #include "scene/text/text_format.h"
 #include "study/study_table.h"
 
@@ -87,15 +88,15 @@ std::optional<PowerLaw> law_of(const Curve& curve, Abscissa against)
 ErrorBar error_bar(PlotPoint middle, const CurvePoint& point)
 {
     const double low = point.relative - point.relative_error;
-    return {middle, low > 0.0 ? std::log10(low) : -std::numeric_limits<double>::infinity(),
-            std::log10(point.relative + point.relative_error)};
+    return {middle, low > 0.0 ? elementary::log10(low) : -std::numeric_limits<double>::infinity(),
+            elementary::log10(point.relative + point.relative_error)};
 }
 
 std::vector<PlotPoint> law_line(const PowerLaw& law, const std::vector<PlotPoint>& fitted)
 {
     const auto [first, last] =
         std::minmax_element(fitted.begin(), fitted.end(), [](PlotPoint a, PlotPoint b) { return a.x < b.x; });
-    const auto at = [&](double x) { return PlotPoint{x, std::log10(law.factor) + law.exponent * x}; };
+    const auto at = [&](double x) { return PlotPoint{x, elementary::log10(law.factor) + law.exponent * x}; };
     return {at(first->x), at(last->x)};
 }
 
@@ -107,7 +108,7 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
         const double x = abscissa(point, against);
         if (!(x > 0.0 && point.relative > 0.0))
             continue;
-        const PlotPoint place = {std::log10(x), std::log10(point.relative)};
+        const PlotPoint place = {elementary::log10(x), elementary::log10(point.relative)};
         (point.above_reference ? result.fitted : result.others).push_back(place);
         result.bars.push_back(error_bar(place, point));
     }
@@ -132,7 +133,7 @@ struct Extent
 std::optional<double> reference_level(const Study& study)
 {
     const double square = study.reference_relative_square.value_or(0.0);
-    return square > 0.0 ? std::optional<double>(std::log10(square)) : std::nullopt;
+    return square > 0.0 ? std::optional<double>(elementary::log10(square)) : std::nullopt;
 }
 
 /// Where both guides begin: left of all points, so high that the steeper one passes above them, but at most a decade

@@ -1,5 +1,6 @@
 #include "study/curve.h"
 
+#include "geometry/elementary.h"
 #include "radiosity/statistics.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ std::vector<double> logarithms(const std::vector<double>& values)
 {
     std::vector<double> logs;
     for (const double value : values)
-        logs.push_back(std::log(value));
+        logs.push_back(elementary::log(value));
     return logs;
 }
 
@@ -36,7 +37,7 @@ bool has_three_different(std::vector<double> values)
 
 double PowerLaw::at(double x) const
 {
-    return factor * std::pow(x, exponent);
+    return factor * elementary::pow(x, exponent);
 }
 
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::vector<double>& ys)
@@ -55,7 +56,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::
     }
     PowerLaw law;
     law.exponent = joint / spread;
-    law.factor = std::exp(level - law.exponent * centre);
+    law.factor = elementary::exp(level - law.exponent * centre);
     law.points = static_cast<int>(xs.size());
     double scatter = 0.0;
     for (std::size_t k = 0; k < xs.size(); ++k) {

@@ -1,3 +1,4 @@
+#include "geometry/elementary.h"
 #include "study/paper_report.h"
 
 #include "radiosity/statistics.h"
@@ -37,7 +38,8 @@ struct Ratio
 Ratio ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
 {
     const double value = above.relative / below.relative;
-    return {value, value * std::hypot(above.relative_error / above.relative, below.relative_error / below.relative),
+    return {value,
+            value * elementary::hypot(above.relative_error / above.relative, below.relative_error / below.relative),
             executions};
 }
 
@@ -63,7 +65,7 @@ Measured measured(const std::optional<PowerLaw>& slope)
 
 Measured difference(const Measured& a, const Measured& b)
 {
-    return {a.value - b.value, std::hypot(a.interval, b.interval)};
+    return {a.value - b.value, elementary::hypot(a.interval, b.interval)};
 }
 
 std::string words(const Ratio& ratio, int decimals)

@@ -1,6 +1,7 @@
 #include "viewer/packed_values.h"
 
 #include "export/html_text.h"
+#include "geometry/elementary.h"
 #include "scene/little_endian.h"
 
 #include <algorithm>
@@ -82,7 +83,7 @@ PackedLight packed_light(const std::vector<Rgb>& values)
                 brightest = std::max(brightest, channel);
     PackedLight packed;
     if (brightest > 0.0)
-        packed.unit = std::exp2(std::ceil(std::log2(brightest / largest_shared)));
+        packed.unit = elementary::exp2(std::ceil(elementary::log2(brightest / largest_shared)));
     std::vector<std::uint32_t> words;
     words.reserve(values.size());
     for (const Rgb& value : values)

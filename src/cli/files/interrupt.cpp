@@ -19,12 +19,12 @@ namespace {
 constexpr unsigned seconds_to_end = 2;
 constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<bool> signal_received{false};
-std::atomic<bool> always_ends{false};
+// Truths are whole words: RISC-V exchanges no single bytes.
+std::atomic<int> signal_received{0};
+std::atomic<int> always_ends{0};
 std::atomic<const char*> end_hint{""};
 std::atomic<int> delays{0};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
-                  std::atomic<const char*>::is_always_lock_free,
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free,
               "handlers of signals read them");
 
 /// The last line that the program writes; without the heap.
@@ -122,7 +122,7 @@ void handle_ends(Handler handler)
 
 extern "C" void note_interrupt(int)
 {
-    signal_received = true;
+    signal_received = 1;
     handle_ends(end_with_what_is_complete);
     alarm(seconds_to_end);
 }
@@ -136,13 +136,13 @@ void end_at_interrupts()
 
 void always_end_at_interrupts(const char* hint)
 {
-    if (!always_ends.exchange(true)) // of the command that the user has typed
+    if (always_ends.exchange(1) == 0) // of the command that the user has typed
         end_hint = hint;
 }
 
 void watch_interrupts()
 {
-    if (always_ends || signal_received)
+    if (always_ends != 0 || signal_received != 0)
         return;
     handle(SIGALRM, end_in_time);
     handle_ends(note_interrupt);
@@ -155,7 +155,7 @@ void end_at_lost_bytes()
 
 bool interrupted()
 {
-    return signal_received;
+    return signal_received != 0;
 }
 
 InterruptDelay::InterruptDelay()

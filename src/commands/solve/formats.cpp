@@ -6,6 +6,7 @@
 #include "export/mesh/obj_colours.h"
 #include "export/mesh/ply.h"
 #include "export/patch_table.h"
+#include "geometry/elementary.h"
 #include "image/false_colour/false_colour.h"
 #include "image/pixmap.h"
 #include "image/png.h"
@@ -234,7 +235,7 @@ const Lightmap& SolvedScene::lightmap()
 
 double SolvedScene::linear_colour_scale() const
 {
-    return std::exp2(options.tone.exposure) * linear_scale(scene, solution.radiosity);
+    return elementary::exp2(options.tone.exposure) * linear_scale(scene, solution.radiosity);
 }
 
 std::string SolvedScene::lightmap_png()

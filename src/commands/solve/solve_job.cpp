@@ -12,6 +12,7 @@
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
+#include "geometry/elementary.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/runs/replicates.h"
@@ -78,7 +79,7 @@ std::optional<double> SolveSummary::error() const
 {
     if (!accuracy.patch_error || !solution.relative_standard_error)
         return std::nullopt;
-    return std::hypot(*accuracy.patch_error, *solution.relative_standard_error);
+    return elementary::hypot(*accuracy.patch_error, *solution.relative_standard_error);
 }
 
 std::string summary_text(const SolveSummary& s)

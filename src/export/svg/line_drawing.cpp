@@ -4,6 +4,7 @@
 #include "export/svg/line_drawing.h"
 
 #include "export/svg/svg_plot.h"
+#include "geometry/elementary.h"
 #include "geometry/polygon.h"
 
 #include <algorithm>
@@ -177,7 +178,7 @@ std::string sources(const Scene& scene, const View& view)
 /// A head at the end of the stretch, also where the stretch is short.
 std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
 {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double length = elementary::hypot(to.x - from.x, to.y - from.y);
     if (!(length > 0.5))
         return "";
     const SvgPoint back = {-9.0 * (to.x - from.x) / length, -9.0 * (to.y - from.y) / length};

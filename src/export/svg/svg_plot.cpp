@@ -1,5 +1,7 @@
 #include "export/svg/svg_plot.h"
 
+#include "geometry/elementary.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -171,7 +173,7 @@ PlotAxis log_axis(const std::string& title, double low, double high)
     const bool few_powers = std::floor(axis.high) - std::ceil(axis.low) < 1.0;
     for (int exponent = first; exponent <= last; ++exponent)
         for (int times = 1; times <= (step == 1 ? 9 : 1); ++times) {
-            const double value = exponent + std::log10(times);
+            const double value = exponent + elementary::log10(times);
             const bool labelled = times == 1 ? exponent % step == 0 : few_powers && (times == 2 || times == 5);
             if (value < axis.low || value > axis.high)
                 continue;
@@ -281,7 +283,7 @@ std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std:
     const auto [x, y] = plot.at(to);
     const double run = x - plot.at(from).x;
     const double rise = y - plot.at(from).y;
-    const double length = std::hypot(run, rise);
+    const double length = elementary::hypot(run, rise);
     std::string shape = "M" + svg_place({x - run, y - rise}) + "L" + svg_place({x, y});
     if (length > 0.0) {
         const double back = std::min(6.0, 0.5 * length) / length;

@@ -10,6 +10,7 @@
 
 #include "geometry/form_factor/contour_integral.h"
 
+#include "geometry/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/pi.h"
 
@@ -47,7 +48,7 @@ Edges edges_of(const FlatPolygon& polygon)
 /// ln r, or 0 at r = 0: there it is multiplied by a length that vanishes faster.
 double log_distance(double squared_distance)
 {
-    return squared_distance > 0.0 ? 0.5 * std::log(squared_distance) : 0.0;
+    return squared_distance > 0.0 ? 0.5 * elementary::log(squared_distance) : 0.0;
 }
 
 /// Integral of ln r from a point to an edge.
@@ -60,13 +61,13 @@ double point_to_edge(Vec3 point, const Edge& edge)
     const double w2 = dot(across, across);
     const double w = std::sqrt(w2);
     return end * log_distance(end * end + w2) - begin * log_distance(begin * begin + w2) - edge.length +
-           w * std::atan2(w * edge.length, w2 + begin * end);
+           w * elementary::atan2(w * edge.length, w2 + begin * end);
 }
 
 /// The second integral of ln r over the distance u along two parallel lines h apart.
 double parallel_term(double u, double h)
 {
-    return 0.5 * (u * u - h * h) * log_distance(u * u + h * h) - 0.75 * u * u + h * u * std::atan2(u, h);
+    return 0.5 * (u * u - h * h) * log_distance(u * u + h * h) - 0.75 * u * u + h * u * elementary::atan2(u, h);
 }
 
 /// Integral of ln r over two parallel edges.
@@ -94,11 +95,12 @@ struct SkewEdges
 /// The angle under which the foot of s = h sinh(x) / sin(alpha) on the second line's plane sees the second edge.
 double subtended_angle(const SkewEdges& e, double x)
 {
-    const double up = std::exp(x);
+    const double up = elementary::exp(x);
     const double down = 1.0 / up;
     const double foot = e.h * e.cosine / e.sine * 0.5 * (up - down);
     const double distance = e.h * 0.5 * (up + down);
-    return std::atan2(distance * (e.t_end - e.t_begin), distance * distance + (e.t_end - foot) * (e.t_begin - foot));
+    return elementary::atan2(distance * (e.t_end - e.t_begin),
+                             distance * distance + (e.t_end - foot) * (e.t_begin - foot));
 }
 
 /// Do ten nodes suffice for this interval? The angle, as a function of a complex x, is singular where r = 0 at an end
@@ -109,7 +111,7 @@ bool is_smooth(const SkewEdges& e, double begin, double end)
     constexpr double negligible = 1e-9;
     if (e.h * e.h / e.sine * half < negligible * (e.s_end - e.s_begin) * (e.t_end - e.t_begin))
         return true;
-    const double height = std::asin(std::min(e.sine, 1.0));
+    const double height = elementary::asin(std::min(e.sine, 1.0));
     for (const double t : {e.t_begin, e.t_end}) {
         const double place = std::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
         const double gap = std::max({0.0, begin - place, place - end});
@@ -185,7 +187,7 @@ double integral_to_edge(const Edge& a, double begin, double end, const Edge& b, 
     constexpr double negligible = 1e-10;
     constexpr double away = 2.0; // half intervals: ten nodes err by 1e-11
     for (const Singularity& at : singularities)
-        if (half > negligible * a.length && std::hypot(at.place - middle, at.height) < away * half)
+        if (half > negligible * a.length && elementary::hypot(at.place - middle, at.height) < away * half)
             return integral_to_edge(a, begin, middle, b, singularities) +
                    integral_to_edge(a, middle, end, b, singularities);
     double sum = 0.0;

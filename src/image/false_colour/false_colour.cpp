@@ -1,5 +1,6 @@
 #include "image/false_colour/false_colour.h"
 
+#include "geometry/elementary.h"
 #include "image/false_colour/colour_map.h"
 #include "image/false_colour/legend.h"
 #include "image/shading/smooth_shading.h"
@@ -127,7 +128,7 @@ private:
     /// Covers the pixel as far as it is nearer to the line than half of its width.
     void draw_at(int x, int y)
     {
-        const double steepness = std::hypot(slope(x, y, 1, 0), slope(x, y, 0, 1));
+        const double steepness = elementary::hypot(slope(x, y, 1, 0), slope(x, y, 0, 1));
         for (int step = 1; steepness > 0.0 && step <= legend_.scale.steps; ++step) {
             const double level = legend_.scale.top() * step / legend_.scale.steps;
             const double cover = 0.5 * width_ + 0.5 - std::abs(at(x, y).value - level) / steepness;

@@ -3,6 +3,7 @@
 
 #include "image/false_colour/legend.h"
 
+#include "geometry/elementary.h"
 #include "image/false_colour/colour_map.h"
 #include "image/tone_map.h"
 
@@ -145,7 +146,7 @@ std::uint8_t Legend::contour_grey(int step) const
 
 double LegendScale::top() const
 {
-    return steps * mantissa * std::pow(10.0, exponent);
+    return steps * mantissa * elementary::pow(10.0, exponent);
 }
 
 std::string LegendScale::number(int step) const
@@ -167,10 +168,10 @@ LegendScale round_scale(double reach)
 {
     if (!(reach > 0.0))
         return {};
-    for (int exponent = static_cast<int>(std::floor(std::log10(reach))) - 2;; ++exponent)
+    for (int exponent = static_cast<int>(std::floor(elementary::log10(reach))) - 2;; ++exponent)
         for (const int mantissa : {10, 20, 25, 50}) {
             // A reach that is itself round needs no step more because of its rounding.
-            const double steps = std::ceil(reach / (mantissa * std::pow(10.0, exponent)) - 1e-9);
+            const double steps = std::ceil(reach / (mantissa * elementary::pow(10.0, exponent)) - 1e-9);
             if (steps > 5.0)
                 continue;
             const bool ends_in_zero = mantissa % 10 == 0;

@@ -1,5 +1,6 @@
 #include "image/false_colour/quantity.h"
 
+#include "geometry/elementary.h"
 #include "geometry/pi.h"
 #include "image/false_colour/colour_map.h"
 #include "sampling/random.h"
@@ -67,7 +68,7 @@ std::vector<Rgb> patch_colours(std::size_t patches)
     for (std::size_t patch = 0; patch < patches; ++patch) {
         const double angle = 2.0 * pi * bits_to_unit(random_bits(0, 2 * patch));
         const double lightness = 0.45 + 0.39 * bits_to_unit(random_bits(0, 2 * patch + 1));
-        colours.push_back(linear_light({lightness, chroma * std::cos(angle), chroma * std::sin(angle)}));
+        colours.push_back(linear_light({lightness, chroma * elementary::cos(angle), chroma * elementary::sin(angle)}));
     }
     return colours;
 }

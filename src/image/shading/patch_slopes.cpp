@@ -1,5 +1,6 @@
 #include "image/shading/patch_slopes.h"
 
+#include "geometry/elementary.h"
 #include "image/shading/skin.h"
 #include "parallel/blocks.h"
 
@@ -117,7 +118,7 @@ private:
             const GridPoint b = corners.points[(k + 1) % corners.count];
             const GridPlace middle = {0.5 * a.i + 0.5 * b.i, 0.5 * a.j + 0.5 * b.j};
             constexpr double beyond = 0.05; // steps of the grid
-            const double far = std::hypot(middle.i - centre.i, middle.j - centre.j);
+            const double far = elementary::hypot(middle.i - centre.i, middle.j - centre.j);
             for (const double share : {0.25, 0.75}) {
                 const GridPlace at = {(1.0 - share) * a.i + share * b.i, (1.0 - share) * a.j + share * b.j};
                 const double u = (at.i + beyond * (middle.i - centre.i) / far) / cut.grid_u();

@@ -5,6 +5,7 @@
 
 #include "radiosity/reuse/balanced_reuse.h"
 
+#include "geometry/elementary.h"
 #include "parallel/memory.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/reuse/exchange_solver.h"
@@ -246,8 +247,8 @@ private:
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             constexpr double dark = 0.01;     // what black patches receive is wanted too, if not as precisely
             constexpr double exponent = 0.35; // of the area, while nothing is known of the light
-            const double worth =
-                round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i)) : std::pow(scene_.area(i), exponent);
+            const double worth = round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i))
+                                            : elementary::pow(scene_.area(i), exponent);
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
             // A ray over the hemisphere counts for the patch that it meets, too, and its noise is denoised best.
             constexpr double left_of_variance = 0.35;

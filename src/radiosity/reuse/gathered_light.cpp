@@ -1,5 +1,6 @@
 #include "radiosity/reuse/gathered_light.h"
 
+#include "geometry/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/pi.h"
@@ -147,7 +148,7 @@ double trust(double typical, double rays, double variance)
 
 double variance(const RaySums& sums)
 {
-    return std::pow(sums.standard_deviation(), 2);
+    return elementary::pow(sums.standard_deviation(), 2);
 }
 
 } // namespace

@@ -108,7 +108,7 @@ void CountRows::merge()
 
 void CountRows::add(const CountRows& others)
 {
-    std::vector<std::size_t> begin = {0};
+    std::vector<std::uint64_t> begin = {0};
     begin.reserve(row_begin_.size());
     std::vector<std::uint32_t> sum(reached_.size() + others.reached_.size());
     for (std::uint32_t i = 0; i < rows(); ++i) {

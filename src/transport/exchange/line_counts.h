@@ -52,11 +52,11 @@ private:
 
     int row_bits_;
     int column_bits_;
-    std::vector<std::size_t> row_begin_; ///< one more than rows
-    std::vector<std::uint32_t> reached_; ///< row after row
-    std::vector<std::uint64_t> escaped_; ///< per row
-    std::vector<std::uint64_t> behind_;  ///< per row
-    std::vector<std::uint64_t> waiting_; ///< row << column_bits_ | column
+    std::vector<std::uint64_t> row_begin_; ///< one more than rows
+    std::vector<std::uint32_t> reached_;   ///< row after row
+    std::vector<std::uint64_t> escaped_;   ///< per row
+    std::vector<std::uint64_t> behind_;    ///< per row
+    std::vector<std::uint64_t> waiting_;   ///< row << column_bits_ | column
 };
 
 /// How often lines joined any two patches, escaped or met a surface from behind: for scenes with so many patches that

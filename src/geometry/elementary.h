@@ -1,0 +1,62 @@
+#pragma once
+
+#include "geometry/pi.h"
+
+namespace multipath {
+
+struct SinCos
+{
+    double sin;
+    double cos;
+};
+
+/// Sine and cosine of 2 pi * turns for 0 <= turns <= 1, error below 2e-16.
+inline SinCos sin_cos_of_turns(double turns)
+{
+    // turns = quarter / 4 + rest with |rest| <= 1/8; both steps are exact.
+    const int quarter = static_cast<int>(4.0 * turns + 0.5);
+    const double rest = turns - 0.25 * quarter;
+    const double x = 2.0 * pi * rest;
+    const double y = x * x;
+    // Taylor series on |x| <= pi/4; the first omitted terms are x^17/17! and x^18/18!.
+    const double s =
+        x * (1.0 +
+             y * (-1.0 / 6 +
+                  y * (1.0 / 120 + y * (-1.0 / 5040 + y * (1.0 / 362880 + y * (-1.0 / 39916800 +
+                                                                               y * (1.0 / 6227020800.0 +
+                                                                                    y * (-1.0 / 1307674368000.0))))))));
+    const double c =
+        1.0 + y * (-1.0 / 2 +
+                   y * (1.0 / 24 +
+                        y * (-1.0 / 720 +
+                             y * (1.0 / 40320 +
+                                  y * (-1.0 / 3628800 + y * (1.0 / 479001600 + y * (-1.0 / 87178291200.0 +
+                                                                                    y * (1.0 / 20922789888000.0))))))));
+    const bool swap = (quarter & 1) != 0;
+    const double sine = swap ? c : s;
+    const double cosine = swap ? s : c;
+    return {(quarter & 2) != 0 ? -sine : sine, ((quarter + 1) & 2) != 0 ? -cosine : cosine};
+}
+
+/// The elementary functions, from operations that IEEE 754 rounds exactly: C libraries differ in the last bits, also by
+/// the processor on which they run, and results must not depend on the machine. Relative errors are below
+/// 4e-16 unless said otherwise; special values are those of the C library. Angles are in radians and not large.
+namespace elementary {
+
+double exp(double x);
+double exp2(double x); ///< exact for whole x
+double log(double x);
+double log2(double x);          ///< exact for powers of 2
+double log10(double x);         ///< exact for powers of 10
+double pow(double x, double y); ///< x >= 0 or y whole; exact like products for small whole y >= 0, else 1e-15 |y ln x|
+double sin(double x);           ///< error below 4e-16 for |x| <= 2 pi, also relative for |x| <= 1
+double cos(double x);           ///< likewise
+double tan(double x);
+double atan(double x);
+double atan2(double y, double x);
+double asin(double x);
+double hypot(double x, double y);
+
+} // namespace elementary
+
+} // namespace multipath
