@@ -13,7 +13,7 @@ shift
 scratch=$root/build/platforms passed=0 failed=0
 rm -rf "$scratch/runs" && mkdir -p "$scratch/runs" && cd "$root" || exit 1
 methods=$("$here" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p')
-kinds="$methods sided rays adaptive outputs textures resumed selftest"
+kinds="$methods two-sided replicates rays adaptive outputs textures resumed"
 
 # A room whose floor has a picture on it, a file lit from outside.
 mkdir -p "$scratch/files" && (
@@ -30,16 +30,16 @@ results() {
     shift
     ln -s "$root/scenes" scenes && ln -s "$scratch/files" files || return
     case $kind in
-    sided) "$@" solve scenes/sphere.obj $few --two-sided --replicates 2 -o sided.csv ;;
+    two-sided) "$@" solve scenes/cornell.obj $few --two-sided -o sided.csv ;;
+    replicates) "$@" solve scenes/cornell.obj $few -m extended --replicates 2 -o replicates.csv ;;
     rays) "$@" solve scenes/4chairs.obj --threads 2 --patches 600 -n 2^12 -q --memory 64MB -o rays.csv ;;
     adaptive) "$@" solve scenes/5cubes.obj --threads 2 --adaptive 400 -n 2^11 -q -o adaptive.csv ;;
-    outputs) "$@" solve scenes/4chairs.obj $few --size 32x24 --samples 4 -o all.ppm -o all.png -o all.pfm -o all.ply -o all.glb \
-        -o all.obj -o all.html -o all_lightmap.obj -o all_lightmap.mtl && "$@" check scenes/cornell.obj -n 2000 >check.txt ;;
+    outputs) "$@" solve scenes/cornell.obj $few --size 32x24 --samples 4 -o all.ppm -o all.png -o all.pfm -o all.ply -o all.glb \
+        -o all.obj -o all.html && "$@" check scenes/cornell.obj -n 2000 >check.txt ;;
     textures) "$@" solve files/room.obj $few --sky 1 --sun 20,30,5 --size 32x24 --shading gather --gather-rays 4 -o t.pfm -o t.csv ;;
     # A state of this machine is gone on with there, and what comes of it here.
     resumed) cp "$scratch/begun.state" . && "$@" solve scenes/5cubes.obj -n 2^12 $resume --from-state begun.state --state there.state -o there.csv &&
         "$here" solve scenes/5cubes.obj -n 2^13 $resume --from-state there.state -o here.csv ;;
-    selftest) "$@" selftest --case furnace -q -o furnace.csv >selftest.txt ;;
     *) "$@" solve scenes/5cubes.obj $few -m "$kind" -o "$kind.csv" -o "$kind.state" ;;
     esac
     status=$?
