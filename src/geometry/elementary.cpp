@@ -215,6 +215,17 @@ double asin(double x)
     return atan2(x, std::sqrt((1.0 - x) * (1.0 + x)));
 }
 
+double asinh(double x)
+{
+    const double a = std::abs(x);
+    if (!(a < 1e150)) // its square would be endless
+        return x + x == x ? x : std::copysign(log(a) + ln2, x);
+    // ln(1 + u) = ln(w) u / (w - 1), w the rounded 1 + u: what rounding does to w cancels (W. Kahan).
+    const double u = a + a * a / (1.0 + std::sqrt(1.0 + a * a));
+    const double w = 1.0 + u;
+    return std::copysign(w == 1.0 ? u : log(w) * (u / (w - 1.0)), x);
+}
+
 double hypot(double x, double y)
 {
     const double larger = std::max(std::abs(x), std::abs(y));

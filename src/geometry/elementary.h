@@ -55,6 +55,7 @@ double tan(double x);
 double atan(double x);
 double atan2(double y, double x);
 double asin(double x);
+double asinh(double x);
 double hypot(double x, double y);
 
 } // namespace elementary

@@ -46,6 +46,8 @@ TEST_CASE("elementary functions are right to two units in the last place")
     CHECK(largest_error(1e-9, 1e9, elementary::log10, [](long double x) { return std::log10(x); }) < 1.5 * two_units);
     CHECK(largest_error(1e-9, 1e9, elementary::atan, [](long double x) { return std::atan(x); }) < two_units);
     CHECK(largest_error(-1.0, 1.0, elementary::asin, [](long double x) { return std::asin(x); }) < 2.0 * two_units);
+    CHECK(largest_error(1e-12, 1e200, elementary::asinh, [](long double x) { return std::asinh(x); }) <
+          2.0 * two_units);
     CHECK(largest_error(1e-9, 1.0, elementary::sin, [](long double x) { return std::sin(x); }) < two_units);
     CHECK(largest_error(1e-9, 1.0, elementary::cos, [](long double x) { return std::cos(x); }) < two_units);
     CHECK(largest_error(-1.4, 1.4, elementary::tan, [](long double x) { return std::tan(x); }) < 4.0 * two_units);
@@ -104,6 +106,7 @@ TEST_CASE("elementary functions take what is no number, endless or 0 as the C li
             CHECK(same(elementary::atan2(y, x == 800.0 || x == -800.0 ? 0.0 : x),
                        std::atan2(y, x == 800.0 || x == -800.0 ? 0.0 : x)));
         CHECK(same(elementary::hypot(x, 0.0), std::hypot(x, 0.0)));
+        CHECK((std::isfinite(x) || same(elementary::asinh(x), std::asinh(x))));
     }
     CHECK(elementary::pow(0.0, 2.4) == 0.0);
     CHECK(elementary::pow(2.0, infinity) == infinity);

@@ -113,7 +113,7 @@ bool is_smooth(const SkewEdges& e, double begin, double end)
         return true;
     const double height = elementary::asin(std::min(e.sine, 1.0));
     for (const double t : {e.t_begin, e.t_end}) {
-        const double place = std::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
+        const double place = elementary::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
         const double gap = std::max({0.0, begin - place, place - end});
         if (gap * gap + height * height < half * half)
             return false;
@@ -140,8 +140,8 @@ double apart_term(const SkewEdges& e)
     constexpr double meeting = 1e-10;
     if (e.h < meeting * std::min(e.s_end - e.s_begin, e.t_end - e.t_begin))
         return 0.0;
-    const double x_begin = std::asinh(e.s_begin * e.sine / e.h);
-    const double x_end = std::asinh(e.s_end * e.sine / e.h);
+    const double x_begin = elementary::asinh(e.s_begin * e.sine / e.h);
+    const double x_end = elementary::asinh(e.s_end * e.sine / e.h);
     return e.h * e.h / e.sine * integral_of_angle(e, x_begin, x_end);
 }
 
