@@ -220,7 +220,7 @@ KERNEL_CODE DoubleLanes operator*(DoubleLanes a, DoubleLanes b)
 }
 KERNEL_CODE DoubleLanes square_root(DoubleLanes a)
 {
-    DoubleVector root;
+    DoubleVector root = a.x;
     for (std::size_t i = 0; i < DoubleLanes::width; ++i)
         root[i] = __builtin_sqrt(a.x[i]);
     return {root};
