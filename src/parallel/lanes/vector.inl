@@ -1,5 +1,5 @@
 // Numbers side by side, LANE_BYTES of them, by the vector extensions of GCC and clang; what the functions do is said in
-// plain.inl. Loops over lanes become one instruction. Intrinsics stand only for what those extensions cannot say.
+// plain.inl. Intrinsics stand only for what those extensions cannot say, or where compilers made more of it.
 
 namespace multipath {
 namespace LANE_SET {
@@ -97,7 +97,7 @@ KERNEL_CODE Lanes reciprocal(Lanes a)
 #endif
 }
 
-#if LANE_BYTES == 64 // registers of truths; by way of vectors 7 % slower
+#if LANE_BYTES == 64 // registers of truths, which vectors would only be made from
 
 struct LaneMask
 {

@@ -1,5 +1,6 @@
 #include "export/mesh/glb.h"
 
+#include "export/mesh/glb_reader.h"
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
 #include "export/mesh/ply_reader.h"
@@ -15,51 +16,6 @@ namespace glb_test {
 using namespace multipath;
 
 namespace {
-
-/// The two chunks of a file, and how to find numbers in them.
-struct GlbFile
-{
-    explicit GlbFile(const std::string& bytes)
-    {
-        const auto word = [&](std::size_t at) {
-            return static_cast<std::size_t>(ByteReader(bytes, at).number("uint"));
-        };
-        REQUIRE(bytes.substr(0, 4) == "glTF");
-        REQUIRE(word(4) == 2);
-        REQUIRE(word(8) == bytes.size());
-        const std::size_t json_length = word(12);
-        REQUIRE(bytes.substr(16, 4) == "JSON");
-        REQUIRE(json_length % 4 == 0);
-        const std::string text = bytes.substr(20, json_length);
-        json = JsonReader(text).document();
-        REQUIRE(bytes.substr(24 + json_length, 4) == std::string("BIN\0", 4));
-        numbers = bytes.substr(28 + json_length);
-        REQUIRE(word(20 + json_length) == numbers.size());
-        REQUIRE(json["buffers"][0]["byteLength"].count() == numbers.size());
-    }
-
-    /// The numbers of an accessor, one after the other.
-    std::vector<double> values(std::size_t accessor) const
-    {
-        const JsonValue& entry = json["accessors"][accessor];
-        const JsonValue& view = json["bufferViews"][entry["bufferView"].count()];
-        const std::size_t size = entry["type"].text == "VEC3" ? 3 : 1;
-        const std::size_t count = entry["count"].count() * size;
-        REQUIRE(entry["byteOffset"].count() + 4 * count <= view["byteLength"].count());
-        ByteReader reader(numbers, view["byteOffset"].count() + entry["byteOffset"].count());
-        std::vector<double> result;
-        for (std::size_t n = 0; n < count; ++n)
-            result.push_back(reader.number(entry["componentType"].text == "5126" ? "float" : "uint"));
-        return result;
-    }
-    std::vector<double> attribute(const JsonValue& primitive, const std::string& name) const
-    {
-        return values(primitive["attributes"][name].count());
-    }
-
-    JsonValue json;
-    std::string numbers;
-};
 
 Vec3 at(const std::vector<double>& positions, double vertex)
 {

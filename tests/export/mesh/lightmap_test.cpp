@@ -1,5 +1,6 @@
 #include "export/mesh/lightmap.h"
 
+#include "export/mesh/glb_reader.h"
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
 #include "export/mesh/ply_reader.h"
@@ -102,53 +103,6 @@ SceneBuilder random_triangles(std::size_t count)
     }
     return builder;
 }
-
-/// The chunks of a GLB.
-struct LightmapFile
-{
-    explicit LightmapFile(const std::string& bytes)
-    {
-        const auto word = [&](std::size_t at) {
-            return static_cast<std::size_t>(ByteReader(bytes, at).number("uint"));
-        };
-        REQUIRE(bytes.substr(0, 4) == "glTF");
-        REQUIRE(word(4) == 2);
-        REQUIRE(word(8) == bytes.size());
-        const std::size_t json_length = word(12);
-        REQUIRE(json_length % 4 == 0);
-        REQUIRE(bytes.substr(16, 4) == "JSON");
-        const std::string text = bytes.substr(20, json_length);
-        json = JsonReader(text).document();
-        REQUIRE(bytes.substr(24 + json_length, 4) == std::string("BIN\0", 4));
-        numbers = bytes.substr(28 + json_length);
-        REQUIRE(word(20 + json_length) == numbers.size());
-        REQUIRE(json["buffers"][0]["byteLength"].count() == numbers.size());
-    }
-
-    const JsonValue& primitive(std::size_t mesh) const { return json["meshes"][mesh]["primitives"][0]; }
-
-    std::vector<double> values(const JsonValue& accessor) const
-    {
-        const JsonValue& entry = json["accessors"][accessor.count()];
-        const JsonValue& view = json["bufferViews"][entry["bufferView"].count()];
-        const std::map<std::string, std::size_t> sizes = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}};
-        const std::size_t count = entry["count"].count() * sizes.at(entry["type"].text);
-        REQUIRE(entry["byteOffset"].count() + 4 * count <= view["byteLength"].count());
-        ByteReader reader(numbers, view["byteOffset"].count() + entry["byteOffset"].count());
-        std::vector<double> result;
-        for (std::size_t n = 0; n < count; ++n)
-            result.push_back(reader.number(entry["componentType"].text == "5126" ? "float" : "uint"));
-        return result;
-    }
-    std::string view(std::size_t number) const
-    {
-        const JsonValue& view = json["bufferViews"][number];
-        return numbers.substr(view["byteOffset"].count(), view["byteLength"].count());
-    }
-
-    JsonValue json;
-    std::string numbers;
-};
 
 /// all_kinds() with two textures, of which the second is unused; of the two surfaces with the first, one does not lie
 /// on it.
@@ -429,7 +383,7 @@ TEST_CASE("a lightmap GLB has all surfaces as triangles, which find their light 
     for (const bool two_sided : {false, true}) {
         const Scene scene(with_textures(), 1.0, two_sided);
         const Lightmap map = lightmap(scene, 512, places_of(scene), 1);
-        const LightmapFile glb(lightmap_glb(scene, map, "png!!", 0.5, {}, {}, {"one", "two"}));
+        const GlbFile glb(lightmap_glb(scene, map, "png!!", 0.5, {}, {}, {"one", "two"}));
         CHECK(glb.json["asset"]["version"].text == "2.0");
         CHECK(glb.json["asset"]["extras"]["record"][1].text == "two");
         CHECK(glb.json["asset"]["extras"]["color_scale"].number() == 0.5);
@@ -482,7 +436,7 @@ TEST_CASE("materials of a lightmap GLB keep their names, are unlit, and show the
     const Scene scene(with_textures(), 1.0);
     const Lightmap map = lightmap(scene, 256, places_of(scene), 1);
     const std::vector<ImageFile> images = {{"image/png", "first"}, {"image/jpeg", "the second"}};
-    const LightmapFile glb(lightmap_glb(scene, map, "the atlas", 1.0, {}, images, {}));
+    const GlbFile glb(lightmap_glb(scene, map, "the atlas", 1.0, {}, images, {}));
     const std::size_t materials = glb.json["materials"].list.size();
     CHECK(materials == 4); // the lamp's is unused
     REQUIRE(glb.json["meshes"].list.size() == materials);
@@ -524,7 +478,7 @@ TEST_CASE("cameras of a lightmap GLB stand at their eyes and look along their vi
     const Lightmap map = lightmap(scene, 128, places_of(scene), 1);
     const GlbCamera door{"door", {1, 2, 3}, {1, 2, 7}, {0, 1, 1}, 60.0};
     const GlbCamera top{"top", {0, 5, 0}, {1, 1, 0}, {0, 0, 2}, 90.0};
-    const LightmapFile glb(lightmap_glb(scene, map, "png", 1.0, {door, top}, {}, {}));
+    const GlbFile glb(lightmap_glb(scene, map, "png", 1.0, {door, top}, {}, {}));
     const std::size_t meshes = glb.json["meshes"].list.size();
     REQUIRE(glb.json["cameras"].list.size() == 2);
     CHECK(glb.json["scenes"][0]["nodes"].list.size() == meshes + 2);
