@@ -20,6 +20,15 @@ inline void prefetch(const void* address)
 #endif
 }
 
+/// The same for all that something occupies.
+template <class Thing>
+void prefetch_all(const Thing& thing)
+{
+    constexpr std::size_t cache_line = 64;
+    for (std::size_t byte = 0; byte < sizeof(Thing); byte += cache_line)
+        prefetch(reinterpret_cast<const char*>(&thing) + byte);
+}
+
 /// Asks the system for pages of 2 MB for this memory, if it is larger than 4 MB: fewer page faults when it is first
 /// touched, fewer TLB misses afterwards. Its contents stay.
 void ask_for_huge_pages(void* memory, std::size_t bytes);

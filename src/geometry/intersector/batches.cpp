@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace multipath {
 
@@ -87,50 +88,62 @@ void Intersector::Core::find_among_few(HitLists::Scratch& work) const
     const unsigned words = (surfaces.count + 31) / 32;
     const std::size_t lines = work.passing.empty() ? 0 : work.passing.back() + 1;
     kernel_->filter_flat(surfaces, work.batch, lines, work.all_whole, work.marks);
-    work.reserve_candidates(work.passing.size() * surfaces.count);
+    work.candidates.reserve(work.passing.size() * surfaces.count);
     std::size_t found = 0;
     for (const std::uint32_t line : work.passing)
         for (unsigned word = 0; word < words; ++word)
             for (std::uint32_t marks = work.marks.word[word][line]; marks != 0; marks &= marks - 1)
-                work.candidates[found++] = {line,
-                                            lane_number_[32 * word + static_cast<unsigned>(__builtin_ctz(marks))]};
-    work.candidate_count = found;
+                work.candidates.elements[found++] = {
+                    line, lane_number_[32 * word + static_cast<unsigned>(__builtin_ctz(marks))]};
+    work.candidates.count = found;
+}
+
+/// Finds what the lines of this number of a batch may meet, in any order.
+void Intersector::Core::search_tree(const LineBatch& batch, const std::uint32_t* lines, std::size_t count,
+                                    CandidateScratch& work) const
+{
+    work.lines.resize(count);
+    work.pending.resize(std::max(work.pending.size(), count + CandidateSearch::least_room));
+    work.found.reserve(CandidateSearch::least_room);
+    kernel_->fill_tree_lines(batch, lines, count, work.lines.data());
+    for (std::uint32_t i = 0; i < count; ++i)
+        work.pending[i] = {i, 0};
+    CandidateSearch search{work.lines.data(), nullptr, count, 0, nullptr, 0, 0};
+    while (search.pending_count > 0) {
+        if (work.pending.size() < search.pending_count + CandidateSearch::least_room)
+            work.pending.resize(2 * work.pending.size());
+        work.found.reserve(search.candidate_count + CandidateSearch::least_room);
+        search.pending = work.pending.data();
+        search.pending_room = work.pending.size();
+        search.candidates = work.found.elements.data();
+        search.candidate_room = work.found.elements.size();
+        kernel_->find_candidates(tree_view(), search);
+    }
+    work.found.count = search.candidate_count;
 }
 
 void Intersector::Core::find_in_tree(HitLists::Scratch& work) const
 {
-    struct Context
-    {
-        const std::uint32_t* number;
-        HitLists::Scratch& work;
-        std::uint32_t line;
-    } context{lane_number_.data(), work, 0};
-    const auto visit = [](void* pointer, const BlockLanes* found, unsigned count) {
-        const Context& in = *static_cast<const Context*>(pointer);
-        in.work.reserve_candidates(in.work.candidate_count + std::size_t{SurfaceBlock::lanes} * count);
-        std::size_t end = in.work.candidate_count;
-        for (unsigned i = 0; i < count; ++i)
-            for (unsigned lanes = found[i].lanes; lanes != 0; lanes &= lanes - 1)
-                in.work.candidates[end++] = {
-                    in.line,
-                    in.number[SurfaceBlock::lanes * found[i].block + static_cast<unsigned>(__builtin_ctz(lanes))]};
-        in.work.candidate_count = end;
-    };
-    work.candidate_count = 0;
-    for (const std::uint32_t i : work.passing) {
-        context.line = i;
-        kernel_->visit_all(tree_.nodes(), blocks_.data(), work.batch.line(i), visit, &context);
-    }
+    search_tree(work.batch, work.passing.data(), work.passing.size(), work.in_tree);
+    const CandidateList& found = work.in_tree.found;
+    std::array<std::size_t, LineBatch::most + 1> place{}; // of the next candidate of each line
+    for (std::size_t i = 0; i < found.count; ++i)
+        ++place[found.elements[i].line + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    work.candidates.reserve(found.count);
+    work.candidates.count = found.count;
+    for (std::size_t i = 0; i < found.count; ++i)
+        work.candidates.elements[place[found.elements[i].line]++] = found.elements[i];
 }
 
 void Intersector::Core::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
 {
     const std::size_t begin = first == 0 ? 0 : lists.end_[first - 1];
-    if (lists.hits_.size() < begin + lists.scratch_->candidate_count + 1)
-        lists.hits_.resize(2 * (begin + lists.scratch_->candidate_count + 1));
+    if (lists.hits_.size() < begin + lists.scratch_->candidates.count + 1)
+        lists.hits_.resize(2 * (begin + lists.scratch_->candidates.count + 1));
     lists.end_.resize(last, 0);
-    kernel_->decide_candidates(table_, lines, lists.scratch_->candidates.data(), lists.scratch_->candidate_count,
-                               lists.hits_.data() + begin, lists.end_.data() + first);
+    kernel_->decide_candidates(table_, lines, lists.scratch_->candidates.elements.data(),
+                               lists.scratch_->candidates.count, lists.hits_.data() + begin, lists.end_.data() + first);
     std::size_t from = begin;
     for (std::size_t i = first; i < last; ++i) {
         const std::size_t to = std::max(from, begin + lists.end_[i]);
@@ -160,6 +173,20 @@ void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::s
 void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
                                     FirstHits& found) const
 {
+    find_first(from, nullptr, rays, count, found);
+}
+
+void Intersector::hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                                  std::size_t count, FirstHits& found) const
+{
+    find_first(from, targets, rays, count, found);
+    for (std::size_t i = 0; i < count; ++i)
+        found.is_hit_[i] = every(found.is_hit_[i] != 0, found.hits_[i].surface == targets[i]);
+}
+
+void Intersector::find_first(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                             std::size_t count, FirstHits& found) const
+{
     found.resize(count);
     for (std::size_t first = 0; first < count; first += LineBatch::most) {
         const std::size_t together = std::min(count - first, LineBatch::most);
@@ -173,7 +200,7 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
         else if (core_->tree_.empty())
             core_->find_first_among_few(from, rays, first, together, found);
         else
-            core_->find_first_in_tree(from, rays, first, together, found);
+            core_->find_first_in_tree(from, targets, rays, first, together, found);
     }
     find_first_of_covered(from, rays, count, found);
 }
@@ -203,14 +230,51 @@ void Intersector::Core::find_first_among_few(const std::uint32_t* from, const Li
     }
 }
 
-void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first,
-                                           std::size_t count, FirstHits& found) const
+SearchedRay Intersector::Core::searched_ray(std::uint32_t number, std::uint32_t excluded_plane)
 {
+    return {number, excluded_plane == no_plane ? SearchedRay::no_plane : static_cast<double>(excluded_plane)};
+}
+
+/// Finds the first hits of work.rays, nearer than those in work.nearest. `lines`: those of the batch.
+void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, bool any, FirstHitScratch& work) const
+{
+    const std::uint32_t stack_size = tree_.most_pending() + 2; // two are written at a time
+    const std::size_t together = std::min<std::size_t>(work.rays.size(), FirstHitSearch::at_once);
+    work.stacks.resize(std::max(work.stacks.size(), together * stack_size));
+    const auto take_coincident_hit = [](const void* core, NearestHit& nearest, const Hit& hit) {
+        static_cast<const Core*>(core)->take_coincident(hit, nearest);
+    };
+    kernel_->find_first(tree_view(), table_,
+                        {batch, lines, work.rays.data(), work.rays.size(), work.nearest.data(), any, work.stacks.data(),
+                         stack_size, take_coincident_hit, this});
+}
+
+/// With targets: of rays that meet their targets first.
+void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                                           std::size_t first, std::size_t count, FirstHits& found) const
+{
+    FirstHitScratch& work = found.scratch_->in_tree;
+    work.rays.clear();
+    work.nearest.assign(count, NearestHit());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::size_t ray = first + i;
+        if (found.scratch_->batch.course[i] != static_cast<std::uint32_t>(LineCourse::passes))
+            continue;
+        Hit hit;
+        if (targets != nullptr) {
+            if (plane_[targets[ray]] == plane_of(from[ray]) || !table_.decide(rays[ray], targets[ray], hit))
+                continue;
+            work.nearest[i].best = hit;
+        }
+        work.rays.push_back(searched_ray(i, plane_of(from[ray])));
+    }
+    search_first(found.scratch_->batch, rays + first, targets != nullptr, work);
     for (std::size_t i = 0; i < count; ++i) {
-        const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
-        found.put(first + i,
-                  passes ? nearest_in_tree(rays[first + i], found.scratch_->batch.line(i), plane_of(from[first + i]))
-                         : std::nullopt);
+        const NearestHit& nearest = work.nearest[i];
+        found.hits_[first + i] = nearest.best;
+        found.is_hit_[first + i] = nearest.is_hit();
+        if (nearest.has_back)
+            found.put(first + i, first_of(nearest, rays[first + i], plane_of(from[first + i])));
     }
 }
 

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -75,6 +76,48 @@ void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const 
     block.slack[lane] = static_cast<float>(slack);
     const bool is_triangle = row.offset[3] > 0.0;
     block.diagonal[lane] = is_triangle ? static_cast<float>(2.0 * slack) : SurfaceBlock::no_diagonal;
+}
+
+// The tests of LeafBlock, in the terms of the first note, with edges U and V, m = max(|U|, |V|) <= 2 and
+// n = cross(U, V), |n| <= |U| |V| <= 2 m. The way c from the line's middle to the corner is at most 2.5 long and wrong
+// by 5 e: 1 and 1.5 for its ends, 2.5 for the subtraction. A cross product is wrong by 2 sqrt(2) e times the lengths of
+// its factors for its own arithmetic, by e for each rounded factor; a sum of three products by 3 e times theirs.
+// 1. n: 6 e |U| |V|. a: 6 + 1 + 3 = 10 e |U| |V| L, at most 20 e m L. cross(c, D): 5 + 2.5 + 7.1 < 15 e L; u a and v a:
+//    15 + 2.5 + 7.5 = 25 e m L.
+// 2. Double precision loses less than e (|gradient of u| + 1) L |n| <= e (2 m + 2 m) L = 4 e m L, see 2. above.
+// 3. u a <= |a|: 25 + 20, and 3 for the sum |a| + slack L. (u + v) a <= |a|: 50 + 20 + 4 + 3, with 4 for the sum, and
+// twice
+//    the 4 of double precision: 85 e m L. Where the sign of a is wrong, |a| <= 20 e m L, and so are u a and v a, whose
+//    sum is then wrong by no more than 20 + 50 + 4 e m L either way. So 96 e m L.
+// 4. t a = dot(n, c): 15 + 5 + 7.5 = 27.5 e |U| |V|, and |a| times the ends of the part, at most 1.01 / L: 10 e |U| |V|
+//    for a, 4 for the ends and the multiplication, 1 for double precision: less than 48 e |U| |V| <= 96 e m.
+// Corner and edges are those of the row, the basis dual to its three gradients, so that what SurfaceTable::decide meets
+// is what the filter looks for. Where can_be_filtered holds, double precision loses much less than e with them.
+LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame)
+{
+    constexpr double slack_per_edge = 96.0 * 0x1p-24;
+    LeafBlock leaf{};
+    std::fill(std::begin(leaf.slack), std::end(leaf.slack), std::numeric_limits<float>::quiet_NaN());
+    for (unsigned lane = 0; lane < count; ++lane) {
+        const SurfaceRow& row = table.row(surfaces[lane]);
+        const Vec3 normal = row.vector(0);
+        const Vec3 to_u = row.vector(1);
+        const Vec3 to_v = row.vector(2);
+        const double scale = frame.scale() / dot(normal, cross(to_u, to_v));
+        const Vec3 edge_u = scale * cross(to_v, normal);
+        const Vec3 edge_v = scale * cross(normal, to_u);
+        const double height = row.offset[0] - dot(normal, frame.centre());
+        const double u_at_centre = dot(to_u, frame.centre()) + row.offset[1];
+        const double v_at_centre = dot(to_v, frame.centre()) + row.offset[2];
+        const Vec3 corner = height * scale * cross(to_u, to_v) - u_at_centre * edge_u - v_at_centre * edge_v;
+        put(leaf.corner, lane, corner);
+        put(leaf.edge_u, lane, edge_u);
+        put(leaf.edge_v, lane, edge_v);
+        const double slack = slack_per_edge * std::max(length(edge_u), length(edge_v));
+        leaf.slack[lane] = static_cast<float>(table.is_triangle(surfaces[lane]) ? -slack : slack);
+        leaf.surface[lane] = surfaces[lane];
+    }
+    return leaf;
 }
 
 // The point where the row has given plane distance, u and v solves three linear equations; its distance from the corner

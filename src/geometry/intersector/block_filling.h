@@ -16,6 +16,9 @@ SurfaceBlock empty_block();
 /// Puts a surface, given by its row, into a lane of a block. Triangles must be put before parallelograms.
 void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame);
 
+/// A leaf of the hierarchy with these surfaces, not more than LeafBlock::lanes.
+LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame);
+
 /// How far the row may be met beside the surface it was made from, as a share of the scene's box: farther than this and
 /// neither the filter's slack nor the boxes around surfaces can be relied on. Only slivers with an angle near the
 /// rounding error of double precision fail.

@@ -48,6 +48,8 @@ struct Intersector::Core::Groundwork
             else if (surfaces.size() > FlatSurfaces::most)
                 ground.arrange();
         });
+        ground.neighbours =
+            PlaneNeighbours(surfaces, ground.boxes, ground.planes.plane_number, ground.tree, ground.frame, threads);
         return ground;
     }
 
@@ -57,7 +59,6 @@ private:
         const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
         planes = share_planes(surfaces, order);
         size_rank = size_ranks(order);
-        neighbours = PlaneNeighbours(boxes, planes.plane_number);
     }
 
     void arrange()
@@ -93,10 +94,12 @@ Intersector::Core::Core(const SurfaceList& surfaces, Groundwork groundwork, cons
     } else {
         if (tree_.empty() || !unfiltered_.empty())
             tree_ = WideTree(groundwork.boxes, filtered, frame_);
-        lane_number_ = tree_.things();
         framed_ = {};
     }
-    fill_blocks(threads);
+    if (tree_.empty())
+        fill_blocks();
+    else
+        fill_leaves(threads);
 }
 
 /// Returns the others.
@@ -113,32 +116,30 @@ std::vector<std::uint32_t> Intersector::Core::sort_out_unfiltered(const SurfaceL
     return filtered;
 }
 
-void Intersector::Core::fill_blocks(int threads)
+void Intersector::Core::fill_blocks()
 {
-    const auto is_triangle = [this](std::uint32_t s) { return s != WideTree::nothing && table_.is_triangle(s); };
-    const auto place = [this](std::size_t i) { return lane_number_.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (tree_.empty()) {
-        const auto end_of_triangles = std::stable_partition(lane_number_.begin(), lane_number_.end(), is_triangle);
-        flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
-        flat_number_.assign(lane_number_.begin(), lane_number_.end());
-        for (const std::uint32_t surface : lane_number_)
-            flat_plane_.push_back(static_cast<float>(plane_[surface]));
-    }
-    blocks_.resize((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes);
-    const auto fill = [&](std::size_t block) {
-        const std::size_t first = SurfaceBlock::lanes * block;
-        const std::size_t end = std::min<std::size_t>(lane_number_.size(), first + SurfaceBlock::lanes);
-        if (!tree_.empty())
-            std::stable_partition(place(first), place(end), is_triangle);
-        blocks_[block] = empty_block();
-        for (std::size_t i = first; i < end; ++i)
-            if (lane_number_[i] != WideTree::nothing)
-                fill_lane(blocks_[block], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
-    };
-    const auto count = static_cast<std::uint32_t>(blocks_.size());
+    const auto end_of_triangles = std::stable_partition(lane_number_.begin(), lane_number_.end(),
+                                                        [this](std::uint32_t s) { return table_.is_triangle(s); });
+    flat_triangles_ = static_cast<unsigned>(end_of_triangles - lane_number_.begin());
+    flat_number_.assign(lane_number_.begin(), lane_number_.end());
+    for (const std::uint32_t surface : lane_number_)
+        flat_plane_.push_back(static_cast<float>(plane_[surface]));
+    blocks_.resize((lane_number_.size() + SurfaceBlock::lanes - 1) / SurfaceBlock::lanes, empty_block());
+    for (std::size_t i = 0; i < lane_number_.size(); ++i)
+        fill_lane(blocks_[i / SurfaceBlock::lanes], i % SurfaceBlock::lanes, table_.row(lane_number_[i]), frame_);
+}
+
+void Intersector::Core::fill_leaves(int threads)
+{
+    const LargeVector<std::uint32_t>& surfaces = tree_.things();
+    leaves_.resize(surfaces.size() / LeafBlock::lanes);
+    const auto count = static_cast<std::uint32_t>(leaves_.size());
     parallel_ranges(count, prepared_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t block = first; block < end; ++block)
-            fill(block);
+        for (std::uint32_t leaf = first; leaf < end; ++leaf) {
+            const std::uint32_t* const begin = surfaces.data() + std::size_t{LeafBlock::lanes} * leaf;
+            const std::uint32_t* const last = std::find(begin, begin + LeafBlock::lanes, WideTree::nothing);
+            leaves_[leaf] = leaf_of(table_, begin, static_cast<unsigned>(last - begin), frame_);
+        }
     });
 }
 

@@ -5,10 +5,12 @@
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/kernel.h"
+#include "geometry/intersector/plane_neighbours.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/intersector/surface_block.h"
 #include "geometry/intersector/surface_table.h"
 #include "geometry/intersector/tree.h"
+#include "geometry/intersector/tree_search.h"
 #include "geometry/line.h"
 #include "geometry/surface.h"
 #include "parallel/memory.h"
@@ -20,27 +22,51 @@
 
 namespace multipath {
 
+/// What a line of a batch may meet. Reuses its memory.
+struct CandidateList
+{
+    UnsetVector<LineCandidate> elements; ///< may hold more than `count`
+    std::size_t count = 0;
+
+    void reserve(std::size_t room)
+    {
+        if (elements.size() < room)
+            elements.resize(2 * room);
+    }
+};
+
+/// Work space of a search for candidates in the hierarchy.
+struct CandidateScratch
+{
+    UnsetVector<TreeLine> lines;
+    UnsetVector<LineNode> pending;
+    CandidateList found; ///< in the order in which the search came upon them
+};
+
 /// Work space of Intersector::all_hits, for a part of the lines: what passes from one phase to the next.
 struct HitLists::Scratch
 {
-    void reserve_candidates(std::size_t count)
-    {
-        if (candidates.size() < count)
-            candidates.resize(2 * count);
-    }
-
     LineBatch batch{};
     bool all_whole = true;              ///< see FilterLine
     std::vector<std::uint32_t> passing; ///< numbers in the batch
     FlatMarks marks{};
-    UnsetVector<LineCandidate> candidates; ///< may hold more than candidate_count
-    std::size_t candidate_count = 0;
+    CandidateScratch in_tree;
+    CandidateList candidates; ///< line after line
+};
+
+/// Work space of a search for first hits in the hierarchy.
+struct FirstHitScratch
+{
+    std::vector<SearchedRay> rays;
+    std::vector<NearestHit> nearest;
+    UnsetVector<std::uint64_t> stacks;
 };
 
 /// Work space of Intersector::closest_hits_from.
 struct FirstHits::Scratch
 {
     LineBatch batch{};
+    FirstHitScratch in_tree;
     std::vector<std::uint32_t> covered; ///< rays that start below another surface
     std::vector<Line> whole_lines;      ///< along these
     HitLists along;
@@ -55,19 +81,20 @@ public:
 private:
     friend class Intersector;
 
-    struct Nearest;
     struct Groundwork;
 
     Core(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
     std::vector<std::uint32_t> sort_out_unfiltered(const SurfaceList& surfaces, int threads);
-    void fill_blocks(int threads);
+    void fill_blocks();
+    void fill_leaves(int threads);
 
     template <class Visit>
     void for_each_candidate(const Line& line, const Visit& visit) const;
     void all_hits(const Line& line, std::vector<Hit>& hits) const;
     std::optional<Hit> nearest(const Line& line, std::uint32_t excluded_plane) const;
-    std::optional<Hit> nearest_in_tree(const Line& line, const FilterLine& placed, std::uint32_t excluded_plane) const;
-    std::optional<Hit> first_of(const Nearest& nearest) const;
+    std::optional<Hit> first_of(const NearestHit& nearest, const Line& line, std::uint32_t excluded_plane) const;
+    void take(const Hit& hit, NearestHit& nearest) const;
+    void take_coincident(const Hit& hit, NearestHit& nearest) const;
     static constexpr std::uint32_t no_plane = 0xffffffffu;
     std::uint32_t plane_of(std::uint32_t from) const { return from == no_surface ? no_plane : plane_[from]; }
     double reach_of(const Line& ray) const;
@@ -86,11 +113,18 @@ private:
     void find_candidates(HitLists::Scratch& work) const;
     void find_among_few(HitLists::Scratch& work) const;
     void find_in_tree(HitLists::Scratch& work) const;
+    TreeView tree_view() const { return {tree_.nodes(), leaves_.data(), leaves_.size() > largest_in_cache}; }
+    static constexpr std::size_t largest_in_cache = (std::size_t{32} << 20) / sizeof(LeafBlock);
+    void search_tree(const LineBatch& batch, const std::uint32_t* lines, std::size_t count,
+                     CandidateScratch& work) const;
+    LineCourse place_one(const Line& line, LineBatch& batch) const;
+    static SearchedRay searched_ray(std::uint32_t number, std::uint32_t excluded_plane);
+    void search_first(const LineBatch& batch, const Line* lines, bool any, FirstHitScratch& work) const;
     void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
     void find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
                               FirstHits& found) const;
-    void find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
-                            FirstHits& found) const;
+    void find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                            std::size_t first, std::size_t count, FirstHits& found) const;
 
     bool comes_before(const Hit& a, const Hit& b) const
     {
@@ -103,12 +137,13 @@ private:
     SurfaceTable table_;
     FilterFrame frame_;
     WideTree tree_;                          ///< empty for few surfaces
-    LargeVector<std::uint32_t> lane_number_; ///< surface in each lane of the blocks
-    std::vector<float> flat_number_;         ///< without a tree: lane_number_
-    std::vector<float> flat_plane_;          ///< without a tree: plane numbers of the same
-    unsigned flat_triangles_ = 0;            ///< without a tree: the first lanes
-    FramedRectangles framed_;                ///< without a tree: the last lanes
-    UnsetVector<SurfaceBlock> blocks_;
+    UnsetVector<LeafBlock> leaves_;          ///< of the tree
+    std::vector<std::uint32_t> lane_number_; ///< without a tree: surface in each lane of the blocks
+    std::vector<float> flat_number_;         ///< lane_number_
+    std::vector<float> flat_plane_;          ///< plane numbers of the same
+    unsigned flat_triangles_ = 0;            ///< the first lanes
+    FramedRectangles framed_;                ///< the last lanes
+    std::vector<SurfaceBlock> blocks_;
     std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
     bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
     std::vector<std::uint32_t> plane_;      ///< plane number of each surface

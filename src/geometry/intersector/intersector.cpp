@@ -28,12 +28,19 @@ FlatSurfaces Intersector::Core::flat_surfaces() const
             framed_.rectangles.data()};
 }
 
+/// Makes a batch of one line.
+LineCourse Intersector::Core::place_one(const Line& line, LineBatch& batch) const
+{
+    kernel_->place_lines(frame_, &line, 1, batch);
+    return static_cast<LineCourse>(batch.course[0]);
+}
+
 /// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.
 template <class Visit>
 void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit) const
 {
-    FilterLine placed;
-    const LineCourse course = frame_.place(line, placed);
+    LineBatch batch;
+    const LineCourse course = place_one(line, batch);
     if (course == LineCourse::unfit) {
         for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
             visit(surface);
@@ -44,23 +51,15 @@ void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit)
     if (course == LineCourse::misses) // as a third of the chords of the scene's sphere do
         return;
     if (!tree_.empty()) {
-        struct Context
-        {
-            const std::uint32_t* number;
-            const Visit& visit;
-        } context{lane_number_.data(), visit};
-        const auto visit_blocks = [](void* pointer, const BlockLanes* found, unsigned count) {
-            const Context& in = *static_cast<const Context*>(pointer);
-            for (unsigned i = 0; i < count; ++i)
-                for (unsigned lanes = found[i].lanes; lanes != 0; lanes &= lanes - 1)
-                    in.visit(
-                        in.number[SurfaceBlock::lanes * found[i].block + static_cast<unsigned>(__builtin_ctz(lanes))]);
-        };
-        kernel_->visit_all(tree_.nodes(), blocks_.data(), placed, visit_blocks, &context);
+        CandidateScratch work;
+        constexpr std::uint32_t only = 0;
+        search_tree(batch, &only, 1, work);
+        for (std::size_t i = 0; i < work.found.count; ++i)
+            visit(work.found.elements[i].surface);
         return;
     }
     std::array<std::uint64_t, flat_words> masks{};
-    kernel_->filter_line(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), placed, masks.data());
+    kernel_->filter_line(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), batch.line(0), masks.data());
     for (std::size_t word = 0; word < flat_words; ++word)
         for (std::uint64_t mask = masks[word]; mask != 0; mask &= mask - 1)
             visit(lane_number_[64 * word + static_cast<unsigned>(__builtin_ctzll(mask))]);
@@ -147,90 +146,65 @@ bool Intersector::Core::is_covered(std::uint32_t from, Vec3 point) const
 }
 
 /// Keeps the first of the hits it is shown.
-struct Intersector::Core::Nearest
+void Intersector::Core::take(const Hit& hit, NearestHit& nearest) const
 {
-    const Core& all;
-    const Line& line;
-    std::uint32_t excluded_plane;
-    double middle_t = 0.0;
-    float limit = 0.0f;
-    Hit best = {};
-    bool found = false;
-    Hit back = {}; ///< the first that is met from behind where the best is met, from the front
-    bool has_back = false;
-
-    void consider(std::uint32_t surface)
-    {
-        Hit hit;
-        if (all.plane_[surface] == excluded_plane || !all.table_.decide(line, surface, hit))
-            return;
-        if (!found || hit.t < best.t) {
-            best = hit;
-            has_back = false;
-        } else if (hit.t == best.t) {
-            take_coincident(hit);
-        }
-        found = true;
+    if (hit.t < nearest.best.t) {
+        nearest.best = hit;
+        nearest.has_back = false;
+    } else if (hit.t == nearest.best.t) {
+        take_coincident(hit, nearest);
     }
+}
 
-    void take_coincident(const Hit& hit)
-    {
-        if (hit.front == best.front) {
-            best = all.comes_before(hit, best) ? hit : best;
-            return;
-        }
-        const Hit& behind = hit.front ? best : hit;
-        back = has_back && all.comes_before(back, behind) ? back : behind;
-        has_back = true;
-        best = hit.front ? hit : best;
+void Intersector::Core::take_coincident(const Hit& hit, NearestHit& nearest) const
+{
+    if (hit.front == nearest.best.front) {
+        nearest.best = comes_before(hit, nearest.best) ? hit : nearest.best;
+        return;
     }
-
-    static float visit_block(void* self, std::uint32_t block, unsigned lanes)
-    {
-        Nearest& nearest = *static_cast<Nearest*>(self);
-        for (; lanes != 0; lanes &= lanes - 1)
-            nearest.consider(
-                nearest.all.lane_number_[SurfaceBlock::lanes * block + static_cast<unsigned>(__builtin_ctz(lanes))]);
-        if (nearest.found)
-            nearest.limit = std::min(nearest.limit, static_cast<float>(nearest.best.t - nearest.middle_t));
-        return nearest.limit;
-    }
-};
+    const Hit& behind = hit.front ? nearest.best : hit;
+    nearest.back = nearest.has_back && comes_before(nearest.back, behind) ? nearest.back : behind;
+    nearest.has_back = true;
+    nearest.best = hit.front ? hit : nearest.best;
+}
 
 std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t excluded_plane) const
 {
-    FilterLine placed;
-    if (!tree_.empty() && unfiltered_.empty() && frame_.place(line, placed) == LineCourse::passes)
-        return nearest_in_tree(line, placed, excluded_plane);
-    Nearest nearest{*this, line, excluded_plane};
-    for_each_candidate(line, [&](std::uint32_t surface) { nearest.consider(surface); });
-    return first_of(nearest);
-}
-
-std::optional<Hit> Intersector::Core::nearest_in_tree(const Line& line, const FilterLine& placed,
-                                                      std::uint32_t excluded_plane) const
-{
-    Nearest nearest{*this, line, excluded_plane, placed.middle_t, placed.half_length};
-    kernel_->visit_nearest(tree_.nodes(), blocks_.data(), placed, Nearest::visit_block, &nearest);
-    return first_of(nearest);
+    NearestHit nearest;
+    LineBatch batch;
+    if (!tree_.empty() && unfiltered_.empty() && place_one(line, batch) == LineCourse::passes) {
+        FirstHitScratch work;
+        work.rays = {searched_ray(0, excluded_plane)};
+        work.nearest.assign(1, nearest);
+        search_first(batch, &line, false, work);
+        nearest = work.nearest[0];
+    } else {
+        for_each_candidate(line, [&](std::uint32_t surface) {
+            Hit hit;
+            if (plane_[surface] != excluded_plane && table_.decide(line, surface, hit))
+                take(hit, nearest);
+        });
+    }
+    return first_of(nearest, line, excluded_plane);
 }
 
 /// At one place a front is met before a back. Where a ray meets faces of unlike outline, as from below a floor on which
 /// something stands, the order along the whole line decides, as it does for lines.
-std::optional<Hit> Intersector::Core::first_of(const Nearest& nearest) const
+std::optional<Hit> Intersector::Core::first_of(const NearestHit& nearest, const Line& line,
+                                               std::uint32_t excluded_plane) const
 {
-    if (!nearest.found)
+    if (!nearest.is_hit())
         return std::nullopt;
-    if (!nearest.has_back || nearest.excluded_plane == no_plane || have_same_outline(nearest.best, nearest.back))
+    if (!nearest.has_back || excluded_plane == no_plane || have_same_outline(nearest.best, nearest.back))
         return nearest.best;
     std::vector<Hit> along;
-    all_hits(whole_line(nearest.line), along);
+    all_hits(whole_line(line), along);
     const auto best =
         std::find_if(along.begin(), along.end(), [&](const Hit& hit) { return hit.surface == nearest.best.surface; });
     for (auto hit = along.begin(); hit != best && best != along.end(); ++hit) {
         Hit result;
-        if (hit->t == best->t && plane_[hit->surface] != nearest.excluded_plane &&
-            table_.decide(nearest.line, hit->surface, result) && result.t == nearest.best.t)
+        if (hit->t == best->t && plane_[hit->surface] != excluded_plane && table_.decide(line, hit->surface, result) &&
+            result.t == nearest.best.t)
             return result;
     }
     return nearest.best;
@@ -250,7 +224,10 @@ void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visi
     else
         for (const std::uint32_t surface : unfiltered_)
             visit(surface);
-    tree_.for_each_around(frame_.to_frame(point), visit);
+    tree_.for_each_around(frame_.to_frame(point), [&](std::uint32_t surface) {
+        visit(surface);
+        return true;
+    });
 }
 
 /// Calls visit(surface) for what coincident_surfaces lists.
@@ -285,7 +262,10 @@ std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bound
     const Vec3 margin = {rounding, rounding, rounding};
     std::vector<std::uint32_t> found = core_->unfiltered_;
     core_->tree_.for_each_near({core_->frame_.to_frame(box.low) - margin, core_->frame_.to_frame(box.high) + margin},
-                               [&](std::uint32_t surface) { found.push_back(surface); });
+                               [&](std::uint32_t surface) {
+                                   found.push_back(surface);
+                                   return true;
+                               });
     return found;
 }
 

@@ -4,33 +4,13 @@
 #include "geometry/intersector/filter_line.h"
 #include "geometry/intersector/surface_block.h"
 #include "geometry/intersector/surface_table.h"
+#include "geometry/intersector/tree_search.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace multipath {
-
-/// Lanes of a block, one bit each.
-struct BlockLanes
-{
-    std::uint32_t block;
-    unsigned lanes;
-};
-
-/// A surface that a line may meet.
-struct LineCandidate
-{
-    std::uint32_t line; ///< number in the batch
-    std::uint32_t surface;
-};
-
-/// Takes surfaces that a line may meet.
-using VisitBlocks = void (*)(void* context, const BlockLanes* found, unsigned count);
-
-/// Takes the surfaces of a block that a line may meet (bit i: lane i). Returns how far from the line's middle the
-/// search is to go on.
-using VisitBlock = float (*)(void* context, std::uint32_t block, unsigned lanes);
 
 /// The filters, compiled for one instruction set. All find what may be met, hardly any more, in the coordinates of
 /// FilterFrame; what is met is decided in double precision, so that all lead to the same results bit for bit.
@@ -54,13 +34,14 @@ struct FilterKernel
     void (*filter_line)(const SurfaceBlock* blocks, std::uint32_t block_count, const FilterLine& line,
                         std::uint64_t* masks);
 
-    /// Visits every block with a surface that the line may meet, in any order.
-    void (*visit_all)(const WideNode* nodes, const SurfaceBlock* blocks, const FilterLine& line, VisitBlocks visit,
-                      void* context);
+    /// Puts lines of a batch into the form in which the hierarchy is searched; their numbers grow.
+    void (*fill_tree_lines)(const LineBatch& batch, const std::uint32_t* numbers, std::size_t count, TreeLine* lines);
 
-    /// The same, nearer blocks first as far as boxes tell, and only as far as `visit` says.
-    void (*visit_nearest)(const WideNode* nodes, const SurfaceBlock* blocks, const FilterLine& line, VisitBlock visit,
-                          void* context);
+    /// Goes on with a search in the hierarchy; see CandidateSearch.
+    void (*find_candidates)(const TreeView& tree, CandidateSearch& search);
+
+    /// Finds the first hits of rays in the hierarchy.
+    void (*find_first)(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search);
 
     /// Decides candidates, those of one line next to each other. Appends what is met to `hits`, which must have room
     /// for all and one more; end_of_line[i]: how many hits there are after line i, if it has candidates. Returns how

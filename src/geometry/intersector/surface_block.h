@@ -82,12 +82,32 @@ struct FlatSurfaces
 struct alignas(64) WideNode
 {
     static constexpr unsigned lanes = 16;
-    static constexpr unsigned stack_size = 1024; ///< pending children: 15 more for each of at most 64 levels
-    static constexpr std::uint32_t block_flag = 0x80000000u;
+    static constexpr std::uint32_t leaf_flag = 0x80000000u;
 
-    float low[3][lanes]; ///< low > high for a child that is not there
-    float high[3][lanes];
-    std::uint32_t child[lanes]; ///< number of a node, or block_flag + number of a block of surfaces
+    float plane[6 * lanes];     ///< low x, y, z, high x, y, z; low > high for a child that is not there
+    std::uint32_t child[lanes]; ///< number of a node, or leaf_flag + number of a leaf
+
+    static constexpr unsigned low(unsigned axis) { return axis * lanes; } ///< place of these planes
+    static constexpr unsigned high(unsigned axis) { return (3 + axis) * lanes; }
+};
+
+/// Up to 16 surfaces of the hierarchy side by side: less than half as much memory as a SurfaceBlock, for what a large
+/// scene waits for is its memory. Plain data.
+///
+/// With c from the line's middle to the corner, n = cross(u, v) and a = dot(n, direction), a line passes through where,
+/// all of them times the sign of a, u a = dot(cross(c, direction), v) and v a = -dot(cross(c, direction), u) lie
+/// between 0 and |a|, for a triangle u a + v a too, and meets the plane at t = dot(n, c) / a from its middle on
+/// (Möller, Trumbore: Fast, minimum storage ray-triangle intersection, 1997). block_filling.cpp derives the slack.
+struct alignas(64) LeafBlock
+{
+    static constexpr unsigned lanes = 16;
+
+    float corner[3][lanes];
+    float edge_u[3][lanes];
+    float edge_v[3][lanes];
+    float slack[lanes]; ///< of u a and v a, per unit of FilterLine::scale, and of t a; negative for a triangle; not a
+                        ///< number for an empty lane
+    std::uint32_t surface[lanes];
 };
 
 } // namespace multipath

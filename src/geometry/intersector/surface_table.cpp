@@ -6,14 +6,14 @@ namespace multipath {
 
 namespace {
 
-SurfaceRow row_of(const Surface& surface, const Plane& plane)
+SurfaceRow row_of(const Surface& surface, const Plane& plane, std::uint32_t plane_number)
 {
     // Dual basis: dot(to_u, edge_u) = 1, dot(to_u, edge_v) = 0, and the same with u and v exchanged.
     const Vec3 normal = cross(surface.edge_u, surface.edge_v);
     const double scale = 1.0 / dot(normal, normal);
     const Vec3 to_u = scale * cross(surface.edge_v, normal);
     const Vec3 to_v = scale * cross(normal, surface.edge_u);
-    return {{plane.normal.x, to_u.x, to_v.x, 0.0},
+    return {{plane.normal.x, to_u.x, to_v.x, static_cast<double>(plane_number)},
             {plane.normal.y, to_u.y, to_v.y, 0.0},
             {plane.normal.z, to_u.z, to_v.z, 0.0},
             {plane.offset, -dot(to_u, surface.origin), -dot(to_v, surface.origin),
@@ -28,7 +28,7 @@ SurfaceTable::SurfaceTable(const SurfaceList& surfaces, const SharedPlanes& plan
     constexpr std::uint32_t at_a_time = 4096;
     parallel_ranges(size(), at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t s = first; s < end; ++s)
-            rows_[s] = row_of(surfaces[s], planes.plane_of_surface[s]);
+            rows_[s] = row_of(surfaces[s], planes.plane_of_surface[s], planes.plane_number[s]);
     });
 }
 

@@ -19,10 +19,11 @@ struct alignas(64) SurfaceRow
 {
     using Column = std::array<double, 4>; ///< of the normal, of u, of v; the fourth only fills
 
-    Column x, y, z; ///< normal, to_u, to_v
+    Column x, y, z; ///< normal, to_u, to_v; x[3]: number of the plane, which serves no evaluation
     Column offset;  ///< dot(normal, p) = offset[0] in the plane; u = dot(to_u, p) + offset[1]; v likewise
                     ///< offset[3]: 1 for a triangle (u + v <= 1), 0 for a parallelogram (u <= 1, v <= 1)
 
+    double plane() const { return x[3]; } ///< surfaces of one plane have the same number
     Vec3 vector(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 

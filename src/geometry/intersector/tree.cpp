@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace multipath {
 
@@ -155,19 +156,6 @@ std::uint32_t split_by_area(LargeVector<SplitThing>& things, std::uint32_t first
     return static_cast<std::uint32_t>(middle - begin);
 }
 
-constexpr std::uint32_t leaf_size = WideNode::lanes;
-constexpr int levels_by_area = 28; // then halves, 32 levels at most: the stack of the filters has room for 64
-
-/// Things first ... last - 1 of the list, which become one child of a node.
-struct Range
-{
-    std::uint32_t first;
-    std::uint32_t last;
-    SplitBox box;
-
-    std::uint32_t size() const { return last - first; }
-};
-
 float float_below(double x)
 {
     const float nearest = static_cast<float>(x);
@@ -187,12 +175,123 @@ SplitBox in_frame(const Bounds& box, const FilterFrame& frame)
 WideNode empty_node()
 {
     WideNode node{};
-    for (int axis = 0; axis < 3; ++axis) {
-        std::fill(std::begin(node.low[axis]), std::end(node.low[axis]), std::numeric_limits<float>::max());
-        std::fill(std::begin(node.high[axis]), std::end(node.high[axis]), std::numeric_limits<float>::lowest());
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        std::fill_n(node.plane + WideNode::low(axis), WideNode::lanes, std::numeric_limits<float>::max());
+        std::fill_n(node.plane + WideNode::high(axis), WideNode::lanes, std::numeric_limits<float>::lowest());
     }
     return node;
 }
+
+/// A node of the binary tree from which the wide one is made.
+struct BinaryNode
+{
+    SplitBox box;
+    std::uint32_t first; ///< its things are first ... last - 1 of the list
+    std::uint32_t last;
+    std::uint32_t right; ///< number of the second child; the first one follows the node; 0: no children
+
+    std::uint32_t size() const { return last - first; }
+    bool is_split() const { return right != 0; }
+};
+
+constexpr std::uint32_t leaf_size = WideNode::lanes;
+constexpr std::uint32_t not_split = 8; ///< so few things are kept together
+constexpr int levels_by_area = 38;     // then halves, 64 levels at most: the stacks of the filters have room for them
+
+/// Which nodes of the binary tree become nodes and leaves of the wide one, so that the expected cost of a line is
+/// least: for each number of places k the least cost of a subtree that may fill k places of a wide node, from the
+/// leaves up (Ylitie, Karras, Laine: Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017).
+class Collapse
+{
+public:
+    explicit Collapse(const std::vector<BinaryNode>& nodes) : nodes_(nodes), plans_(nodes.size())
+    {
+        for (std::size_t n = nodes.size(); n-- > 0;)
+            plan(n);
+    }
+
+    /// The binary nodes that become the children of the wide node over binary node n.
+    std::vector<std::uint32_t> children(std::uint32_t n) const
+    {
+        std::vector<std::uint32_t> list;
+        if (nodes_[n].is_split())
+            add_split(n, WideNode::lanes, list);
+        else
+            list.push_back(n);
+        return list;
+    }
+    bool is_leaf(std::uint32_t n) const { return plans_[n].is_leaf; }
+
+private:
+    /// For up to k places: the cost, and how the subtree is divided.
+    struct Plan
+    {
+        float cost[WideNode::lanes + 1];
+        std::uint8_t left[WideNode::lanes + 1];  ///< places that the first child fills
+        std::uint8_t right[WideNode::lanes + 1]; ///< and the second one
+        bool is_whole[WideNode::lanes + 1];      ///< it costs less in one place
+        bool is_leaf;                            ///< in one place
+    };
+
+    void plan(std::size_t n)
+    {
+        const BinaryNode& node = nodes_[n];
+        Plan& plan = plans_[n];
+        const float area = node.box.area();
+        if (!node.is_split()) {
+            plan.is_leaf = true;
+            std::fill(std::begin(plan.cost), std::end(plan.cost), leaf_cost * area);
+            return;
+        }
+        const Plan& left = plans_[n + 1];
+        const Plan& right = plans_[node.right];
+        plan.left[1] = plan.right[1] = 1; // as for two, if it must be divided
+        plan.cost[1] = std::numeric_limits<float>::max();
+        for (unsigned k = 2; k <= WideNode::lanes; ++k) {
+            plan.cost[k] = plan.cost[k - 1];
+            plan.left[k] = plan.left[k - 1];
+            plan.right[k] = plan.right[k - 1];
+            for (unsigned i = 1; i < k; ++i) {
+                const float cost = left.cost[i] + right.cost[k - i];
+                if (cost < plan.cost[k]) {
+                    plan.cost[k] = cost;
+                    plan.left[k] = static_cast<std::uint8_t>(i);
+                    plan.right[k] = static_cast<std::uint8_t>(k - i);
+                }
+            }
+        }
+        const float as_node = node_cost * area + plan.cost[WideNode::lanes];
+        const float as_leaf = node.size() <= leaf_size ? leaf_cost * area : std::numeric_limits<float>::max();
+        plan.is_leaf = as_leaf <= as_node;
+        plan.cost[1] = std::min(as_node, as_leaf);
+        plan.is_whole[1] = true;
+        for (unsigned k = 2; k <= WideNode::lanes; ++k) {
+            plan.is_whole[k] = plan.cost[1] <= plan.cost[k];
+            plan.cost[k] = std::min(plan.cost[1], plan.cost[k]);
+        }
+    }
+
+    void add(std::uint32_t n, unsigned places, std::vector<std::uint32_t>& list) const
+    {
+        if (!nodes_[n].is_split() || plans_[n].is_whole[places])
+            list.push_back(n);
+        else
+            add_split(n, places, list);
+    }
+
+    /// The same for a node that is not taken whole.
+    void add_split(std::uint32_t n, unsigned places, std::vector<std::uint32_t>& list) const
+    {
+        add(n + 1, plans_[n].left[places], list);
+        add(nodes_[n].right, plans_[n].right[places], list);
+    }
+
+    static constexpr float node_cost = 1.0f; ///< measured
+    static constexpr float leaf_cost = 1.5f;
+
+    const std::vector<BinaryNode>& nodes_;
+    std::vector<Plan> plans_;
+};
 
 class Builder
 {
@@ -202,25 +301,16 @@ public:
     {
     }
 
-    /// Makes the node over a range; its number.
-    std::uint32_t add_node(const Range& range, int level)
+    /// Returns how many children a search may have put aside at a time.
+    unsigned build()
     {
-        const auto number = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.push_back(empty_node());
-        const std::vector<Range> children = split_up(range, level);
-        for (std::size_t i = 0; i < children.size(); ++i) {
-            const bool is_leaf = children[i].size() <= leaf_size;
-            const std::uint32_t child = is_leaf ? add_block(children[i]) : add_node(children[i], level + 1);
-            WideNode& node = nodes_[number];
-            node.child[i] = child;
-            for (int axis = 0; axis < 3; ++axis) {
-                node.low[axis][i] = children[i].box.low[axis];
-                node.high[axis][i] = children[i].box.high[axis];
-            }
-        }
-        return number;
+        add_binary(0, static_cast<std::uint32_t>(things_.size()), 0);
+        unsigned most_pending = 0;
+        add_node(Collapse(binary_), 0, 0, most_pending);
+        return most_pending;
     }
 
+private:
     SplitBox box_of(std::uint32_t first, std::uint32_t last) const
     {
         SplitBox box = SplitBox::nothing();
@@ -229,39 +319,56 @@ public:
         return box;
     }
 
-private:
-    /// Splits the largest range again and again until there are as many as a node holds.
-    std::vector<Range> split_up(const Range& whole, int level)
+    std::uint32_t add_binary(std::uint32_t first, std::uint32_t last, int level)
     {
-        std::vector<Range> ranges = {whole};
-        while (ranges.size() < WideNode::lanes) {
-            const auto largest = std::max_element(
-                ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return priority(a) < priority(b); });
-            if (largest->size() <= leaf_size)
-                break;
-            const Range range = *largest;
-            const std::uint32_t middle = level < levels_by_area ? split_by_area(things_, range.first, range.last)
-                                                                : range.first + range.size() / 2;
-            *largest = {range.first, middle, box_of(range.first, middle)};
-            ranges.push_back({middle, range.last, box_of(middle, range.last)});
-        }
-        return ranges;
+        const auto number = static_cast<std::uint32_t>(binary_.size());
+        binary_.push_back({box_of(first, last), first, last, 0});
+        if (last - first <= not_split)
+            return number;
+        const std::uint32_t middle =
+            level < levels_by_area ? split_by_area(things_, first, last) : first + (last - first) / 2;
+        add_binary(first, middle, level + 1);
+        const std::uint32_t right = add_binary(middle, last, level + 1);
+        binary_[number].right = right;
+        return number;
     }
 
-    static float priority(const Range& range) { return range.size() <= leaf_size ? -1.0f : range.box.area(); }
+    /// Makes the wide node over a node of the binary tree; its number. `pending`: children put aside above it.
+    std::uint32_t add_node(const Collapse& collapse, std::uint32_t of, unsigned pending, unsigned& most_pending)
+    {
+        const auto number = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back(empty_node());
+        const std::vector<std::uint32_t> children = collapse.children(of);
+        const unsigned with_children = pending + static_cast<unsigned>(children.size());
+        most_pending = std::max(most_pending, with_children);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const BinaryNode child = binary_[children[i]];
+            const std::uint32_t child_number = collapse.is_leaf(children[i])
+                                                   ? add_leaf(child)
+                                                   : add_node(collapse, children[i], with_children - 1, most_pending);
+            WideNode& node = nodes_[number];
+            node.child[i] = child_number;
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                node.plane[WideNode::low(axis) + i] = child.box.low[axis];
+                node.plane[WideNode::high(axis) + i] = child.box.high[axis];
+            }
+        }
+        return number;
+    }
 
-    std::uint32_t add_block(const Range& range)
+    std::uint32_t add_leaf(const BinaryNode& leaf)
     {
         const auto number = static_cast<std::uint32_t>(lanes_.size() / WideNode::lanes);
-        for (std::uint32_t i = range.first; i < range.last; ++i)
+        for (std::uint32_t i = leaf.first; i < leaf.last; ++i)
             lanes_.push_back(things_[i].number);
         lanes_.resize((number + 1) * std::size_t{WideNode::lanes}, WideTree::nothing);
-        return WideNode::block_flag + number;
+        return WideNode::leaf_flag + number;
     }
 
     LargeVector<SplitThing>& things_;
     LargeVector<WideNode>& nodes_;
     LargeVector<std::uint32_t>& lanes_;
+    std::vector<BinaryNode> binary_;
 };
 
 } // namespace
@@ -273,10 +380,8 @@ WideTree::WideTree(const LargeVector<Bounds>& boxes, const std::vector<std::uint
     things.reserve(numbers.size());
     for (const std::uint32_t number : numbers)
         things.push_back({in_frame(boxes[number], frame), number});
-    Builder builder(things, nodes_, things_);
-    const auto size = static_cast<std::uint32_t>(things.size());
-    if (size > 0)
-        builder.add_node({0, size, builder.box_of(0, size)}, 0);
+    if (!things.empty())
+        most_pending_ = Builder(things, nodes_, things_).build();
 }
 
 } // namespace multipath

@@ -28,7 +28,10 @@ public:
     /// What lies in the lanes of the blocks, 16 to a block; `nothing` in empty lanes.
     const LargeVector<std::uint32_t>& things() const { return things_; }
 
-    /// Calls visit(number) for all things whose boxes hold the point, and for others.
+    /// How many children a search may have put aside at a time, if it takes up the last one first.
+    unsigned most_pending() const { return most_pending_; }
+
+    /// Calls visit(number) for all things whose boxes hold the point, and for others, until it returns false.
     template <class Visit>
     void for_each_around(Vec3 point_in_frame, const Visit& visit) const
     {
@@ -40,10 +43,11 @@ public:
 
 private:
     template <class Visit>
-    void visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const;
+    bool visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const;
 
     LargeVector<WideNode> nodes_;
     LargeVector<std::uint32_t> things_;
+    unsigned most_pending_ = 0;
 };
 
 template <class Visit>
@@ -56,22 +60,25 @@ void WideTree::for_each_near(const Bounds& box, const Visit& visit) const
 }
 
 template <class Visit>
-void WideTree::visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const
+bool WideTree::visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const
 {
-    if ((child & WideNode::block_flag) != 0) {
-        const std::size_t first = std::size_t{WideNode::lanes} * (child - WideNode::block_flag);
+    if ((child & WideNode::leaf_flag) != 0) {
+        const std::size_t first = std::size_t{WideNode::lanes} * (child - WideNode::leaf_flag);
         for (std::size_t i = first; i < first + WideNode::lanes && things_[i] != nothing; ++i)
-            visit(things_[i]);
-        return;
+            if (!visit(things_[i]))
+                return false;
+        return true;
     }
     const WideNode& node = nodes_[child];
     for (unsigned lane = 0; lane < WideNode::lanes; ++lane) {
         bool meets = true;
-        for (int axis = 0; axis < 3; ++axis)
-            meets = every(meets, node.low[axis][lane] <= high[axis], low[axis] <= node.high[axis][lane]);
-        if (meets)
-            visit_child(node.child[lane], low, high, visit);
+        for (unsigned axis = 0; axis < 3; ++axis)
+            meets = every(meets, node.plane[WideNode::low(axis) + lane] <= high[axis],
+                          low[axis] <= node.plane[WideNode::high(axis) + lane]);
+        if (meets && !visit_child(node.child[lane], low, high, visit))
+            return false;
     }
+    return true;
 }
 
 } // namespace multipath

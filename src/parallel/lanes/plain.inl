@@ -33,6 +33,11 @@ KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
 {
     return {a.x * b.x + c.x};
 }
+/// c - a b, rounded once or twice.
+KERNEL_CODE Lanes less_product(Lanes c, Lanes a, Lanes b)
+{
+    return {c.x - a.x * b.x};
+}
 KERNEL_CODE Lanes absolute(Lanes a)
 {
     return {std::abs(a.x)};
@@ -49,6 +54,10 @@ KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
 KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
     return {sign.x < 0.0f ? -a.x : a.x};
+}
+KERNEL_CODE Lanes quotient(Lanes a, Lanes b)
+{
+    return {a.x / b.x};
 }
 /// About 1 / a, for 1e-30 <= a <= 1e30, wrong by no more than the share Lanes::reciprocal_error.
 KERNEL_CODE Lanes reciprocal(Lanes a)

@@ -35,8 +35,14 @@ struct Lanes
         std::memcpy(&lanes.x, __builtin_assume_aligned(from, LANE_BYTES), LANE_BYTES);
         return lanes;
     }
-    KERNEL_CODE static Lanes all(float value) { return {value - FloatVector{}}; }
-    KERNEL_CODE void store(float* to) const { std::memcpy(__builtin_assume_aligned(to, LANE_BYTES), &x, LANE_BYTES); }
+    KERNEL_CODE static Lanes all(float value)
+    {
+        return {value - FloatVector{}};
+    }
+    KERNEL_CODE void store(float* to) const
+    {
+        std::memcpy(__builtin_assume_aligned(to, LANE_BYTES), &x, LANE_BYTES);
+    }
 };
 
 KERNEL_CODE Lanes operator+(Lanes a, Lanes b)
@@ -63,6 +69,18 @@ KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
     return {a.x * b.x + c.x};
 #endif
 }
+KERNEL_CODE Lanes less_product(Lanes c, Lanes a, Lanes b)
+{
+#if LANE_BYTES == 32
+    return {_mm256_fnmadd_ps(a.x, b.x, c.x)};
+#elif LANE_BYTES == 64
+    return {_mm512_fnmadd_ps(a.x, b.x, c.x)};
+#elif defined(__aarch64__)
+    return {vfmsq_f32(c.x, a.x, b.x)};
+#else
+    return {c.x - a.x * b.x};
+#endif
+}
 KERNEL_CODE Lanes absolute(Lanes a)
 {
     return {bits_as<FloatVector>(bits_as<IntVector>(a.x) & 0x7fffffff)};
@@ -83,6 +101,10 @@ KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
     const IntVector minus = bits_as<IntVector>(sign.x) & (-0x7fffffff - 1);
     return {bits_as<FloatVector>(bits_as<IntVector>(a.x) ^ minus)};
+}
+KERNEL_CODE Lanes quotient(Lanes a, Lanes b)
+{
+    return {a.x / b.x};
 }
 KERNEL_CODE Lanes reciprocal(Lanes a)
 {

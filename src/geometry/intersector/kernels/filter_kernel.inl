@@ -14,8 +14,8 @@ namespace multipath {
 namespace LANE_SET {
 namespace {
 
-constexpr FilterKernel table = {LANE_SET_NAME, place_lines,   filter_flat,       nearest_flat,  filter_line,
-                                visit_all,     visit_nearest, decide_candidates, decide_nearest};
+constexpr FilterKernel table = {LANE_SET_NAME,   place_lines,     filter_flat, nearest_flat,      filter_line,
+                                fill_tree_lines, find_candidates, find_first,  decide_candidates, decide_nearest};
 
 } // namespace
 } // namespace LANE_SET

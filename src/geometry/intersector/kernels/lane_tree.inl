@@ -1,161 +1,386 @@
-// The way through the hierarchy for one instruction set, on top of lane_filter.inl and like it: included once by the
+// The searches in the hierarchy for one instruction set, on top of lane_filter.inl and like it: included once by the
 // file of each instruction set, all static.
+//
+// Many lines are on their way at once, in rounds: each line takes up one child, then all nodes are tested, then all
+// leaves, then all candidates are decided. Within a step the lines do not depend on each other, so that a processor
+// works on several of them while others wait for memory, and nearly nothing branches on what a line meets, which cannot
+// be predicted (compare Barringer, Akenine-Möller: Dynamic ray stream traversal, 2014).
 
 namespace multipath {
 namespace LANE_SET {
 namespace {
 
-/// What the tests of boxes need of a line: where it meets the planes x = c is c * inverse.x + at_zero.x.
-struct LaneSlabs
+/// TreeLine::inverse and at_zero of the lines of a batch.
+struct Inverses
 {
-    LaneVector inverse, at_zero;
-    bool negative[3]; ///< the line meets the high planes first
+    alignas(64) float inverse[3][LineBatch::most];
+    float at_zero[3][LineBatch::most];
 };
 
-KERNEL_CODE LaneSlabs slabs_of(const FilterLine& line)
+KERNEL_CODE void find_inverses(const LineBatch& batch, std::size_t count, Inverses& result)
 {
-    LaneSlabs slabs;
-    float inverse[3];
-    float at_zero[3];
-    const float least = 1e-12f * line.scale; // stands for 0 and moves nothing by more than that
-    for (int i = 0; i < 3; ++i) {
-        const float d = line.direction[i];
-        slabs.negative[i] = d < 0.0f;
-        const float away_from_zero = d < 0.0f ? (d > -least ? -least : d) : (d < least ? least : d);
-        inverse[i] = 1.0f / away_from_zero;
-        at_zero[i] = -line.middle[i] * inverse[i];
+    for (unsigned axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < count; i += Lanes::width) {
+            const Lanes d = Lanes::load(batch.direction[axis] + i);
+            const Lanes least = Lanes::load(batch.scale + i) * Lanes::all(1e-12f);
+            const Lanes inverse = quotient(Lanes::all(1.0f), with_sign_of(d, larger(absolute(d), least)));
+            inverse.store(result.inverse[axis] + i);
+            (Lanes::all(0.0f) - Lanes::load(batch.middle[axis] + i) * inverse).store(result.at_zero[axis] + i);
+        }
+}
+
+/// No branches: which way a line runs is hard to predict.
+KERNEL_CODE void fill_line(const LineBatch& batch, const Inverses& inverses, std::uint32_t number, TreeLine& line)
+{
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const float d = batch.direction[axis][number];
+        std::uint32_t bits_of_d = 0;
+        std::memcpy(&bits_of_d, &d, sizeof d);
+        const std::uint32_t to_high = WideNode::high(0) * (bits_of_d >> 31);
+        line.inverse[axis] = inverses.inverse[axis][number];
+        line.at_zero[axis] = inverses.at_zero[axis][number];
+        line.near_plane[axis] = WideNode::low(axis) + to_high;
+        line.far_plane[axis] = WideNode::high(axis) - to_high;
+        line.direction[axis] = d;
+        line.backwards[axis] = -batch.middle[axis][number];
     }
-    slabs.inverse = spread(inverse);
-    slabs.at_zero = spread(at_zero);
-    return slabs;
+    line.scale = batch.scale[number];
+    line.first = -batch.half_length[number];
+    line.last = batch.half_length[number];
+    line.number = number;
 }
 
-KERNEL_CODE Lanes planes(const WideNode& node, int axis, bool high, unsigned lane)
+KERNEL_ENTRY void fill_tree_lines(const LineBatch& batch, const std::uint32_t* numbers, std::size_t count,
+                                  TreeLine* lines)
 {
-    return Lanes::load((high ? node.high : node.low)[axis] + lane);
+    if (count == 0)
+        return;
+    Inverses inverses;
+    find_inverses(batch, numbers[count - 1] + std::size_t{1}, inverses);
+    for (std::size_t i = 0; i < count; ++i)
+        fill_line(batch, inverses, numbers[i], lines[i]);
 }
 
-/// The children whose boxes the line meets between its beginning and `limit`, and where it enters them.
-KERNEL_CODE unsigned boxes_met(const WideNode& node, const LaneSlabs& slabs, float first, float limit, float* entry)
+KERNEL_CODE Lanes planes_at(const WideNode& node, std::uint32_t plane, unsigned lane)
 {
+    return Lanes::load(node.plane + plane + lane);
+}
+
+/// The children whose boxes the line meets in the part that is searched; entry: how far from its beginning it enters
+/// them.
+KERNEL_CODE unsigned boxes_met(const WideNode& node, const TreeLine& line, float* entry)
+{
+    const LaneVector inverse = spread(line.inverse);
+    const LaneVector at_zero = spread(line.at_zero);
+    const Lanes first = Lanes::all(line.first);
+    const Lanes last = Lanes::all(line.last);
     unsigned met = 0;
     for (unsigned lane = 0; lane < WideNode::lanes; lane += Lanes::width) {
-        const Lanes in_x = multiply_add(planes(node, 0, slabs.negative[0], lane), slabs.inverse.x, slabs.at_zero.x);
-        const Lanes in_y = multiply_add(planes(node, 1, slabs.negative[1], lane), slabs.inverse.y, slabs.at_zero.y);
-        const Lanes in_z = multiply_add(planes(node, 2, slabs.negative[2], lane), slabs.inverse.z, slabs.at_zero.z);
-        const Lanes out_x = multiply_add(planes(node, 0, !slabs.negative[0], lane), slabs.inverse.x, slabs.at_zero.x);
-        const Lanes out_y = multiply_add(planes(node, 1, !slabs.negative[1], lane), slabs.inverse.y, slabs.at_zero.y);
-        const Lanes out_z = multiply_add(planes(node, 2, !slabs.negative[2], lane), slabs.inverse.z, slabs.at_zero.z);
-        const Lanes in = larger(larger(in_x, in_y), larger(in_z, Lanes::all(first)));
-        const Lanes out = smaller(smaller(out_x, out_y), smaller(out_z, Lanes::all(limit)));
-        in.store(entry + lane);
+        const Lanes in_x = multiply_add(planes_at(node, line.near_plane[0], lane), inverse.x, at_zero.x);
+        const Lanes in_y = multiply_add(planes_at(node, line.near_plane[1], lane), inverse.y, at_zero.y);
+        const Lanes in_z = multiply_add(planes_at(node, line.near_plane[2], lane), inverse.z, at_zero.z);
+        const Lanes out_x = multiply_add(planes_at(node, line.far_plane[0], lane), inverse.x, at_zero.x);
+        const Lanes out_y = multiply_add(planes_at(node, line.far_plane[1], lane), inverse.y, at_zero.y);
+        const Lanes out_z = multiply_add(planes_at(node, line.far_plane[2], lane), inverse.z, at_zero.z);
+        const Lanes in = larger(larger(in_x, in_y), larger(in_z, first));
+        const Lanes out = smaller(smaller(out_x, out_y), smaller(out_z, last));
+        (in - first).store(entry + lane);
         met |= bits(not_above(in, out)) << lane;
     }
     return met;
 }
 
-constexpr unsigned list_size = 256; ///< blocks that a line collects before they are tested
-
-/// A child still to be looked at.
-struct Pending
+KERNEL_CODE LaneVector lane_vector(const float (&v)[3][LeafBlock::lanes], unsigned lane)
 {
-    float entry;
-    std::uint32_t child;
+    return {Lanes::load(v[0] + lane), Lanes::load(v[1] + lane), Lanes::load(v[2] + lane)};
+}
+
+KERNEL_CODE LaneVector cross(const LaneVector& a, const LaneVector& b)
+{
+    return {less_product(a.y * b.z, a.z, b.y), less_product(a.z * b.x, a.x, b.z), less_product(a.x * b.y, a.y, b.x)};
+}
+
+/// The surfaces of a leaf that the line may meet in the part that is searched: see LeafBlock.
+KERNEL_CODE unsigned surfaces_met(const LeafBlock& leaf, const TreeLine& line)
+{
+    const LaneVector direction = spread(line.direction);
+    const LaneVector backwards = spread(line.backwards);
+    const Lanes zero = Lanes::all(0.0f);
+    unsigned result = 0;
+    for (unsigned lane = 0; lane < LeafBlock::lanes; lane += Lanes::width) {
+        const LaneVector corner = lane_vector(leaf.corner, lane);
+        const LaneVector edge_u = lane_vector(leaf.edge_u, lane);
+        const LaneVector edge_v = lane_vector(leaf.edge_v, lane);
+        const LaneVector way = {corner.x + backwards.x, corner.y + backwards.y, corner.z + backwards.z};
+        const LaneVector normal = cross(edge_u, edge_v);
+        const LaneVector across = cross(way, direction);
+        const Lanes a = dot(normal, direction);
+        const Lanes u = with_sign_of(a, dot(across, edge_v));
+        const Lanes v = with_sign_of(a, zero - dot(across, edge_u));
+        const Lanes t = with_sign_of(a, dot(normal, way));
+        const Lanes size_a = absolute(a);
+        const Lanes signed_slack = Lanes::load(leaf.slack + lane);
+        const Lanes distance_slack = absolute(signed_slack);
+        const Lanes slack = distance_slack * Lanes::all(line.scale);
+        const Lanes most = size_a + slack;
+        LaneMask met = not_above(zero - slack, smaller(u, v));
+        met = not_above(met, larger(u, v), most);
+        met = not_above(met, where(not_above(signed_slack, zero), u + v, u), most);
+        met = not_above(met, t, multiply_add(size_a, Lanes::all(line.last), distance_slack));
+        met = not_above(met, size_a * Lanes::all(line.first) - distance_slack, t);
+        result |= bits(met) << lane;
+    }
+    return result;
+}
+
+/// Number of the first lane of some; 0 if there is none.
+KERNEL_CODE unsigned first_lane(unsigned lanes)
+{
+    return static_cast<unsigned>(__builtin_ctz(lanes | 1u << 16)) & 15u;
+}
+
+/// 1 if some lanes are set, else 0: in a way that compilers make no branch of.
+KERNEL_CODE std::uint32_t some(unsigned lanes)
+{
+    return (lanes + 0xffffu) >> 16;
+}
+
+/// Adds to `list` an element for each lane, two at a time, as most lines meet two or less; there must be room for two
+/// more.
+template <class Element, class Make>
+KERNEL_CODE std::size_t add_lanes(unsigned lanes, Element* list, const Make& make)
+{
+    const unsigned others = lanes & (lanes - 1);
+    list[0] = make(first_lane(lanes));
+    list[1] = make(first_lane(others));
+    std::size_t count = some(lanes) + some(others);
+    for (unsigned rest = others & (others - 1); __builtin_expect(rest != 0, 0); rest &= rest - 1)
+        list[count++] = make(first_lane(rest));
+    return count;
+}
+
+KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
+{
+    constexpr std::size_t at_once = CandidateSearch::at_once;
+    LineNode nodes[at_once];
+    LineNode leaves[at_once];
+    alignas(64) float entry[WideNode::lanes];
+    while (search.pending_count > 0 && search.has_room()) {
+        const std::size_t taken = search.pending_count < at_once ? search.pending_count : at_once;
+        std::size_t node_count = 0;
+        std::size_t leaf_count = 0;
+        for (std::size_t i = 0; i < taken; ++i) { // onto both piles, then only one grows
+            const LineNode next = search.pending[--search.pending_count];
+            nodes[node_count] = next;
+            leaves[leaf_count] = {next.line, next.child & ~WideNode::leaf_flag};
+            const std::size_t is_leaf = next.child / WideNode::leaf_flag;
+            node_count += 1 - is_leaf;
+            leaf_count += is_leaf;
+        }
+        for (std::size_t i = 0; i < node_count; ++i) {
+            const std::uint32_t line = nodes[i].line;
+            const WideNode& node = tree.nodes[nodes[i].child];
+            const unsigned met = boxes_met(node, search.lines[line], entry);
+            search.pending_count += add_lanes(met, search.pending + search.pending_count, [&](unsigned lane) {
+                return LineNode{line, node.child[lane]};
+            });
+        }
+        for (std::size_t i = 0; i < leaf_count; ++i) {
+            const TreeLine& line = search.lines[leaves[i].line];
+            const LeafBlock& leaf = tree.leaves[leaves[i].child];
+            const unsigned met = surfaces_met(leaf, line);
+            search.candidate_count += add_lanes(met, search.candidates + search.candidate_count, [&](unsigned lane) {
+                return LineCandidate{line.number, leaf.surface[lane]};
+            });
+        }
+    }
+}
+
+/// A child and where the line enters it, so that the order of these numbers is that of the places: `entry` is not
+/// negative.
+KERNEL_CODE std::uint64_t pending_child(float entry, std::uint32_t child)
+{
+    std::uint32_t bits_of_entry = 0;
+    std::memcpy(&bits_of_entry, &entry, sizeof bits_of_entry);
+    return std::uint64_t{bits_of_entry} << 32 | child;
+}
+
+KERNEL_CODE float entry_of(std::uint64_t pending)
+{
+    const auto bits_of_entry = static_cast<std::uint32_t>(pending >> 32);
+    float entry = 0.0f;
+    std::memcpy(&entry, &bits_of_entry, sizeof entry);
+    return entry;
+}
+
+/// A ray that is on its way, and the children that it has put aside: of those of a node the nearest on top.
+struct alignas(64) RayOnWay
+{
+    TreeLine line;
+    std::uint32_t pending; ///< how many lie on the stack
+    std::uint64_t* stack;
+    double excluded_plane;
 };
 
-/// Asks for the memory of a child that will be looked at soon. The processor itself goes on to the rest of a block.
-KERNEL_CODE void prefetch_child(const WideNode* nodes, const SurfaceBlock* blocks, std::uint32_t child)
+KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverses, const SearchedRay& next,
+                           RayOnWay& ray)
 {
-    const void* const start = child < WideNode::block_flag
-                                  ? static_cast<const void*>(nodes + child)
-                                  : static_cast<const void*>(blocks + (child - WideNode::block_flag));
-    for (unsigned line = 0; line < sizeof(WideNode); line += 64)
-        __builtin_prefetch(static_cast<const char*>(start) + line);
+    fill_line(search.batch, inverses, next.number, ray.line);
+    const double distance = search.nearest[next.number].best.t - search.batch.middle_t[next.number];
+    const auto limit = static_cast<float>(distance);
+    ray.line.last = limit < ray.line.last ? limit : ray.line.last;
+    ray.excluded_plane = next.excluded_plane;
+    ray.pending = 0;
 }
 
-/// Puts the children that were met onto the stack, the nearest on top.
-KERNEL_CODE Pending* push_children(Pending* top, unsigned met, const WideNode& node, const float* entry,
-                                   const WideNode* nodes, const SurfaceBlock* blocks)
+/// Returns the nearest of the children that were met, and puts the others aside.
+KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const float* entry, RayOnWay& ray)
 {
-    Pending* const bottom = top;
-    for (; met != 0; met &= met - 1) {
-        const int i = __builtin_ctz(met);
-        Pending* place = top++;
-        for (; place > bottom && place[-1].entry < entry[i]; --place)
-            *place = place[-1];
-        *place = {entry[i], node.child[i]};
-        prefetch_child(nodes, blocks, node.child[i]);
+    const unsigned others = met & (met - 1);
+    const unsigned one = first_lane(met);
+    const unsigned two = first_lane(others);
+    const std::uint64_t none = std::uint64_t{some(others)} - 1; // all bits if there is no second one
+    const std::uint64_t a = pending_child(entry[one], node.child[one]);
+    const std::uint64_t b = pending_child(entry[two], node.child[two]) | none;
+    std::uint64_t nearest = a < b ? a : b;
+    std::uint64_t* const aside = ray.stack + ray.pending;
+    aside[0] = a < b ? b : a;
+    std::uint32_t count = some(others);
+    for (unsigned rest = others & (others - 1); __builtin_expect(rest != 0, 0); rest &= rest - 1) {
+        const unsigned lane = first_lane(rest);
+        std::uint64_t next = pending_child(entry[lane], node.child[lane]);
+        const std::uint64_t nearer = next < nearest ? next : nearest;
+        next = next < nearest ? nearest : next;
+        nearest = nearer;
+        std::uint32_t place = count++;
+        for (; place > 0 && aside[place - 1] < next; --place)
+            aside[place] = aside[place - 1];
+        aside[place] = next;
     }
-    return top;
+    ray.pending += count;
+    return nearest;
 }
 
-/// Tests the blocks of a list and hands over those with a surface that the line may meet.
-KERNEL_CODE void visit_list(const SurfaceBlock* blocks, const std::uint32_t* list, unsigned count, const LaneLine& line,
-                            VisitBlocks visit, void* context)
+KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, RayOnWay& ray)
 {
-    BlockLanes found[list_size];
-    unsigned found_count = 0;
-    for (unsigned i = 0; i < count; ++i) {
-        const std::uint32_t block = list[i] - WideNode::block_flag;
-        const unsigned met = filter_block<false>(blocks[block], line);
-        found[found_count] = {block, met};
-        found_count += met != 0;
+    const std::uint32_t number = ray.line.number;
+    NearestHit& nearest = search.nearest[number];
+    if (hit.t > nearest.best.t)
+        return;
+    if (hit.t == nearest.best.t) {
+        search.take_coincident(search.context, nearest, hit);
+        return;
     }
-    visit(context, found, found_count);
+    nearest.best = hit;
+    nearest.has_back = false;
+    const auto limit = static_cast<float>(hit.t - search.batch.middle_t[number]);
+    ray.line.last = limit < ray.line.last ? limit : ray.line.last;
+    ray.pending = search.any ? 0 : ray.pending;
 }
 
-KERNEL_ENTRY void visit_all(const WideNode* nodes, const SurfaceBlock* blocks, const FilterLine& line,
-                            VisitBlocks visit, void* context)
+/// A ray and a child or a surface.
+struct RayTask
 {
-    const LaneSlabs slabs = slabs_of(line);
-    const LaneLine lanes = spread_line(line);
-    std::uint32_t stack[WideNode::stack_size];
-    std::uint32_t list[list_size];
-    unsigned list_count = 0;
+    RayOnWay* ray;
+    std::uint32_t what;
+};
+
+/// Children that rays are to take up, without a branch on what they are.
+struct RayTasks
+{
+    RayTask nodes[FirstHitSearch::at_once];
+    RayTask leaves[FirstHitSearch::at_once];
+    std::size_t node_count = 0;
+    std::size_t leaf_count = 0;
+
+    /// some: 1, or 0 to leave all as it is.
+    KERNEL_CODE void add(RayOnWay* ray, std::uint32_t child, std::size_t some)
+    {
+        const std::size_t is_leaf = child / WideNode::leaf_flag;
+        nodes[node_count] = {ray, child};
+        leaves[leaf_count] = {ray, child & ~WideNode::leaf_flag};
+        node_count += some & (1 - is_leaf);
+        leaf_count += some & is_leaf;
+    }
+};
+
+KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
+{
+    if (search.ray_count == 0)
+        return;
+    constexpr unsigned at_once = FirstHitSearch::at_once;
+    Inverses inverses;
+    find_inverses(search.batch, search.rays[search.ray_count - 1].number + std::size_t{1}, inverses);
+    RayOnWay rays[at_once];
+    RayTasks rounds[2];
+    RayOnWay* idle[at_once + 1];
+    RayTask candidates[LeafBlock::lanes * at_once + 1];
+    Hit hits[at_once];
+    RayOnWay* rays_of_hits[at_once];
     alignas(64) float entry[WideNode::lanes];
-    stack[0] = 0;
-    for (unsigned depth = 1; depth > 0;) {
-        const WideNode& node = nodes[stack[--depth]];
-        unsigned met = boxes_met(node, slabs, -line.half_length, line.half_length, entry);
-        for (; met != 0; met &= met - 1) { // onto both piles, then only one grows: which one is hard to predict
-            const std::uint32_t child = node.child[__builtin_ctz(met)];
-            const unsigned is_block = child / WideNode::block_flag;
-            prefetch_child(nodes, blocks, child);
-            stack[depth] = list[list_count] = child;
-            depth += 1 - is_block;
-            list_count += is_block;
-        }
-        if (list_count > list_size - WideNode::lanes) {
-            visit_list(blocks, list, list_count, lanes, visit, context);
-            list_count = 0;
-        }
+    const SearchedRay* next = search.rays;
+    const SearchedRay* const end = search.rays + search.ray_count;
+    for (unsigned i = 0; next < end && i < at_once; ++i) {
+        rays[i].stack = search.stacks + i * search.stack_size;
+        start_ray(search, inverses, *next++, rays[i]);
+        rounds[0].add(rays + i, 0, 1);
     }
-    visit_list(blocks, list, list_count, lanes, visit, context);
-}
-
-KERNEL_ENTRY void visit_nearest(const WideNode* nodes, const SurfaceBlock* blocks, const FilterLine& line,
-                                VisitBlock visit, void* context)
-{
-    const LaneSlabs slabs = slabs_of(line);
-    const LaneLine lanes = spread_line(line);
-    float limit = line.half_length;
-    Pending stack[WideNode::stack_size];
-    alignas(64) float entry[WideNode::lanes];
-    stack[0] = {-line.half_length, 0};
-    for (Pending* top = stack + 1; top > stack;) {
-        const Pending next = *--top;
-        if (next.entry > limit)
-            continue;
-        if ((next.child & WideNode::block_flag) == 0) {
-            const WideNode& node = nodes[next.child];
-            const unsigned met = boxes_met(node, slabs, -line.half_length, limit, entry);
-            top = push_children(top, met, node, entry, nodes, blocks);
-            continue;
+    for (unsigned round = 0; rounds[round].node_count + rounds[round].leaf_count > 0; round = 1 - round) {
+        RayTasks& now = rounds[round];
+        RayTasks& then = rounds[1 - round];
+        then.node_count = then.leaf_count = 0;
+        std::size_t idle_count = 0;
+        for (std::size_t i = 0; tree.is_large && i < now.leaf_count; ++i)
+            prefetch_all(tree.leaves[now.leaves[i].what]);
+        for (std::size_t i = 0; i < now.node_count; ++i) {
+            RayOnWay* const ray = now.nodes[i].ray;
+            const WideNode& node = tree.nodes[now.nodes[i].what];
+            const unsigned met = boxes_met(node, ray->line, entry);
+            const std::uint64_t nearest = take_nearest(met, node, entry, *ray);
+            then.add(ray, static_cast<std::uint32_t>(nearest), some(met));
+            idle[idle_count] = ray;
+            idle_count += 1 - some(met);
         }
-        const std::uint32_t block = next.child - WideNode::block_flag;
-        const unsigned met = filter_block<false>(blocks[block], lanes);
-        if (met != 0)
-            limit = visit(context, block, met);
+        std::size_t candidate_count = 0;
+        for (std::size_t i = 0; i < now.leaf_count; ++i) {
+            RayOnWay* const ray = now.leaves[i].ray;
+            const LeafBlock& leaf = tree.leaves[now.leaves[i].what];
+            idle[idle_count++] = ray;
+            const unsigned met = surfaces_met(leaf, ray->line);
+            candidate_count += add_lanes(met, candidates + candidate_count, [&](unsigned lane) {
+                prefetch_all(table.row(leaf.surface[lane]));
+                return RayTask{ray, leaf.surface[lane]};
+            });
+        }
+        for (std::size_t first = 0; first < candidate_count; first += at_once) {
+            const std::size_t last = first + at_once < candidate_count ? first + at_once : candidate_count;
+            std::size_t hit_count = 0;
+            for (std::size_t i = first; i < last; ++i) {
+                RayOnWay* const ray = candidates[i].ray;
+                const std::uint32_t surface = candidates[i].what;
+                const bool is_met = decide(table, search.lines[ray->line.number], surface, hits[hit_count]);
+                rays_of_hits[hit_count] = ray;
+                hit_count += every(is_met, table.row(surface).plane() != ray->excluded_plane) ? 1 : 0;
+            }
+            for (std::size_t i = 0; i < hit_count; ++i)
+                take_hit(search, hits[i], *rays_of_hits[i]);
+        }
+        for (std::size_t i = 0; i < idle_count; ++i) {
+            RayOnWay* const ray = idle[i];
+            const float length = ray->line.last - ray->line.first;
+            std::uint64_t top = ~std::uint64_t{0};
+            while (ray->pending > 0 && top == ~std::uint64_t{0}) {
+                const std::uint64_t child = ray->stack[--ray->pending];
+                top = entry_of(child) <= length ? child : top;
+            }
+            if (top == ~std::uint64_t{0}) { // its place is free for another one
+                if (next == end)
+                    continue;
+                start_ray(search, inverses, *next++, *ray);
+                top = 0; // the root
+            }
+            then.add(ray, static_cast<std::uint32_t>(top), 1);
+        }
     }
 }
 

@@ -1,0 +1,136 @@
+#include "geometry/intersector/plane_neighbours.h"
+
+#include "parallel/blocks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint32_t few_in_plane = 32;   ///< compared each with each
+constexpr std::size_t most_looked_at = 4096; ///< for one surface
+constexpr std::uint32_t at_a_time = 1024;    ///< surfaces for which a thread looks at a time
+
+/// Corners in order around the surface.
+struct Outline
+{
+    std::array<Vec3, 4> corner;
+    unsigned count;
+    Vec3 normal; ///< of any length
+
+    explicit Outline(const Surface& surface)
+        : corner{surface.origin, surface.origin + surface.edge_u, surface.origin + surface.edge_v, {}},
+          count(surface.shape == Shape::triangle ? 3 : 4),
+          normal(cross(surface.edge_u, surface.edge_v))
+    {
+        if (count == 4) {
+            corner[3] = corner[2];
+            corner[2] = surface.at(1.0, 1.0);
+        }
+    }
+};
+
+/// Whether an edge of `a` has `b` on its outer side, but for `slack`.
+bool is_beside(const Outline& a, const Outline& b, double slack)
+{
+    for (unsigned i = 0; i < a.count; ++i) {
+        const Vec3 start = a.corner[i];
+        const Vec3 outwards = cross(a.corner[(i + 1) % a.count] - start, a.normal);
+        double innermost = dot(b.corner[0] - start, outwards);
+        for (unsigned k = 1; k < b.count; ++k)
+            innermost = std::min(innermost, dot(b.corner[k] - start, outwards));
+        if (innermost >= -slack * length(outwards))
+            return true;
+    }
+    return false;
+}
+
+/// Whether two surfaces of one plane have more in common than their borders: by the axes that separate convex polygons.
+bool overlap_in_plane(const Surface& a, const Surface& b, double diagonal)
+{
+    constexpr double rounding = 1e-7;   // of the scene: what coordinates in a file have
+    constexpr double small_part = 1e-3; // of the smaller surface
+    const double size = std::sqrt(std::min(a.area(), b.area()));
+    const double slack = std::min(rounding * diagonal, small_part * size);
+    const Outline first(a);
+    const Outline second(b);
+    return !is_beside(first, second, slack) && !is_beside(second, first, slack);
+}
+
+/// Surfaces by plane.
+struct Planes
+{
+    std::vector<std::uint32_t> surfaces;
+    std::vector<std::uint32_t> begin; ///< of each plane, and the end of the last one
+
+    explicit Planes(const std::vector<std::uint32_t>& plane_number)
+        : surfaces(plane_number.size()),
+          begin(plane_number.empty() ? 2 : 2 + *std::max_element(plane_number.begin(), plane_number.end()))
+    {
+        for (const std::uint32_t plane : plane_number)
+            ++begin[plane + 1];
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        std::vector<std::uint32_t> place = begin;
+        for (std::uint32_t s = 0; s < plane_number.size(); ++s)
+            surfaces[place[plane_number[s]]++] = s;
+    }
+};
+
+} // namespace
+
+PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<Bounds>& boxes,
+                                 const std::vector<std::uint32_t>& plane_number, const WideTree& tree,
+                                 const FilterFrame& frame, int threads)
+    : first_(surfaces.size(), empty_list)
+{
+    const Planes planes(plane_number);
+    const auto find = [&](std::uint32_t s, std::vector<std::uint32_t>& found) {
+        const auto take = [&](std::uint32_t other) {
+            if (other != s && plane_number[other] == plane_number[s] && overlap(boxes[s], boxes[other]) &&
+                overlap_in_plane(surfaces[s], surfaces[other], 2.0 * frame.radius()))
+                found.push_back(other);
+        };
+        const std::uint32_t begin = planes.begin[plane_number[s]];
+        const std::uint32_t end = planes.begin[plane_number[s] + 1];
+        if (tree.empty() || end - begin <= few_in_plane) {
+            std::for_each(planes.surfaces.begin() + begin, planes.surfaces.begin() + end, take);
+            return true;
+        }
+        std::size_t looked_at = 0;
+        tree.for_each_near({frame.to_frame(boxes[s].low), frame.to_frame(boxes[s].high)}, [&](std::uint32_t other) {
+            take(other);
+            return ++looked_at < most_looked_at;
+        });
+        std::sort(found.begin(), found.end());
+        return looked_at < most_looked_at;
+    };
+    std::vector<std::vector<std::uint32_t>> lists((surfaces.size() + at_a_time - 1) / at_a_time);
+    parallel_ranges(static_cast<std::uint32_t>(surfaces.size()), at_a_time, threads,
+                    [&](std::uint32_t first, std::uint32_t end) {
+                        std::vector<std::uint32_t>& list = lists[first / at_a_time];
+                        std::vector<std::uint32_t> found;
+                        for (std::uint32_t s = first; s < end; ++s) {
+                            found.clear();
+                            if (!find(s, found)) {
+                                first_[s] = unlisted;
+                            } else if (!found.empty()) {
+                                first_[s] = static_cast<std::uint32_t>(list.size() + 1);
+                                list.insert(list.end(), found.begin(), found.end());
+                                list.push_back(end_of_list);
+                            }
+                        }
+                    });
+    for (std::size_t block = 0; block < lists.size(); ++block) {
+        const auto before = static_cast<std::uint32_t>(neighbours_.size() - 1);
+        const std::size_t end = std::min(surfaces.size(), (block + 1) * at_a_time);
+        for (std::size_t s = block * at_a_time; s < end; ++s)
+            first_[s] += first_[s] == empty_list || first_[s] == unlisted ? 0 : before;
+        neighbours_.insert(neighbours_.end(), lists[block].begin(), lists[block].end());
+    }
+}
+
+} // namespace multipath
