@@ -11,9 +11,9 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t few_in_plane = 32;   ///< compared each with each
-constexpr std::size_t most_looked_at = 4096; ///< for one surface
-constexpr std::uint32_t at_a_time = 1024;    ///< surfaces for which a thread looks at a time
+constexpr std::uint32_t few_in_plane = 32;         ///< compared each with each
+constexpr std::size_t most_looked_at = 4096;       ///< for one surface
+constexpr std::uint32_t surfaces_at_a_time = 1024; ///< surfaces for which a thread looks at a time
 
 /// Corners in order around the surface.
 struct Outline
@@ -108,10 +108,10 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
         std::sort(found.begin(), found.end());
         return looked_at < most_looked_at;
     };
-    std::vector<std::vector<std::uint32_t>> lists((surfaces.size() + at_a_time - 1) / at_a_time);
-    parallel_ranges(static_cast<std::uint32_t>(surfaces.size()), at_a_time, threads,
+    std::vector<std::vector<std::uint32_t>> lists((surfaces.size() + surfaces_at_a_time - 1) / surfaces_at_a_time);
+    parallel_ranges(static_cast<std::uint32_t>(surfaces.size()), surfaces_at_a_time, threads,
                     [&](std::uint32_t first, std::uint32_t end) {
-                        std::vector<std::uint32_t>& list = lists[first / at_a_time];
+                        std::vector<std::uint32_t>& list = lists[first / surfaces_at_a_time];
                         std::vector<std::uint32_t> found;
                         for (std::uint32_t s = first; s < end; ++s) {
                             found.clear();
@@ -126,8 +126,8 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
                     });
     for (std::size_t block = 0; block < lists.size(); ++block) {
         const auto before = static_cast<std::uint32_t>(neighbours_.size() - 1);
-        const std::size_t end = std::min(surfaces.size(), (block + 1) * at_a_time);
-        for (std::size_t s = block * at_a_time; s < end; ++s)
+        const std::size_t end = std::min(surfaces.size(), (block + 1) * surfaces_at_a_time);
+        for (std::size_t s = block * surfaces_at_a_time; s < end; ++s)
             first_[s] += first_[s] == empty_list || first_[s] == unlisted ? 0 : before;
         neighbours_.insert(neighbours_.end(), lists[block].begin(), lists[block].end());
     }
