@@ -176,7 +176,7 @@ std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t ex
         FirstHitScratch work;
         work.rays = {searched_ray(0, excluded_plane)};
         work.nearest.assign(1, nearest);
-        search_first(batch, &line, false, work);
+        search_first(batch, &line, work);
         nearest = work.nearest[0];
     } else {
         for_each_candidate(line, [&](std::uint32_t surface) {
