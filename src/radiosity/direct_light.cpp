@@ -162,6 +162,7 @@ private:
     void look(std::size_t first, std::size_t end)
     {
         surfaces_.clear();
+        targets_.clear();
         rays_.clear();
         seekers_.clear();
         for (const std::size_t k : dark_)
@@ -171,11 +172,12 @@ private:
                 const Line ray = {look.from, point_on(patch.shape, look.a, look.b) - look.from};
                 if (dot(ray.direction, look.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0) {
                     surfaces_.push_back(look.source_surface);
+                    targets_.push_back(scene_.surface_of(patch.number));
                     rays_.push_back(ray);
                     seekers_.push_back(k);
                 }
             }
-        scene_.intersector().closest_hits_from(surfaces_.data(), rays_.data(), rays_.size(), hits_);
+        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
         for (std::size_t r = 0; r < rays_.size(); ++r) {
             Target& patch = patches_[seekers_[r]];
             patch.lit = patch.lit || (hits_.is_hit(r) && receiving_patch(scene_, hits_[r]) == patch.number);
@@ -189,6 +191,7 @@ private:
     std::vector<Target> patches_;
     std::vector<std::size_t> dark_; ///< which of them are not yet known to be lit
     std::vector<std::uint32_t> surfaces_;
+    std::vector<std::uint32_t> targets_; ///< surfaces
     std::vector<Line> rays_;
     std::vector<std::size_t> seekers_; ///< for which patch each ray looks
     FirstHits hits_;

@@ -7,6 +7,8 @@
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/kernel.h"
 #include "geometry/intersector/surface_sizes.h"
+#include "sampling/random.h"
+#include "sampling/warp.h"
 #include "scene/obj/obj_reader.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
@@ -47,6 +49,41 @@ std::vector<Line> rays_from(const SurfaceList& surfaces, std::vector<std::uint32
         from.push_back(static_cast<std::uint32_t>(k / 64 % surfaces.size()));
         rays.push_back(local_line({from.back(), surfaces[from.back()]}, items[k]));
     }
+    return rays;
+}
+
+/// Rays between points that are uniform on all surfaces and face each other, 64 in turn from one surface: as far as the
+/// parameter 1.
+std::vector<Line> shadow_rays_among(const SurfaceList& surfaces, std::vector<std::uint32_t>& from,
+                                    std::vector<std::uint32_t>& targets)
+{
+    std::vector<double> areas;
+    for (const Surface& surface : surfaces)
+        areas.push_back(surface.area() + (areas.empty() ? 0.0 : areas.back()));
+    const auto some_surface = [&](std::uint64_t seed, std::uint64_t number) {
+        const double area = bits_to_unit(random_bits(seed, number)) * areas.back();
+        return static_cast<std::uint32_t>(std::lower_bound(areas.begin(), areas.end() - 1, area) - areas.begin());
+    };
+    const std::vector<Item> items = some_items(line_count);
+    constexpr std::uint64_t most_tries = 64 * 64; // from one surface
+    std::vector<Line> rays;
+    std::uint64_t tries = 0;
+    for (std::uint64_t group = 0; rays.size() < line_count; ++group)
+        for (std::uint64_t t = 0; t < most_tries && rays.size() < line_count; ++t, ++tries) {
+            const std::uint32_t start = some_surface(1, group);
+            const std::uint32_t target = some_surface(2, tries);
+            const Item& item = items[rays.size()];
+            const Vec3 origin = square_to_uniform_surface(surfaces[start], item[0], item[1]);
+            const Vec3 way = square_to_uniform_surface(surfaces[target], item[2], item[3]) - origin;
+            const double grazing = 0.001 * length(way);
+            if (dot(way, surfaces[start].normal()) > grazing && -dot(way, surfaces[target].normal()) > grazing) {
+                from.push_back(start);
+                targets.push_back(target);
+                rays.push_back({origin, way});
+                if (rays.size() % 64 == 0)
+                    break;
+            }
+        }
     return rays;
 }
 
@@ -136,11 +173,12 @@ void compare_all_hits(const Rivals& rivals)
     compete("all hits along chords: " + rivals.name, contestants);
 }
 
-void compare_closest_hits(const Rivals& rivals)
+/// The rays of `fresh` by closest_hits_from, or by hits_on_targets if there are targets.
+void compare_first_hits(const std::string& title, const Rivals& rivals, const FreshLines& fresh,
+                        const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& targets)
 {
-    std::vector<std::uint32_t> from;
-    const FreshLines fresh(rays_from(rivals.surfaces, from));
-    std::vector<Contestant> contestants = embrees_of(rivals, "rays", fresh, &EmbreeScene::count_closest_hits);
+    std::vector<Contestant> contestants = embrees_of(
+        rivals, "rays", fresh, targets.empty() ? &EmbreeScene::count_closest_hits : &EmbreeScene::count_occluded);
     const std::size_t embrees = contestants.size();
     std::vector<std::unique_ptr<Intersector>> intersectors;
     const auto add = [&](const FilterKernel* kernel, const std::string& rival) {
@@ -149,8 +187,12 @@ void compare_closest_hits(const Rivals& rivals)
         const auto found = std::make_shared<FirstHits>();
         contestants.push_back(
             {std::string(kernel->name) + ", in blocks" + (rival.empty() ? "" : " /" + rival.substr(8)), "rays",
-             [&intersector, &fresh, &from, found] {
-                 intersector.closest_hits_from(&from[fresh.first()], fresh.lines().data(), block, *found);
+             [&, found] {
+                 const std::size_t first = fresh.first();
+                 if (targets.empty())
+                     intersector.closest_hits_from(&from[first], fresh.lines().data(), block, *found);
+                 else
+                     intersector.hits_on_targets(&from[first], &targets[first], fresh.lines().data(), block, *found);
                  use(found->is_hit(0) ? 1.0 : 0.0);
                  return static_cast<double>(block);
              },
@@ -162,17 +204,33 @@ void compare_closest_hits(const Rivals& rivals)
     for (const FilterKernel* kernel : kernels)
         if (kernel != kernels.front() || embrees == 0)
             add(kernel, embrees > 0 ? contestants[0].name : "");
-    contestants.push_back(
-        {"one by one", "rays",
-         [&] {
-             for (std::size_t k = 0; k < block; ++k)
-                 use(intersectors[0]->closest_hit_from(from[fresh.first() + k], fresh.lines()[k]) ? 1.0 : 0.0);
-             return static_cast<double>(block);
-         },
-         embrees > 0 ? contestants[0].name : ""});
+    if (targets.empty())
+        contestants.push_back(
+            {"one by one", "rays",
+             [&] {
+                 for (std::size_t k = 0; k < block; ++k)
+                     use(intersectors[0]->closest_hit_from(from[fresh.first() + k], fresh.lines()[k]) ? 1.0 : 0.0);
+                 return static_cast<double>(block);
+             },
+             embrees > 0 ? contestants[0].name : ""});
     for (Contestant& contestant : contestants)
         fresh.feed(contestant);
-    compete("closest hit of diffuse rays: " + rivals.name, contestants);
+    compete(title + rivals.name, contestants);
+}
+
+void compare_closest_hits(const Rivals& rivals)
+{
+    std::vector<std::uint32_t> from;
+    const FreshLines fresh(rays_from(rivals.surfaces, from));
+    compare_first_hits("closest hit of diffuse rays: ", rivals, fresh, from, {});
+}
+
+void compare_shadow_rays(const Rivals& rivals)
+{
+    std::vector<std::uint32_t> from;
+    std::vector<std::uint32_t> targets;
+    const FreshLines fresh(shadow_rays_among(rivals.surfaces, from, targets));
+    compare_first_hits("shadow rays: ", rivals, fresh, from, targets);
 }
 
 } // namespace
@@ -183,6 +241,7 @@ void compare(const Rivals& rivals)
 {
     compare_all_hits(rivals);
     compare_closest_hits(rivals);
+    compare_shadow_rays(rivals);
 }
 
 } // namespace

@@ -49,6 +49,18 @@ void intersect(RTCScene scene, RTCRayHit& ray)
 #endif
 }
 
+bool is_occluded(RTCScene scene, RTCRay& ray)
+{
+#if EMBREE_VERSION == 4
+    rtcOccluded1(scene, &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#endif
+    return ray.tfar < 0.0f;
+}
+
 } // namespace
 
 struct EmbreeScene::Handles
@@ -137,6 +149,18 @@ double EmbreeScene::count_closest_hits(const std::vector<Line>& rays) const
     return count;
 }
 
+double EmbreeScene::count_occluded(const std::vector<Line>& rays) const
+{
+    double count = 0.0;
+    for (const Line& line : rays) {
+        RTCRay ray = ray_of(line).ray;
+        ray.tnear = 1e-5f; // its own surface and the target would be hit otherwise
+        ray.tfar = 1.0f - 1e-5f;
+        count += is_occluded(handles_->closest_hit, ray) ? 1.0 : 0.0;
+    }
+    return count;
+}
+
 #else
 
 struct EmbreeScene::Handles
@@ -163,6 +187,11 @@ double EmbreeScene::count_all_hits(const std::vector<Line>&) const
 }
 
 double EmbreeScene::count_closest_hits(const std::vector<Line>&) const
+{
+    return 0.0;
+}
+
+double EmbreeScene::count_occluded(const std::vector<Line>&) const
 {
     return 0.0;
 }

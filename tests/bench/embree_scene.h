@@ -28,6 +28,9 @@ public:
     /// How many of the rays hit anything.
     double count_closest_hits(const std::vector<Line>& rays) const;
 
+    /// How many of the rays hit anything before the parameter 1, where their targets are.
+    double count_occluded(const std::vector<Line>& rays) const;
+
 private:
     struct Handles;
     std::unique_ptr<Handles> handles_;

@@ -173,6 +173,20 @@ void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::s
 void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
                                     FirstHits& found) const
 {
+    find_first(from, nullptr, rays, count, found);
+}
+
+void Intersector::hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                                  std::size_t count, FirstHits& found) const
+{
+    find_first(from, targets, rays, count, found);
+    for (std::size_t i = 0; i < count; ++i)
+        found.is_hit_[i] = every(found.is_hit_[i] != 0, found.hits_[i].surface == targets[i]);
+}
+
+void Intersector::find_first(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                             std::size_t count, FirstHits& found) const
+{
     found.resize(count);
     for (std::size_t first = 0; first < count; first += LineBatch::most) {
         const std::size_t together = std::min(count - first, LineBatch::most);
@@ -186,7 +200,7 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
         else if (core_->tree_.empty())
             core_->find_first_among_few(from, rays, first, together, found);
         else
-            core_->find_first_in_tree(from, rays, first, together, found);
+            core_->find_first_in_tree(from, targets, rays, first, together, found);
     }
     find_first_of_covered(from, rays, count, found);
 }
@@ -221,8 +235,8 @@ SearchedRay Intersector::Core::searched_ray(std::uint32_t number, std::uint32_t 
     return {number, excluded_plane == no_plane ? SearchedRay::no_plane : static_cast<double>(excluded_plane)};
 }
 
-/// Finds the first hits of work.rays. `lines`: those of the batch.
-void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, FirstHitScratch& work) const
+/// Finds the first hits of work.rays, nearer than those in work.nearest. `lines`: those of the batch.
+void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, bool any, FirstHitScratch& work) const
 {
     const std::uint32_t stack_size = tree_.most_pending() + 2; // two are written at a time
     const std::size_t together = std::min<std::size_t>(work.rays.size(), FirstHitSearch::at_once);
@@ -231,12 +245,13 @@ void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, 
         static_cast<const Core*>(core)->take_coincident(hit, nearest);
     };
     kernel_->find_first(tree_view(), table_,
-                        {batch, lines, work.rays.data(), work.rays.size(), work.nearest.data(), work.stacks.data(),
+                        {batch, lines, work.rays.data(), work.rays.size(), work.nearest.data(), any, work.stacks.data(),
                          stack_size, take_coincident_hit, this});
 }
 
-void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first,
-                                           std::size_t count, FirstHits& found) const
+/// With targets: of rays that meet their targets first.
+void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                                           std::size_t first, std::size_t count, FirstHits& found) const
 {
     FirstHitScratch& work = found.scratch_->in_tree;
     work.rays.clear();
@@ -245,9 +260,15 @@ void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const Line
         const std::size_t ray = first + i;
         if (found.scratch_->batch.course[i] != static_cast<std::uint32_t>(LineCourse::passes))
             continue;
+        Hit hit;
+        if (targets != nullptr) {
+            if (plane_[targets[ray]] == plane_of(from[ray]) || !table_.decide(rays[ray], targets[ray], hit))
+                continue;
+            work.nearest[i].best = hit;
+        }
         work.rays.push_back(searched_ray(i, plane_of(from[ray])));
     }
-    search_first(found.scratch_->batch, rays + first, work);
+    search_first(found.scratch_->batch, rays + first, targets != nullptr, work);
     for (std::size_t i = 0; i < count; ++i) {
         const NearestHit& nearest = work.nearest[i];
         found.hits_[first + i] = nearest.best;

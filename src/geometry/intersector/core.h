@@ -119,12 +119,12 @@ private:
                      CandidateScratch& work) const;
     LineCourse place_one(const Line& line, LineBatch& batch) const;
     static SearchedRay searched_ray(std::uint32_t number, std::uint32_t excluded_plane);
-    void search_first(const LineBatch& batch, const Line* lines, FirstHitScratch& work) const;
+    void search_first(const LineBatch& batch, const Line* lines, bool any, FirstHitScratch& work) const;
     void decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
     void find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
                               FirstHits& found) const;
-    void find_first_in_tree(const std::uint32_t* from, const Line* rays, std::size_t first, std::size_t count,
-                            FirstHits& found) const;
+    void find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                            std::size_t first, std::size_t count, FirstHits& found) const;
 
     bool comes_before(const Hit& a, const Hit& b) const
     {

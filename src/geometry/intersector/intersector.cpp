@@ -176,7 +176,7 @@ std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t ex
         FirstHitScratch work;
         work.rays = {searched_ray(0, excluded_plane)};
         work.nearest.assign(1, nearest);
-        search_first(batch, &line, work);
+        search_first(batch, &line, false, work);
         nearest = work.nearest[0];
     } else {
         for_each_candidate(line, [&](std::uint32_t surface) {
@@ -215,7 +215,7 @@ template <class Visit>
 void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const
 {
     if (neighbours_.is_listed(of)) {
-        neighbours_.for_each(of, visit);
+        neighbours_.for_each_around(of, frame_.to_frame(point), visit);
         return;
     }
     if (tree_.empty())

@@ -48,6 +48,11 @@ public:
     static constexpr std::uint32_t no_surface = 0xffffffffu;
     void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
+    /// The same where the first hit is on targets[i], none for the other rays; faster, as anything nearer ends a
+    /// search.
+    void hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays, std::size_t count,
+                         FirstHits& found) const;
+
     /// The surfaces that share the plane of `of`, overlap it and hold `point`, a point of `of`.
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
@@ -66,6 +71,8 @@ private:
     class Core;
 
     void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
+    void find_first(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays, std::size_t count,
+                    FirstHits& found) const;
     void find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
     std::unique_ptr<const Core> core_;

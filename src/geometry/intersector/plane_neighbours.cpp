@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace multipath {
@@ -108,10 +109,17 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
         std::sort(found.begin(), found.end());
         return looked_at < most_looked_at;
     };
-    std::vector<std::vector<std::uint32_t>> lists((surfaces.size() + surfaces_at_a_time - 1) / surfaces_at_a_time);
+    const auto neighbour = [&](std::uint32_t s) {
+        const Vec3 low = frame.to_frame(boxes[s].low);
+        const Vec3 high = frame.to_frame(boxes[s].high);
+        const auto single = [](double x) { return static_cast<float>(x); };
+        return Neighbour{
+            s, {single(low.x), single(low.y), single(low.z)}, {single(high.x), single(high.y), single(high.z)}};
+    };
+    std::vector<std::vector<Neighbour>> lists((surfaces.size() + surfaces_at_a_time - 1) / surfaces_at_a_time);
     parallel_ranges(static_cast<std::uint32_t>(surfaces.size()), surfaces_at_a_time, threads,
                     [&](std::uint32_t first, std::uint32_t end) {
-                        std::vector<std::uint32_t>& list = lists[first / surfaces_at_a_time];
+                        std::vector<Neighbour>& list = lists[first / surfaces_at_a_time];
                         std::vector<std::uint32_t> found;
                         for (std::uint32_t s = first; s < end; ++s) {
                             found.clear();
@@ -119,8 +127,8 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
                                 first_[s] = unlisted;
                             } else if (!found.empty()) {
                                 first_[s] = static_cast<std::uint32_t>(list.size() + 1);
-                                list.insert(list.end(), found.begin(), found.end());
-                                list.push_back(end_of_list);
+                                std::transform(found.begin(), found.end(), std::back_inserter(list), neighbour);
+                                list.push_back({end_of_list, {}, {}});
                             }
                         }
                     });

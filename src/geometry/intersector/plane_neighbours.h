@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/bounds.h"
+#include "geometry/conditions.h"
 #include "geometry/intersector/filter_line.h"
 #include "geometry/intersector/tree.h"
 #include "geometry/surface.h"
@@ -29,12 +30,17 @@ public:
     /// False if the surface is listed and has none.
     bool may_have_some(std::uint32_t surface) const { return first_[surface] != empty_list; }
 
-    /// Calls visit(other) for the neighbours of a listed surface, in ascending order.
+    /// Calls visit(other) for the neighbours of a listed surface whose boxes hold the point, in ascending order.
     template <class Visit>
-    void for_each(std::uint32_t surface, const Visit& visit) const
+    void for_each_around(std::uint32_t surface, Vec3 point_in_frame, const Visit& visit) const
     {
-        for (std::uint32_t i = first_[surface]; neighbours_[i] != end_of_list; ++i)
-            visit(neighbours_[i]);
+        const auto x = static_cast<float>(point_in_frame.x);
+        const auto y = static_cast<float>(point_in_frame.y);
+        const auto z = static_cast<float>(point_in_frame.z);
+        for (const Neighbour* other = &neighbours_[first_[surface]]; other->surface != end_of_list; ++other)
+            if (every(other->low[0] <= x, x <= other->high[0], other->low[1] <= y, y <= other->high[1],
+                      other->low[2] <= z, z <= other->high[2]))
+                visit(other->surface);
     }
 
 private:
@@ -42,8 +48,14 @@ private:
     static constexpr std::uint32_t empty_list = 0;
     static constexpr std::uint32_t end_of_list = 0xffffffffu;
 
-    std::vector<std::uint32_t> first_;                      ///< per surface: place of its list
-    std::vector<std::uint32_t> neighbours_ = {end_of_list}; ///< all lists; the one at 0 is empty
+    struct Neighbour
+    {
+        std::uint32_t surface;
+        float low[3], high[3]; ///< of its box, in the coordinates of the frame
+    };
+
+    std::vector<std::uint32_t> first_;                            ///< per surface: place of its list
+    std::vector<Neighbour> neighbours_ = {{end_of_list, {}, {}}}; ///< all lists; the one at 0 is empty
 };
 
 } // namespace multipath

@@ -97,7 +97,8 @@ struct FirstHitSearch
     const Line* lines; ///< of the batch
     const SearchedRay* rays;
     std::size_t ray_count;
-    NearestHit* nearest;   ///< of the batch; none yet
+    NearestHit* nearest;   ///< of the batch; what is nearer than what it holds is looked for
+    bool any;              ///< whatever is nearer ends the search of a ray
     std::uint64_t* stacks; ///< at_once of them, or as many as there are rays
     std::uint32_t stack_size;
 

@@ -63,10 +63,10 @@ public:
 
     void trace(std::vector<Sight>& sights)
     {
-        scene_.intersector().closest_hits_from(from_.data(), lines_.data(), lines_.size(), hits_);
+        scene_.intersector().hits_on_targets(from_.data(), to_.data(), lines_.data(), lines_.size(), hits_);
         for (std::size_t k = 0; k < targets_.size(); ++k) {
             const Target& target = targets_[k];
-            if (!hits_.is_hit(k) || hits_[k].surface != target.surface || hits_[k].front != target.front)
+            if (!hits_.is_hit(k) || hits_[k].front != target.front)
                 continue;
             Sight& sight = sights[target.patch];
             const Rgb emittance = scene_.emittance(scene_.first_patch(target.light));
@@ -75,17 +75,17 @@ public:
         }
         lines_.clear();
         from_.clear();
+        to_.clear();
         targets_.clear();
     }
 
 private:
     struct Target
     {
-        std::uint32_t patch;   ///< whose light is asked for
-        std::uint32_t light;   ///< surface
-        std::uint32_t surface; ///< that a free ray meets: that of the light, or that of the patch
-        bool front;            ///< the side of it
-        double kernel;         ///< g
+        std::uint32_t patch; ///< whose light is asked for
+        std::uint32_t light; ///< surface
+        bool front;          ///< the side of to_ that a free ray meets
+        double kernel;       ///< g
     };
 
     void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
@@ -95,15 +95,17 @@ private:
         const std::uint32_t leaf = tree_.choose(seen.node, x);
         const LightTree::Cluster& light = tree_.cluster(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
-        Target target{patch, surface, surface, true, 0.0};
+        Target target{patch, surface, true, 0.0};
+        std::uint32_t to = surface;
         if (leaf == seen.node && LightCuts::is_near(light, receiver, single_angle)) {
-            const Patch from = scene_.patch(patch);
-            const Patch to = {surface, tree_.piece(leaf).surface};
-            const RayPair pair(scene_, receiver.area <= light.area ? from : to,
-                               receiver.area <= light.area ? to : from);
+            const Patch dark = scene_.patch(patch);
+            const Patch bright = {surface, tree_.piece(leaf).surface};
+            const RayPair pair(scene_, receiver.area <= light.area ? dark : bright,
+                               receiver.area <= light.area ? bright : dark);
             const RayPair::Ray ray = pair.ray(item);
             const double exchange = promised * receiver.area * light.area / light.power;
-            target = {patch, surface, pair.to_surface(), pair.to_front(), ray.weight / pair.mean_weight(exchange)};
+            target = {patch, surface, pair.to_front(), ray.weight / pair.mean_weight(exchange)};
+            to = pair.to_surface();
             lines_.push_back(ray.line);
             from_.push_back(pair.from_surface());
         } else {
@@ -123,6 +125,7 @@ private:
         sight.kernel += target.kernel;
         if (target.kernel > 0.0) {
             targets_.push_back(target);
+            to_.push_back(to);
         } else {
             lines_.pop_back();
             from_.pop_back();
@@ -134,6 +137,7 @@ private:
     const LightCuts& cuts_;
     std::vector<Line> lines_;
     std::vector<std::uint32_t> from_; ///< surfaces
+    std::vector<std::uint32_t> to_;   ///< surfaces that free rays meet: those of the lights, or of the patches
     std::vector<Target> targets_;
     FirstHits hits_;
 };

@@ -271,12 +271,13 @@ public:
     /// Adds the rays of a pair.
     void add(const RayPair& pair, const Item* items, std::uint64_t rays)
     {
-        pairs_.push_back({pair.to_surface(), pair.to_front(), weights_.size(), 0});
+        pairs_.push_back({pair.to_front(), weights_.size(), 0});
         for (std::uint64_t k = 0; k < rays; ++k) {
             const RayPair::Ray ray = pair.ray(items[k]);
             if (!(ray.weight > 0.0))
                 continue;
             surfaces_.push_back(pair.from_surface());
+            targets_.push_back(pair.to_surface());
             rays_.push_back(ray.line);
             weights_.push_back(ray.weight);
         }
@@ -287,12 +288,14 @@ public:
     /// nothing. Forgets the rays.
     std::vector<double> visible_shares()
     {
-        scene_.intersector().closest_hits_from(surfaces_.data(), rays_.data(), rays_.size(), hits_);
+        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(),
+                                              hits_);
         std::vector<double> shares;
         for (const PairOfBlock& pair : pairs_)
             shares.push_back(visible_share(pair));
         pairs_.clear();
         surfaces_.clear();
+        targets_.clear();
         rays_.clear();
         weights_.clear();
         return shares;
@@ -301,7 +304,6 @@ public:
 private:
     struct PairOfBlock
     {
-        std::uint32_t to_surface;
         bool to_front;
         std::size_t begin, end; ///< its rays
     };
@@ -312,7 +314,7 @@ private:
         double free = 0.0;
         for (std::size_t k = pair.begin; k < pair.end; ++k) {
             all += weights_[k];
-            if (hits_.is_hit(k) && hits_[k].surface == pair.to_surface && hits_[k].front == pair.to_front)
+            if (hits_.is_hit(k) && hits_[k].front == pair.to_front)
                 free += weights_[k];
         }
         return all > 0.0 ? free / all : -1.0;
@@ -321,6 +323,7 @@ private:
     const Scene& scene_;
     std::vector<PairOfBlock> pairs_;
     std::vector<std::uint32_t> surfaces_;
+    std::vector<std::uint32_t> targets_; ///< surfaces
     std::vector<Line> rays_;
     std::vector<double> weights_;
     FirstHits hits_;

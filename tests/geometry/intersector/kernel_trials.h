@@ -125,12 +125,25 @@ inline std::size_t wrong_rays(const SurfaceList& surfaces, const RaysFrom& from)
 {
     const BruteForce brute_force(surfaces);
     std::vector<Intersector> intersectors;
+    const std::size_t rays = from.rays.size();
     std::vector<FirstHits> blocks(available_kernels().size());
     for (const FilterKernel* kernel : available_kernels()) {
         intersectors.emplace_back(surfaces, *kernel);
-        intersectors.back().closest_hits_from(from.surfaces.data(), from.rays.data(), from.rays.size(),
+        intersectors.back().closest_hits_from(from.surfaces.data(), from.rays.data(), rays,
                                               blocks[intersectors.size() - 1]);
     }
+    std::vector<std::uint32_t> targets; // what is met, and anything
+    Numbers numbers(rays);
+    for (std::size_t n = 0; n < rays; ++n)
+        targets.push_back(blocks[0].is_hit(n) && n % 3 != 0
+                              ? blocks[0][n].surface
+                              : static_cast<std::uint32_t>(numbers.below(surfaces.size())));
+    std::vector<FirstHits> on_targets(blocks.size());
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+        intersectors[k].hits_on_targets(from.surfaces.data(), targets.data(), from.rays.data(), rays, on_targets[k]);
+    const auto hit_of = [](const FirstHits& found, std::size_t n) {
+        return found.is_hit(n) ? std::optional<Hit>(found[n]) : std::nullopt;
+    };
     std::size_t wrong = 0;
     std::vector<Hit> hits;
     for (std::size_t n = 0; n < from.rays.size(); ++n) {
@@ -139,12 +152,12 @@ inline std::size_t wrong_rays(const SurfaceList& surfaces, const RaysFrom& from)
         const bool covered = !brute_force.coincident_surfaces(surface, from.rays[n].origin).empty();
         const std::optional<Hit> expected = covered ? intersectors.back().closest_hit_from(surface, from.rays[n])
                                                     : brute_force.closest_from(surface, hits, from.rays[n]);
+        const bool on_target = expected && expected->surface == targets[n];
         bool right = true;
-        for (std::size_t k = 0; k < intersectors.size(); ++k) {
-            const FirstHits& block = blocks[k];
-            right = right && same(block.is_hit(n) ? std::optional<Hit>(block[n]) : std::nullopt, expected) &&
+        for (std::size_t k = 0; k < intersectors.size(); ++k)
+            right = right && same(hit_of(blocks[k], n), expected) &&
+                    same(hit_of(on_targets[k], n), on_target ? expected : std::nullopt) &&
                     same(intersectors[k].closest_hit_from(surface, from.rays[n]), expected);
-        }
         wrong += !right;
     }
     return wrong;

@@ -226,6 +226,9 @@ KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverse
                            RayOnWay& ray)
 {
     fill_line(search.batch, inverses, next.number, ray.line);
+    const double distance = search.nearest[next.number].best.t - search.batch.middle_t[next.number];
+    const auto limit = static_cast<float>(distance);
+    ray.line.last = limit < ray.line.last ? limit : ray.line.last;
     ray.excluded_plane = next.excluded_plane;
     ray.pending = 0;
 }
@@ -272,6 +275,7 @@ KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, RayOnWay
     nearest.has_back = false;
     const auto limit = static_cast<float>(hit.t - search.batch.middle_t[number]);
     ray.line.last = limit < ray.line.last ? limit : ray.line.last;
+    ray.pending = search.any ? 0 : ray.pending;
 }
 
 /// A ray and a child or a surface.
