@@ -53,21 +53,19 @@ std::uint64_t cell_of(const Bounds& box, Vec3 point)
     return cell;
 }
 
-void look(const LitScene& sight, const Line& ray, Vec3 up, VisibleHits& visible, View& view)
+/// nearest: what the ray meets first, if anything; seen: what is seen along it.
+void look(const LitScene& sight, const Line& ray, Vec3 up, const Hit* nearest, const std::optional<Hit>& seen,
+          View& view)
 {
     const Scene& scene = sight.scene;
-    const std::optional<Hit> nearest = scene.intersector().closest_hit(ray);
-    const auto in_scene = [&](const std::optional<Hit>& hit) { return hit && !scene.is_sky(hit->surface); };
-    if (in_scene(nearest) && !nearest->front)
+    if (nearest != nullptr && !nearest->front && !scene.is_sky(nearest->surface))
         ++view.backs;
-    std::optional<Hit> hit = nearest && nearest->front ? nearest : visible.first(ray);
-    if (!in_scene(hit))
-        hit.reset();
-    if (!hit && scene.file().sky_surfaces == 0)
+    const Hit* const hit = seen && !scene.is_sky(seen->surface) ? &*seen : nullptr;
+    if (hit == nullptr && scene.file().sky_surfaces == 0)
         ++view.escaped;
-    const bool dark = hit && !sight.is_lit[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)];
+    const bool dark = hit != nullptr && !sight.is_lit[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)];
     view.dark += dark ? 1 : 0;
-    if (!hit || !hit->front || dark)
+    if (hit == nullptr || !hit->front || dark)
         return;
     if (hit->t < too_near * sight.box.diagonal())
         ++view.near;
@@ -173,11 +171,15 @@ ViewQuality view_quality(const LitScene& sight, const Camera& camera, double asp
     const int columns = std::max(1, static_cast<int>(std::lround(aspect * rows)));
     const PixelRays rays(camera, columns, rows);
     const Vec3 up = normalized(camera.up);
-    VisibleHits visible(scene);
-    View view;
+    std::vector<Line> lines;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x)
-            look(sight, rays.through(x + 0.5, y + 0.5), up, visible, view);
+            lines.push_back(rays.through(x + 0.5, y + 0.5));
+    VisibleHits visible(scene);
+    const std::vector<std::optional<Hit>>& hits = visible.first(lines);
+    View view;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        look(sight, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
     keep_distinct(view.cells);
     keep_distinct(view.surfaces);
     keep_distinct(view.materials);

@@ -75,22 +75,41 @@ bool VisibleHits::is_seen(const Hit& hit) const
     return hit.front || (scene_.two_sided() && !scene_.is_sky(hit.surface));
 }
 
-std::optional<Hit> VisibleHits::first(const Line& ray)
+const std::vector<std::optional<Hit>>& VisibleHits::first(const std::vector<Line>& rays)
 {
-    if (passed_back_)
-        return first_front(ray);
-    const std::optional<Hit> nearest = scene_.intersector().closest_hit(ray);
-    if (!nearest || is_seen(*nearest))
-        return nearest;
-    return first_front(ray);
+    from_.assign(rays.size(), Intersector::no_surface);
+    scene_.intersector().closest_hits_from(from_.data(), rays.data(), rays.size(), nearest_);
+    seen_.assign(rays.size(), std::nullopt);
+    behind_.clear();
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        if (!nearest_.is_hit(k))
+            continue;
+        if (is_seen(nearest_[k]))
+            seen_[k] = nearest_[k];
+        else
+            behind_.push_back(k);
+    }
+    look_through_backs(rays);
+    return seen_;
 }
 
-std::optional<Hit> VisibleHits::first_front(const Line& ray)
+void VisibleHits::look_through_backs(const std::vector<Line>& rays)
 {
-    scene_.intersector().all_hits(ray, hits_);
-    passed_back_ = !hits_.empty() && !hits_.front().front;
-    const auto front = std::find_if(hits_.begin(), hits_.end(), [this](const Hit& hit) { return is_seen(hit); });
-    return front == hits_.end() ? std::nullopt : std::optional<Hit>(*front);
+    constexpr std::size_t at_a_time = 256; // each may meet thousands of surfaces
+    for (std::size_t first = 0; first < behind_.size(); first += at_a_time) {
+        const std::size_t end = std::min(behind_.size(), first + at_a_time);
+        lines_.clear();
+        for (std::size_t i = first; i < end; ++i)
+            lines_.push_back(rays[behind_[i]]);
+        scene_.intersector().all_hits(lines_.data(), lines_.size(), hits_);
+        for (std::size_t i = first; i < end; ++i) {
+            const HitLists::List hits = hits_[i - first];
+            const Hit* const front =
+                std::find_if(hits.begin(), hits.end(), [this](const Hit& hit) { return is_seen(hit); });
+            if (front != hits.end())
+                seen_[behind_[i]] = *front;
+        }
+    }
 }
 
 } // namespace multipath

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/line.h"
 #include "geometry/pi.h"
 #include "geometry/vec3.h"
 #include "scene/scene.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -47,22 +50,42 @@ private:
     Vec3 per_y_;    ///< one pixel down
 };
 
-/// Finds the first side that exists along a ray: the backs of one-sided surfaces are looked through, so that a closed
-/// room can be seen from outside. Fastest for rays in the order of a picture; to be used by one thread.
+/// Finds the first sides that exist along rays: the backs of one-sided surfaces are looked through, so that a closed
+/// room can be seen from outside. To be used by one thread.
 class VisibleHits
 {
 public:
     explicit VisibleHits(const Scene& scene) : scene_(scene) {}
 
-    std::optional<Hit> first(const Line& ray);
+    /// Of each ray what is seen, or nothing; valid until the next call.
+    const std::vector<std::optional<Hit>>& first(const std::vector<Line>& rays);
+
+    /// What each of these rays meets first, whether or not it is seen.
+    const FirstHits& nearest() const { return nearest_; }
 
 private:
     bool is_seen(const Hit& hit) const; ///< not the back of what has no patches there, nor the sky from outside
-    std::optional<Hit> first_front(const Line& ray);
+    void look_through_backs(const std::vector<Line>& rays);
 
     const Scene& scene_;
-    bool passed_back_ = false; ///< by the last ray, so probably by the next
-    std::vector<Hit> hits_;    ///< kept for its memory
+    std::vector<std::uint32_t> from_; ///< nowhere
+    FirstHits nearest_;
+    std::vector<std::optional<Hit>> seen_;
+    std::vector<std::size_t> behind_; ///< rays that meet a back first
+    std::vector<Line> lines_;         ///< the same
+    HitLists hits_;
 };
+
+/// Calls visit(x, hit) for the middles of the pixels of row y, from left to right.
+template <class Visit>
+void for_each_visible(const PixelRays& pixels, int width, int y, VisibleHits& visible, const Visit& visit)
+{
+    std::vector<Line> rays;
+    for (int x = 0; x < width; ++x)
+        rays.push_back(pixels.through(x + 0.5, y + 0.5));
+    const std::vector<std::optional<Hit>>& hits = visible.first(rays);
+    for (int x = 0; x < width; ++x)
+        visit(x, hits[static_cast<std::size_t>(x)]);
+}
 
 } // namespace multipath

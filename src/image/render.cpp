@@ -30,7 +30,7 @@ double uniform_to_tent(double u)
     return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
 }
 
-/// Draws one pixel at a time.
+/// Draws one row at a time.
 class Painter
 {
 public:
@@ -53,22 +53,14 @@ public:
             gather_.emplace(scene, radiosity, rays_, options.width, options.height, gather_rays, options.threads);
     }
 
-    /// State of one thread.
-    struct Tools
+    void paint_row(int y, Rgb* pixels) const
     {
-        VisibleHits visible;
-        RayFan fan;
-    };
-
-    Rgb pixel(int x, int y, Tools& tools) const
-    {
-        Rgb sum;
-        for (int number = 0; number < grid_ * grid_; ++number)
-            if (const std::optional<Hit> hit = first_hit({x, y, number}, tools))
-                sum += clipped(shade(*hit, {x, y, number}, tools));
-            else
-                sum += clipped(background_);
-        return 1.0 / (grid_ * grid_) * sum;
+        Tools tools{VisibleHits(scene_), {}, {}};
+        for_each_hit(y, tools, [&](Sample sample, const std::optional<Hit>& hit) {
+            pixels[sample.x] += clipped(hit ? shade(*hit, sample, tools) : background_);
+        });
+        for (int x = 0; x < options_.width; ++x)
+            pixels[x] = 1.0 / (grid_ * grid_) * pixels[x];
     }
 
 private:
@@ -78,6 +70,14 @@ private:
         int x;
         int y;
         int number; ///< in its pixel
+    };
+
+    /// State of one thread.
+    struct Tools
+    {
+        VisibleHits visible;
+        RayFan fan;
+        std::vector<Line> rays;
     };
 
     /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
@@ -99,12 +99,33 @@ private:
         return pixel * static_cast<std::size_t>(grid_ * grid_) + static_cast<std::size_t>(sample.number);
     }
 
-    std::optional<Hit> first_hit(Sample sample, Tools& tools) const
+    /// Calls visit(sample, hit) for the samples of a row, pixel by pixel.
+    template <class Visit>
+    void for_each_hit(int y, Tools& tools, const Visit& visit) const
     {
-        if (found_.empty())
-            return tools.visible.first(ray(sample));
+        constexpr int pixels_at_a_time = 64;
+        const int samples = grid_ * grid_;
+        for (int first = 0; first < options_.width; first += pixels_at_a_time) {
+            const int count = samples * std::min(pixels_at_a_time, options_.width - first);
+            const auto sample = [&](int k) { return Sample{first + k / samples, y, k % samples}; };
+            tools.rays.clear();
+            for (int k = 0; k < count; ++k)
+                tools.rays.push_back(ray(sample(k)));
+            if (found_.empty()) {
+                const std::vector<std::optional<Hit>>& hits = tools.visible.first(tools.rays);
+                for (int k = 0; k < count; ++k)
+                    visit(sample(k), hits[static_cast<std::size_t>(k)]);
+            } else {
+                for (int k = 0; k < count; ++k)
+                    visit(sample(k), hit_on_found(tools.rays[static_cast<std::size_t>(k)], sample(k)));
+            }
+        }
+    }
+
+    std::optional<Hit> hit_on_found(const Line& ray, Sample sample) const
+    {
         const std::uint32_t surface = found_[number_of(sample)];
-        return surface == nothing ? std::nullopt : scene_.intersector().hit_on(ray(sample), surface);
+        return surface == nothing ? std::nullopt : scene_.intersector().hit_on(ray, surface);
     }
 
     /// Finds the surface of every sample. Returns which surfaces are in the picture: of the many of a detailed model
@@ -118,13 +139,10 @@ private:
             return {};
         std::vector<std::uint32_t> found(count);
         parallel_blocks(static_cast<std::uint64_t>(options_.height), options_.threads, [&](std::uint64_t row) {
-            Tools tools{VisibleHits(scene_), {}};
-            for (int x = 0; x < options_.width; ++x)
-                for (int number = 0; number < grid_ * grid_; ++number) {
-                    const Sample sample = {x, static_cast<int>(row), number};
-                    const std::optional<Hit> hit = tools.visible.first(ray(sample));
-                    found[number_of(sample)] = hit ? hit->surface : nothing;
-                }
+            Tools tools{VisibleHits(scene_), {}, {}};
+            for_each_hit(static_cast<int>(row), tools, [&](Sample sample, const std::optional<Hit>& hit) {
+                found[number_of(sample)] = hit ? hit->surface : nothing;
+            });
         });
         std::vector<char> shown(scene_.surfaces().size());
         for (const std::uint32_t surface : found)
@@ -169,10 +187,7 @@ Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera
     Image image{options.width, options.height, {}};
     image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
     parallel_blocks(static_cast<std::uint64_t>(image.height), options.threads, [&](std::uint64_t row) {
-        const int y = static_cast<int>(row);
-        Painter::Tools tools{VisibleHits(scene), {}};
-        for (int x = 0; x < image.width; ++x)
-            image.at(x, y) = painter.pixel(x, y, tools);
+        painter.paint_row(static_cast<int>(row), &image.at(0, static_cast<int>(row)));
     });
     return image;
 }

@@ -93,16 +93,21 @@ TEST_CASE("the first front along a ray is seen, whatever backs come before it")
     const Line from_outside = {{0.1, 0.2, 5.0}, {0.0, 0.0, -1.0}};
     const Line from_inside_box = {{0.1, 0.2, 0.0}, {0.0, 0.0, -1.0}};
     const Scene scene = builder.scene(1.0);
-    VisibleHits visible(scene);
-    CHECK(visible.first(from_outside)->t == doctest::Approx(4.0));    // through the room's back to the box
-    CHECK(visible.first(from_inside_box)->t == doctest::Approx(2.0)); // through the box's back to the room
     const Line between = {{1.5, 0.2, 0.0}, {1.0, 0.0, 0.0}};
-    CHECK(visible.first(between)->t == doctest::Approx(0.5)); // no back, right after rays that passed some
-    CHECK(!visible.first({{0.0, 0.0, 5.0}, {0.0, 0.0, 1.0}}));
+    VisibleHits visible(scene);
+    const std::vector<std::optional<Hit>> hits =
+        visible.first({from_outside, from_inside_box, between, {{0.0, 0.0, 5.0}, {0.0, 0.0, 1.0}}});
+    CHECK(hits[0]->t == doctest::Approx(4.0)); // through the room's back to the box
+    CHECK(hits[1]->t == doctest::Approx(2.0)); // through the box's back to the room
+    CHECK(hits[2]->t == doctest::Approx(0.5)); // no back
+    CHECK(!hits[3]);
+    CHECK(visible.nearest()[0].t == doctest::Approx(3.0));
+    CHECK(visible.nearest()[1].t == doctest::Approx(1.0));
 
     const Scene two_sided = builder.scene(1.0, true);
-    CHECK(VisibleHits(two_sided).first(from_outside)->t == doctest::Approx(3.0));
-    CHECK(!VisibleHits(two_sided).first(from_outside)->front);
+    const std::optional<Hit> back = VisibleHits(two_sided).first({from_outside})[0];
+    CHECK(back->t == doctest::Approx(3.0));
+    CHECK(!back->front);
 }
 
 } // namespace camera_test

@@ -271,7 +271,7 @@ TEST_CASE("of a model with very many surfaces every pixel shows the smooth value
     int met = 0;
     for (int y = 0; y < options.height; ++y)
         for (int x = 0; x < options.width; ++x) {
-            const std::optional<Hit> hit = visible.first(rays.through(x + 0.5, y + 0.5));
+            const std::optional<Hit> hit = visible.first({rays.through(x + 0.5, y + 0.5)})[0];
             met += hit ? 1 : 0;
             CHECK(image.at(x, y) == (hit ? shading.at(*hit) : Rgb{}));
         }

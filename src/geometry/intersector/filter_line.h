@@ -46,6 +46,20 @@ struct LineBatch
     std::uint32_t course[most]; ///< a LineCourse
     double middle_t[most];
 
+    void put(std::size_t i, const FilterLine& placed, LineCourse its_course)
+    {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            direction[axis][i] = placed.direction[axis];
+            moment[axis][i] = placed.moment[axis];
+            middle[axis][i] = placed.middle[axis];
+        }
+        half_length[i] = placed.half_length;
+        scale[i] = placed.scale;
+        whole[i] = placed.whole;
+        course[i] = static_cast<std::uint32_t>(its_course);
+        middle_t[i] = placed.middle_t;
+    }
+
     FilterLine line(std::size_t i) const
     {
         return {{direction[0][i], direction[1][i], direction[2][i]},

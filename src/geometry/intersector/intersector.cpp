@@ -31,8 +31,10 @@ FlatSurfaces Intersector::Core::flat_surfaces() const
 /// Makes a batch of one line.
 LineCourse Intersector::Core::place_one(const Line& line, LineBatch& batch) const
 {
-    kernel_->place_lines(frame_, &line, 1, batch);
-    return static_cast<LineCourse>(batch.course[0]);
+    FilterLine placed;
+    const LineCourse course = frame_.place(line, placed);
+    batch.put(0, placed, course);
+    return course;
 }
 
 /// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.
@@ -51,7 +53,7 @@ void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit)
     if (course == LineCourse::misses) // as a third of the chords of the scene's sphere do
         return;
     if (!tree_.empty()) {
-        CandidateScratch work;
+        thread_local CandidateScratch work; // for its memory
         constexpr std::uint32_t only = 0;
         search_tree(batch, &only, 1, work);
         for (std::size_t i = 0; i < work.found.count; ++i)
@@ -173,8 +175,8 @@ std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t ex
     NearestHit nearest;
     LineBatch batch;
     if (!tree_.empty() && unfiltered_.empty() && place_one(line, batch) == LineCourse::passes) {
-        FirstHitScratch work;
-        work.rays = {searched_ray(0, excluded_plane)};
+        thread_local FirstHitScratch work; // for its memory
+        work.rays.assign(1, searched_ray(0, excluded_plane));
         work.nearest.assign(1, nearest);
         search_first(batch, &line, false, work);
         nearest = work.nearest[0];

@@ -64,13 +64,12 @@ std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>
     parallel_blocks(static_cast<std::uint64_t>(options.height), options.threads, [&](std::uint64_t row) {
         VisibleHits visible(scene);
         const int y = static_cast<int>(row);
-        for (int x = 0; x < options.width; ++x) {
-            const std::optional<Hit> hit = visible.first(rays.through(x + 0.5, y + 0.5));
+        for_each_visible(rays, options.width, y, visible, [&](int x, const std::optional<Hit>& hit) {
             if (!hit || scene.surface_material(hit->surface).emittance != Rgb{})
-                continue;
+                return;
             if (std::isfinite(values[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)]))
                 seen[pixel_index(options.width, x, y)] = {2 * hit->surface + (hit->front ? 0 : 1), smooth.at(*hit).r};
-        }
+        });
     });
     return seen;
 }

@@ -48,8 +48,8 @@ void FinalGather::find_middles(const PixelRays& pixels, int threads)
     parallel_blocks(static_cast<std::uint64_t>(height_), threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
         VisibleHits visible(scene_);
-        for (int x = 0; x < width_; ++x)
-            middle(x, y).hit = visible.first(pixels.through(x + 0.5, y + 0.5));
+        for_each_visible(pixels, width_, y, visible,
+                         [&](int x, const std::optional<Hit>& hit) { middle(x, y).hit = hit; });
     });
 }
 

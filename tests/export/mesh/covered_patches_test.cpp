@@ -47,7 +47,7 @@ bool is_seen(const Scene& scene, std::uint32_t patch, int n)
         for (int j = 0; j < n; ++j) {
             const double u = (i + 0.5) / n;
             const double v = (j + 0.5) / n * (place.shape.shape == Shape::triangle ? 1.0 - u : 1.0);
-            const std::optional<Hit> hit = visible.first({place.shape.at(u, v) + up, -up});
+            const std::optional<Hit> hit = visible.first({{place.shape.at(u, v) + up, -up}})[0];
             if (hit && scene.patch_at(hit->surface, hit->u, hit->v, hit->front) == patch)
                 return true;
         }
