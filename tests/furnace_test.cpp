@@ -20,7 +20,7 @@ TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)" * do
     const std::uint32_t wall = builder.grey(0.3, 1.4);
     builder.room({0, 0, 0}, {1, 2, 3}, wall).box({0.3, 0.5, 0.4}, {0.6, 0.9, 1.0}, wall);
     const Scene scene = builder.scene(1.0);
-    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended}) {
+    for (const Method method : all_methods()) {
         const SolveOptions options = random_lines(method, 1u << 14, 0);
         for (const std::uint32_t patch : {0u, 7u, scene.patch_count() - 1})
             CHECK(over_seeds(scene, options, 60, [&](const Solution& s) {

@@ -121,11 +121,11 @@ std::uint64_t particles_together(const Scene& scene)
     return static_cast<std::uint64_t>(std::clamp(most_steps * absorption, 1.0, 1024.0));
 }
 
-Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
-                         int threads)
+Particles plan_particles(const Scene& scene, const std::function<std::vector<Shot>(std::uint64_t particles)>& shots,
+                         std::uint64_t lines, std::uint64_t seed, int threads)
 {
     const std::uint64_t pilot_particles = std::clamp<std::uint64_t>(lines / 16, 256, 4096);
-    const Particles pilot(scene, plan_first_shot(scene, state, 0.0, pilot_particles), ~seed);
+    const Particles pilot(scene, shots(pilot_particles), ~seed);
     const std::unique_ptr<Sequence> random = make_sequence("random", ~seed);
     const Blocks blocks = {pilot.count(), particles_together(scene)};
     std::vector<double> further_steps(static_cast<std::size_t>(blocks.count()), 0.0);
@@ -140,7 +140,14 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
     const double segments =
         1.0 + std::accumulate(further_steps.begin(), further_steps.end(), 0.0) / static_cast<double>(pilot.count());
     const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) / segments));
-    return Particles(scene, plan_first_shot(scene, state, 0.0, std::max<std::uint64_t>(1, wanted)), seed);
+    return Particles(scene, shots(std::max<std::uint64_t>(1, wanted)), seed);
+}
+
+Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
+                         int threads)
+{
+    const auto from_sources = [&](std::uint64_t particles) { return plan_first_shot(scene, state, 0.0, particles); };
+    return plan_particles(scene, from_sources, lines, seed, threads);
 }
 
 Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator)

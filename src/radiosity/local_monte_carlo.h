@@ -6,6 +6,7 @@
 #include "transport/lines/local_rays.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace multipath {
@@ -74,7 +75,12 @@ private:
 /// As many as may be followed together: their paths must fit into memory, and get long in bright scenes.
 std::uint64_t particles_together(const Scene& scene);
 
-/// As many particles as make `lines` segments, to about 1 %: a pilot tells how long their paths are.
+/// As many particles as make `lines` segments, to about 1 %: a pilot tells how long their paths are. `shots`: those of
+/// a given number of particles.
+Particles plan_particles(const Scene& scene, const std::function<std::vector<Shot>(std::uint64_t particles)>& shots,
+                         std::uint64_t lines, std::uint64_t seed, int threads);
+
+/// The same for particles from the sources.
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads);
 

@@ -1,5 +1,8 @@
 #include "radiosity/methods.h"
 
+#include "radiosity/family/gathering_walk.h"
+#include "radiosity/family/stochastic_jacobi.h"
+#include "radiosity/family/transillumination.h"
 #include "radiosity/first_stage.h"
 #include "radiosity/local_monte_carlo.h"
 #include "radiosity/memory_estimate.h"
@@ -82,6 +85,42 @@ void reuse_rays(Run& run)
     run.variance = std::move(result.variance);
 }
 
+/// The first estimate of the iterations.
+void ray_series(Run& run)
+{
+    const std::uint64_t lines = run.options.lines;
+    const SeriesOptions series{run.first_local_item(), std::max<std::uint64_t>(1, lines / 16),
+                               std::max<std::uint64_t>(1, lines / 2), run.options.bidirectional, run.options.seed};
+    run.solution.local_lines +=
+        send_series(run.scene, *run.sequence, series, run.control(1, 1), run.state); // (J1) (J2)
+}
+
+void ray_iterations(Run& run)
+{
+    const JacobiOptions jacobi{run.first_local_item(), run.solution.local_lines, run.lines_left(),
+                               run.options.bidirectional, run.options.seed};
+    run.solution.local_lines +=
+        iterate_by_rays(run.scene, *run.sequence, jacobi, run.control(1, 1), run.state); // (J1) (J2)
+    run.solved = true;
+}
+
+void bundle_iterations(Run& run)
+{
+    run.plan_global_lines();
+    const TransilluminationOptions bundles{run.first_local_item(), run.solution.global_lines, run.options.bundle,
+                                           run.options.seed};
+    run.solution.global_lines = run.solution.global_lines_cast =
+        iterate_by_bundles(run.scene, *run.sequence, bundles, run.control(1, 1), run.state); // (P1)
+    run.solved = true;
+}
+
+void walks(Run& run)
+{
+    const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
+    run.solution.local_lines += gather_by_walks(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (W1)
+    run.solved = true;
+}
+
 // Choice of stages
 
 std::vector<Stage> stages_of_local(const Run&)
@@ -92,6 +131,21 @@ std::vector<Stage> stages_of_local(const Run&)
 std::vector<Stage> stages_of_walk(const Run&)
 {
     return {shots, global_pass};
+}
+
+std::vector<Stage> stages_of_jacobi(const Run&)
+{
+    return {ray_series, ray_iterations};
+}
+
+std::vector<Stage> stages_of_transillumination(const Run&)
+{
+    return {shots, bundle_iterations};
+}
+
+std::vector<Stage> stages_of_gathering(const Run&)
+{
+    return {walks};
 }
 
 std::vector<Stage> stages_of_reuse(const Run& run)
@@ -195,7 +249,19 @@ constexpr MethodInfo table[] = {
      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
      "ratio chords direct denoise power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
-     Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"}};
+     Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"},
+    {"jacobi",
+     "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
+     "iterations. To compare with.",
+     "bidirectional", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_jacobi, nullptr, nullptr, "",
+     "extended"},
+    {"transillumination",
+     "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
+     "exchanging power along each direction. To compare with.",
+     "ratio power-per-line threshold bundle", Chords::sphere, Shards::averaged, any_lines, no_lines,
+     stages_of_transillumination, prepare_ratio, plain_shot, "", "first-shot"},
+    {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", Chords::sphere,
+     Shards::averaged, any_lines, no_lines, stages_of_gathering, nullptr, nullptr, "", "local"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {
@@ -215,6 +281,9 @@ const Method Method::global(&table[1]);
 const Method Method::first_shot(&table[2]);
 const Method Method::extended(&table[3]);
 const Method Method::reuse(&table[4]);
+const Method Method::jacobi(&table[5]);
+const Method Method::transillumination(&table[6]);
+const Method Method::gathering(&table[7]);
 
 std::vector<Method> all_methods()
 {

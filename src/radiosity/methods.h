@@ -51,7 +51,7 @@ class Method
 public:
     explicit constexpr Method(const MethodInfo* info) : info_(info) {}
 
-    static const Method local, global, first_shot, extended, reuse;
+    static const Method local, global, first_shot, extended, reuse, jacobi, transillumination, gathering;
 
     const MethodInfo* operator->() const { return info_; }
     friend bool operator==(Method a, Method b) { return a.info_ == b.info_; }

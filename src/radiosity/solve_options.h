@@ -59,6 +59,7 @@ struct SolveOptions
     int most_steps = 1000;                      ///< passes of the extended first shot
     bool bidirectional = true;                  ///< (M2)
     Estimator estimator = Estimator::collision; ///< of the local method
+    std::uint64_t bundle = 1;                   ///< parallel lines of each direction, of the method transillumination
     Direct direct = Direct::gather;             ///< of the method `reuse`
     bool denoise = true;                        ///< of the method `reuse`
     bool all_pairs = true;                      ///< may `reuse` make a table of all pairs where it pays?

@@ -27,6 +27,8 @@ enum class RandomStream : std::uint64_t {
     rounded_shots = 0x5be0cd19137e2179u, ///< of the passes of the extended first shot
     particles = 0x1f83d9abfb41bd6bu,
     pair_rays = 0x243f6a8885a308d3u,
+    series_rays = 0x7137449123ef65cdu, ///< of the passes of the stochastic Jacobi method
+    jacobi_rays = 0xe9b5dba58189dbbcu, ///< and of its iterations
     replicates = 0x452821e638d01377u,
     stretches = 0xbe5466cf34e90c6cu,
     trapped_light = 0x3f84d5b5b5470917u,

@@ -187,10 +187,10 @@ check "a lightmap is one texture for the undivided surfaces, and is read again" 
 
 # Rays of the sky from below meet the floor, not the bottom of what stands on it.
 all_agree() {
-    for method in local global extended reuse; do
+    for method in local global extended jacobi transillumination gathering reuse; do
         ends 0 solve open.obj --patch-size 2 --lines 2^20 --sky 10 --two-sided --method $method -q -o $method.csv || return
     done
-    for method in local global extended; do
+    for method in local global extended jacobi transillumination gathering; do
         ends 0 compare $method.csv reuse.csv --json && relative=$(sed -n 's/.*"relative_mean_square_error": \([^,]*\).*/\1/p' out) &&
             awk "BEGIN { exit !($relative < 1e-4) }" || return
     done

@@ -66,7 +66,7 @@ TEST_CASE("a white box with one small face that absorbs traps no light")
 TEST_CASE("every method refuses a scene in which light is trapped")
 {
     const Scene scene = room_with_cell(white, white).scene(0.2);
-    for (const Method method : {Method::global, Method::first_shot, Method::extended, Method::local, Method::reuse})
+    for (const Method method : all_methods())
         for (const double memory : {1e6, 1e9})
             CHECK_THROWS_AS(solve(scene, options_of(method, 20000, memory), [](double) {}), InputError);
 }

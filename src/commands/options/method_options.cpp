@@ -85,8 +85,9 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          {"estimator", 0, "WHICH", "collision",
           "Of the local method: count a particle wherever it arrives, or only where it is absorbed.", false,
           names_of(estimator_choices)},
-         {"bidirectional", 0, "WHETHER", "yes", "Let a global line carry power both ways at once.", false,
-          names_of(yes_or_no)},
+         {"bidirectional", 0, "WHETHER", "yes", "Let a global line, or a ray of jacobi, carry power both ways at once.",
+          false, names_of(yes_or_no)},
+         {"bundle", 0, "N", "1", "Of transillumination: parallel lines along each direction."},
          {"chords", 0, "FROM", "",
           "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
           "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
@@ -133,6 +134,7 @@ SolveOptions read_settings(const CommandLine& line)
         options.threshold = read_real("--threshold", line.text("threshold"));
     options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
     options.estimator = line.choice("estimator", estimator_choices).value;
+    options.bundle = read_count("--bundle", line.text("bundle"), 1, 1u << 20);
     options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
     options.seed = read_count("--seed", line.text("seed"));
     if (line.text("ratio") != "auto")

@@ -45,7 +45,7 @@ bool lies_on(const Scene& scene, std::uint32_t patch, Vec3 place)
 TEST_CASE("power goes along its stretch of a told line, from a patch at one end to the patch at the other")
 {
     const Scene scene = lit_room();
-    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+    for (const Method method : all_methods()) {
         std::size_t transfers = 0;
         for (const ViewerChapter& chapter : story(scene, method, 4096)) {
             CHECK(chapter.lines.size() == 100);

@@ -75,7 +75,7 @@ int check_all_pauses(const Scene& scene, const SolveOptions& options, int replic
 TEST_CASE("work that was left at any moment and taken up again gives the same bits")
 {
     const Scene scene = room();
-    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+    for (const Method method : all_methods()) {
         for (const char* sequence : {"random", "sobol", "halton-permuted"}) {
             CAPTURE(method->name);
             CAPTURE(sequence);
@@ -156,7 +156,7 @@ TEST_CASE("work is left twice, with other numbers of threads")
 TEST_CASE("a finished run goes on to more lines, also when that is interrupted")
 {
     const Scene scene = room();
-    for (const Method method : {Method::local, Method::extended, Method::reuse}) {
+    for (const Method method : all_methods()) {
         TestCheckpoint first(-1);
         const Solution few = solved(scene, options_of(method, "sobol", 20000), 1, &first);
         REQUIRE(first.finished());
@@ -179,7 +179,7 @@ TEST_CASE("a finished run goes on to more lines, also when that is interrupted")
 TEST_CASE("what is found when the work is left keeps the balance of power, and comes nearer to the result")
 {
     const Scene scene = room();
-    for (const Method method : {Method::local, Method::global, Method::first_shot, Method::extended, Method::reuse}) {
+    for (const Method method : all_methods()) {
         CAPTURE(method->name);
         const SolveOptions options = options_of(method, "sobol", 100000);
         const Solution whole = solved(scene, options, 1, nullptr);

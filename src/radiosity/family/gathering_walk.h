@@ -1,0 +1,18 @@
+#pragma once
+
+#include "radiosity/local_monte_carlo.h"
+
+#include <cstdint>
+
+namespace multipath {
+
+/// Gathering random walks (Bekaert: Hierarchical and stochastic algorithms for radiosity, 1999, section 4.4): paths
+/// leave the patches whose light is asked for, are reflected with the probability rho, and bring back what the sources
+/// emit where they pass (collision estimator) or end (absorption estimator) (W1). The transposed system of that of
+/// shooting walks: what one knows of a patch costs the same whether much or little light arrives there. Returns how
+/// many segments were cast, about options.lines. If the run is stopped, patches whose walks did not begin are dark. A
+/// checkpoint must hold the state besides what this function makes it hold.
+std::uint64_t gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
+                              const RunControl& run, PowerState& state);
+
+} // namespace multipath

@@ -1,0 +1,366 @@
+#include "radiosity/family/stochastic_jacobi.h"
+
+#include "parallel/blocks.h"
+#include "sampling/random.h"
+#include "sampling/systematic_rounding.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace multipath {
+
+void Transfer::visit(Archive& archive)
+{
+    archive.list<double>("received", incident);
+    archive.value<double>("sent", sent);
+    archive.value<double>("escaped", escaped);
+    archive.value<double>("behind", behind);
+}
+
+JacobiIterations::JacobiIterations(const Scene& scene, const PowerState& start, const PowerState& first, double lines)
+    : scene_(scene),
+      start_(start),
+      mean_{first.incident, {}, first.escaped - start.escaped, first.behind - start.behind},
+      lines_(lines)
+{
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        mean_.incident[i] = mean_.incident[i] - start.incident[i];
+        mean_.sent += mean_.incident[i];
+    }
+    mean_.sent += mean_.escaped + mean_.behind;
+}
+
+std::vector<Rgb> JacobiIterations::power() const
+{
+    std::vector<Rgb> power(mean_.incident.size());
+    for (std::uint32_t i = 0; i < power.size(); ++i)
+        power[i] = start_.unshot[i] + scene_.reflectance(i) * mean_.incident[i];
+    return power;
+}
+
+std::uint64_t JacobiIterations::next_lines(std::uint64_t left) const
+{
+    const auto as_before = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(lines_));
+    return left < 2 * as_before ? left : as_before;
+}
+
+void JacobiIterations::add(const Transfer& transfer, double lines)
+{
+    const double share = lines / (lines_ + lines);
+    const auto take = [share](Rgb& mean, Rgb value) { mean = (1.0 - share) * mean + share * value; };
+    for (std::size_t i = 0; i < mean_.incident.size(); ++i)
+        take(mean_.incident[i], transfer.incident[i]);
+    take(mean_.sent, transfer.sent);
+    take(mean_.escaped, transfer.escaped);
+    take(mean_.behind, transfer.behind);
+    lines_ += lines;
+}
+
+PowerState JacobiIterations::finish() const
+{
+    PowerState state = start_;
+    state.surplus += mean_.sent;
+    const std::vector<Rgb> next = power();
+    for (std::uint32_t i = 0; i < next.size(); ++i) {
+        state.incident[i] += mean_.incident[i];
+        state.unshot[i] = {};
+        state.surplus = state.surplus - next[i];
+    }
+    state.escaped += mean_.escaped;
+    state.behind += mean_.behind;
+    return state;
+}
+
+void JacobiIterations::visit(Archive& archive)
+{
+    mean_.visit(archive);
+    archive.value<double>("lines", lines_);
+}
+
+namespace {
+
+constexpr std::uint64_t rays_together = 4096;
+
+/// How all rays of all iterations are shared among the patches: in proportion to what each sends, mean of the channels;
+/// a few of them in proportion to what it could reflect, since what is known of that may be wrong (defensive
+/// importance sampling, Hesterberg 1995). Every patch has a row of items of its own, so that its rays of all iterations
+/// together are evenly spread.
+class RayPlan
+{
+public:
+    RayPlan(const Scene& scene, const std::vector<Rgb>& power, double rays, double offset)
+    {
+        constexpr double defensive = 0.02;
+        const auto reflecting = [&](std::uint32_t i) { return scene.area(i) * mean(scene.reflectance(i)); };
+        double all_power = 0.0;
+        double all_reflecting = 0.0;
+        for (std::uint32_t i = 0; i < power.size(); ++i) {
+            all_power += mean(power[i]);
+            all_reflecting += reflecting(i);
+        }
+        const double reserve = all_reflecting > 0.0 ? defensive : 0.0;
+        double before = offset;
+        for (std::uint32_t i = 0; all_power > 0.0 && i < power.size(); ++i) {
+            const double spread = reserve > 0.0 ? reserve * reflecting(i) / all_reflecting : 0.0;
+            const double share = (1.0 - reserve) * mean(power[i]) / all_power + spread;
+            expected_.push_back(rays * share);
+            begin_.push_back(before - std::floor(before));
+            first_item_.push_back(SystematicRounding::whole(before));
+            before += expected_.back();
+        }
+    }
+
+    bool any() const { return !expected_.empty(); } ///< rays at all: there is power
+    double expected(std::uint32_t patch) const { return expected_[patch]; }
+    std::uint64_t first_item(std::uint32_t patch) const { return first_item_[patch]; }
+
+    /// How many of a patch's rays come in the first part of all iterations, by systematic sampling in time.
+    std::uint64_t rays_before(std::uint32_t patch, double part) const
+    {
+        return SystematicRounding::whole(begin_[patch] + part * expected_[patch]);
+    }
+
+private:
+    std::vector<double> expected_;
+    std::vector<double> begin_; ///< [0, 1) where rounding begins: uniform
+    std::vector<std::uint64_t> first_item_;
+};
+
+/// A patch that sends: by its radiosity and the density of the rays that leave it.
+struct Sender
+{
+    Rgb radiosity;        ///< [W/m^2]
+    double density = 0.0; ///< [1/m^2]
+};
+
+/// The rays of one iteration: those of the plan from one part of all to another.
+class SentRays
+{
+public:
+    SentRays(const Scene& scene, const RayPlan& plan, const std::vector<Rgb>& power, double part, double end_part)
+        : first_item_(power.size()), first_ray_(power.size() + 1), senders_(power.size())
+    {
+        for (std::uint32_t i = 0; i < power.size(); ++i) {
+            const std::uint64_t before = plan.rays_before(i, part);
+            const std::uint64_t rays = plan.rays_before(i, end_part) - before;
+            // A patch that gets a ray now and then has it in proportion to what it expects.
+            const double expected = (end_part - part) * plan.expected(i);
+            first_item_[i] = plan.first_item(i) + before;
+            first_ray_[i + 1] = first_ray_[i] + rays;
+            senders_[i] = {(1.0 / scene.area(i)) * power[i],
+                           (expected < 1.0 ? expected : static_cast<double>(rays)) / scene.area(i)};
+        }
+    }
+
+    std::uint64_t count() const { return first_ray_.back(); }
+    const Sender& sender(std::uint32_t patch) const { return senders_[patch]; }
+
+    /// Puts rays first ... first + count - 1 into the block.
+    void fill(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
+              std::vector<Item>& of_patch, RayBlock& block) const
+    {
+        block.patches.clear();
+        block.items.clear();
+        const auto after = std::upper_bound(first_ray_.begin(), first_ray_.end(), first);
+        auto patch = static_cast<std::uint32_t>(after - first_ray_.begin()) - 1;
+        for (std::uint64_t ray = first; ray < first + count; ray = first_ray_[++patch]) {
+            const auto left = static_cast<std::size_t>(first + count - ray);
+            of_patch.resize(std::min(left, static_cast<std::size_t>(first_ray_[patch + 1] - ray)));
+            sequence.generate(first_item + first_item_[patch] + (ray - first_ray_[patch]), of_patch);
+            block.patches.insert(block.patches.end(), of_patch.size(), patch);
+            block.items.insert(block.items.end(), of_patch.begin(), of_patch.end());
+        }
+    }
+
+private:
+    std::vector<std::uint64_t> first_item_; ///< of each patch, in this iteration
+    std::vector<std::uint64_t> first_ray_;  ///< of each patch; one more than patches
+    std::vector<Sender> senders_;
+};
+
+/// Adds what the rays of a block carry. A line between i and j that leaves i is one of n_i / A_i per area; in both
+/// directions it might as well have left j, and all lines between the two together must carry what they exchange: each
+/// carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic of Veach.
+void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, Transfer& transfer)
+{
+    Rgb sent; // of the block: small sums keep the rounding errors of the balance small
+    for (std::size_t k = 0; k < block.receivers.size(); ++k) {
+        const std::uint32_t from = block.patches[k];
+        const std::uint32_t to = block.receivers[k];
+        const Sender& sender = rays.sender(from);
+        const bool both = bidirectional && Segment::is_patch(to);
+        const double area = 1.0 / (sender.density + (both ? rays.sender(to).density : 0.0));
+        const Rgb power = area * sender.radiosity; // (J1)
+        sent += power;
+        if (to == Segment::behind)
+            transfer.behind += power;
+        else if (to == Segment::outside)
+            transfer.escaped += power;
+        else
+            transfer.incident[to] += power;
+        if (both) {
+            const Rgb back = area * rays.sender(to).radiosity;
+            sent += back;
+            transfer.incident[from] += back;
+        }
+    }
+    transfer.sent += sent;
+}
+
+/// Does iterations one after the other, each of which can be interrupted.
+class RayIterations
+{
+public:
+    RayIterations(const Scene& scene, const Sequence& sequence, bool bidirectional, const RunControl& run)
+        : scene_(scene),
+          sequence_(sequence),
+          bidirectional_(bidirectional),
+          run_(run),
+          buffers_(run.threads),
+          transfer_(Transfer::none(scene))
+    {
+    }
+
+    void visit(Archive& archive) ///< for a checkpoint
+    {
+        archive.value<std::uint64_t>("next block", next_block_);
+        transfer_.visit(archive);
+    }
+
+    /// False if the run is stopped before the end.
+    bool cast(const SentRays& rays, std::uint64_t first_item)
+    {
+        const Blocks blocks = {rays.count(), rays_together};
+        const auto trace = [&](std::uint64_t number, int slot) {
+            Buffer& buffer = buffers_[slot];
+            rays.fill(sequence_, first_item, blocks.first(number), blocks.length(number), buffer.items, buffer.rays);
+            buffer.rays.trace(scene_);
+        };
+        const auto take = [&](std::uint64_t number, int slot) {
+            carry(rays, buffers_[slot].rays, bidirectional_, transfer_);
+            run_.count_lines(blocks.length(number));
+        };
+        resumable_blocks(next_block_, blocks.count(), run_, trace, take);
+        return next_block_ == blocks.count();
+    }
+
+    /// What all rays have carried since the last call.
+    Transfer take()
+    {
+        next_block_ = 0;
+        return std::exchange(transfer_, Transfer::none(scene_));
+    }
+
+private:
+    struct Buffer
+    {
+        RayBlock rays;
+        std::vector<Item> items;
+    };
+
+    const Scene& scene_;
+    const Sequence& sequence_;
+    bool bidirectional_;
+    const RunControl& run_;
+    BlockBuffers<Buffer> buffers_;
+    Transfer transfer_;
+    std::uint64_t next_block_ = 0;
+};
+
+Rgb sum_of(const std::vector<Rgb>& powers)
+{
+    Rgb sum;
+    for (const Rgb& power : powers)
+        sum += power;
+    return sum;
+}
+
+/// Takes what the patches received of their unshot power: they have sent it, and hold what they reflect.
+void take_transfer(const Scene& scene, const Transfer& transfer, PowerState& state)
+{
+    state.surplus += transfer.sent - sum_of(state.unshot);
+    state.escaped += transfer.escaped;
+    state.behind += transfer.behind;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        state.incident[i] += transfer.incident[i];
+        state.unshot[i] = scene.reflectance(i) * transfer.incident[i];
+    }
+}
+
+/// [1] How often the power of the sources is sent until it is absorbed, about.
+double usual_sendings(const Scene& scene)
+{
+    constexpr double most = 20.0;
+    return std::min(most, 1.0 / (1.0 - std::min(0.99, mean(scene.average_reflectance()))));
+}
+
+} // namespace
+
+std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const SeriesOptions& options,
+                          const RunControl& run, PowerState& state)
+{
+    RayIterations rays(scene, sequence, options.bidirectional, run);
+    double rays_per_power = static_cast<double>(options.lines) / usual_sendings(scene) / mean(sum_of(state.unshot));
+    std::uint64_t passes = 0; // that are done
+    std::uint64_t cast = 0;   // rays of these
+    const Checkpoint::Part part(run.checkpoint, "series", [&](Archive& archive) {
+        archive.value<double>("rays per watt", rays_per_power);
+        archive.value<std::uint64_t>("passes", passes);
+        archive.value<std::uint64_t>("cast", cast);
+        rays.visit(archive);
+    });
+    const std::uint64_t key = random_key(RandomStream::series_rays, options.seed);
+    for (; cast < options.most_lines; ++passes) {
+        const double power = mean(sum_of(state.unshot));
+        if (!(power > 0.0))
+            break;
+        // Less power than that of a ray is sent by one now and then (Russian roulette), or else is gone.
+        const double wanted = std::min(rays_per_power * power, static_cast<double>(options.most_lines - cast));
+        const RayPlan plan(scene, state.unshot, wanted, bits_to_unit(random_bits(key, passes)));
+        const SentRays sent(scene, plan, state.unshot, 0.0, 1.0);
+        if (!rays.cast(sent, options.first_item + cast))
+            break;
+        take_transfer(scene, rays.take(), state);
+        cast += sent.count();
+    }
+    return cast;
+}
+
+std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
+                              const RunControl& run, PowerState& state)
+{
+    const PowerState start(scene);
+    JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
+    const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
+    const RayPlan plan(scene, iterations.power(), static_cast<double>(options.lines), offset);
+    RayIterations rays(scene, sequence, options.bidirectional, run);
+    std::uint64_t done = 0; // of the lines
+    std::uint64_t cast = 0; // rays that this has made, but for rounding as many
+    const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
+        archive.value<std::uint64_t>("done", done);
+        archive.value<std::uint64_t>("cast", cast);
+        iterations.visit(archive);
+        const Archive::Inner inner(archive, "transfer");
+        rays.visit(archive);
+    });
+    const auto part_of = [&](std::uint64_t lines) {
+        return static_cast<double>(lines) / static_cast<double>(options.lines);
+    };
+    while (plan.any() && done < options.lines) {
+        const std::uint64_t lines = iterations.next_lines(options.lines - done);
+        const SentRays sent(scene, plan, iterations.power(), part_of(done), part_of(done + lines));
+        if (!rays.cast(sent, options.first_item))
+            break;
+        iterations.add(rays.take(), static_cast<double>(lines));
+        done += lines;
+        cast += sent.count();
+    }
+    if (done > 0)
+        state = iterations.finish();
+    return cast;
+}
+
+} // namespace multipath

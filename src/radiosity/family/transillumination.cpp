@@ -1,0 +1,207 @@
+#include "radiosity/family/transillumination.h"
+
+#include "geometry/intersector/hit_lists.h"
+#include "geometry/intersector/intersector.h"
+#include "parallel/blocks.h"
+#include "radiosity/family/stochastic_jacobi.h"
+#include "sampling/warp.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::uint64_t lines_together = 1024;
+
+/// Parallel lines through the smallest rectangle across their direction that hides the scene's box.
+class Bundle
+{
+public:
+    /// item[0], item[1]: direction, uniform on the sphere; item[2], item[3]: shift of the lattice. So many lines that
+    /// `lines` of them meet the box in expectation over the shift.
+    Bundle(const Bounds& box, const Item& item, std::uint64_t lines)
+        : direction_(square_to_uniform_sphere(item[0], item[1])), shift_u_(item[2]), shift_v_(item[3])
+    {
+        const Vec3 aside = std::abs(direction_.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+        along_u_ = normalized(cross(direction_, aside));
+        along_v_ = cross(direction_, along_u_);
+        const Vec3 half = 0.5 * box.size();
+        const auto reach = [&](Vec3 axis) {
+            return std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+        };
+        half_u_ = reach(along_u_);
+        half_v_ = reach(along_v_);
+        centre_ = box.centre() - 1.1 * reach(direction_) * direction_;
+        const Vec3 d = direction_;
+        const double shadow =
+            4.0 * (std::abs(d.x) * half.y * half.z + std::abs(d.y) * half.z * half.x + std::abs(d.z) * half.x * half.y);
+        const double rectangle = 4.0 * half_u_ * half_v_;
+        count_ = std::max<std::uint64_t>(
+            1, static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * rectangle / shadow)));
+        section_ = rectangle / static_cast<double>(count_);
+    }
+
+    std::uint64_t count() const { return count_; }
+    double section() const { return section_; } ///< [m^2] for which a line stands
+
+    /// Of a lattice: (k / n, k times the golden section), shifted.
+    Line line(std::uint64_t k) const
+    {
+        constexpr double golden = 0.61803398874989485;
+        const auto number = static_cast<double>(k);
+        const double u = wrapped((number + 0.5) / static_cast<double>(count_) + shift_u_);
+        const double v = wrapped(number * golden + shift_v_);
+        return {centre_ + (2.0 * u - 1.0) * half_u_ * along_u_ + (2.0 * v - 1.0) * half_v_ * along_v_, direction_};
+    }
+
+private:
+    static double wrapped(double x) { return x - std::floor(x); }
+
+    Vec3 direction_;
+    Vec3 along_u_;
+    Vec3 along_v_;
+    Vec3 centre_; ///< of the rectangle, before the scene
+    double half_u_ = 0.0;
+    double half_v_ = 0.0;
+    double shift_u_;
+    double shift_v_;
+    std::uint64_t count_ = 0;
+    double section_ = 0.0;
+};
+
+/// What the lines of some successive directions join.
+struct BundleBlock
+{
+    struct Direction
+    {
+        double section;  ///< [m^2] for which each line stands
+        std::size_t end; ///< of its segments
+    };
+
+    std::vector<Item> items;
+    std::vector<Segment> segments;
+    std::vector<Direction> directions;
+
+    void trace(const Scene& scene, std::uint64_t lines_per_direction)
+    {
+        segments.clear();
+        directions.clear();
+        for (const Item& item : items) {
+            const Bundle bundle(scene.bounds(), item, lines_per_direction);
+            for (std::uint64_t first = 0; first < bundle.count(); first += lines_together)
+                append(scene, bundle, first, std::min(bundle.count(), first + lines_together));
+            directions.push_back({bundle.section(), segments.size()});
+        }
+    }
+
+private:
+    void append(const Scene& scene, const Bundle& bundle, std::uint64_t first, std::uint64_t end)
+    {
+        lines_.clear();
+        for (std::uint64_t k = first; k < end; ++k)
+            lines_.push_back(bundle.line(k));
+        scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
+        for (std::size_t k = 0; k < lines_.size(); ++k)
+            append_segments(scene, hits_[k], segments);
+    }
+
+    std::vector<Line> lines_;
+    HitLists hits_;
+};
+
+/// Adds what the lines of a block carry. A direction and its opposite are one in 2 pi / D of the directions, and a line
+/// stands for its section: from i to j it carries B_i / pi * section * 2 pi / D (P1).
+void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, double directions, Transfer& transfer)
+{
+    Rgb sent; // of the block: small sums keep the rounding errors of the balance small
+    std::size_t k = 0;
+    for (const BundleBlock::Direction& direction : block.directions) {
+        const double area = 2.0 * direction.section / directions;
+        const auto send = [&](std::uint32_t from, std::uint32_t to) {
+            if (!Segment::is_patch(from))
+                return;
+            const Rgb power = area * radiosity[from];
+            sent += power;
+            if (to == Segment::behind)
+                transfer.behind += power;
+            else if (to == Segment::outside)
+                transfer.escaped += power;
+            else
+                transfer.incident[to] += power;
+        };
+        for (; k < direction.end; ++k) {
+            send(block.segments[k].from, block.segments[k].to);
+            send(block.segments[k].to, block.segments[k].from);
+        }
+    }
+    transfer.sent += sent;
+}
+
+} // namespace
+
+std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
+                                 const RunControl& run, PowerState& state)
+{
+    PowerState start = state;
+    std::uint64_t rays = 0; // of the first estimate
+    const Checkpoint::Part first(run.checkpoint, "first estimate", [&](Archive& archive) {
+        archive.value<std::uint64_t>("rays", rays);
+        const Archive::Inner inner(archive, "start");
+        start.visit(archive);
+    });
+    if (rays == 0) {
+        const SeriesOptions series{options.first_item, std::max<std::uint64_t>(1, options.lines / 8),
+                                   std::max<std::uint64_t>(1, options.lines / 2), true, options.seed};
+        rays = send_series(scene, sequence, series, run, state); // (J1) (J2)
+        if (run.stopped() || rays == 0)
+            return rays;
+    }
+    JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
+    Transfer transfer = Transfer::none(scene);
+    std::uint64_t done = 0; // directions of whole iterations
+    std::uint64_t next_block = 0;
+    const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
+        archive.value<std::uint64_t>("directions", done);
+        archive.value<std::uint64_t>("next block", next_block);
+        iterations.visit(archive);
+        const Archive::Inner inner(archive, "transfer");
+        transfer.visit(archive);
+    });
+    const std::uint64_t first_direction = options.first_item + rays;
+    BlockBuffers<BundleBlock> blocks(run.threads);
+    const std::uint64_t all_directions = (options.lines - std::min(options.lines, rays)) / options.bundle;
+    const std::uint64_t directions_per_block = std::max<std::uint64_t>(1, lines_together / options.bundle);
+    while (done < all_directions) {
+        const std::uint64_t lines = iterations.next_lines((all_directions - done) * options.bundle);
+        const std::uint64_t directions = std::clamp<std::uint64_t>(lines / options.bundle, 1, all_directions - done);
+        std::vector<Rgb> radiosity = iterations.power();
+        for (std::uint32_t i = 0; i < radiosity.size(); ++i)
+            radiosity[i] = (1.0 / scene.area(i)) * radiosity[i];
+        const Blocks all = {directions, directions_per_block};
+        const auto trace = [&](std::uint64_t number, int slot) {
+            BundleBlock& block = blocks[slot];
+            block.items.resize(all.length(number));
+            sequence.generate(first_direction + done + all.first(number), block.items);
+            block.trace(scene, options.bundle);
+        };
+        const auto take = [&](std::uint64_t number, int slot) {
+            carry(blocks[slot], radiosity, static_cast<double>(directions), transfer);
+            run.count_lines(options.bundle * all.length(number));
+        };
+        resumable_blocks(next_block, all.count(), run, trace, take);
+        if (next_block < all.count())
+            break;
+        iterations.add(transfer, static_cast<double>(directions * options.bundle));
+        done += directions;
+        next_block = 0;
+        transfer = Transfer::none(scene);
+    }
+    if (done > 0)
+        state = iterations.finish();
+    return rays + done * options.bundle;
+}
+
+} // namespace multipath
