@@ -57,10 +57,23 @@ std::vector<std::string> split_list(const std::string& text)
     return entries;
 }
 
-/// The entries of the option `name`. Without choices anything goes.
-std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
-                                   const std::vector<std::string_view>& choices)
+/// The sequences that need nothing but their name.
+std::vector<std::string_view> all_sequence_names()
 {
+    std::vector<std::string_view> names;
+    for (const SequenceKind& kind : sequence_kinds())
+        if (kind.arguments.empty() || kind.arguments.front() == '[')
+            names.push_back(kind.name);
+    return names;
+}
+
+/// The entries of the option `name`, for "all" those of `all`. Without choices anything goes.
+std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
+                                   const std::vector<std::string_view>& choices,
+                                   const std::vector<std::string_view>& all = {})
+{
+    if (!all.empty() && line.text(name) == "all")
+        return {all.begin(), all.end()};
     std::vector<std::string> entries = split_list(line.text(name));
     for (std::size_t k = 0; k < entries.size(); ++k) {
         if (entries[k].empty())
@@ -96,25 +109,25 @@ CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
 /// The options that say which curves a study has: lists of methods, sequences, pairings, chords and line orders.
 OptionGroup study_curve_options()
 {
-    return {
-        "Curves, one for each combination",
-        {{"methods", 'm', "LIST", "first-shot,extended,reuse", "Any that solve knows; see 'multipath help methods'."},
-         {"sequences", 's', "LIST", "random,sobol",
-          "Any that solve knows; those with bases too, as in random,sobol,halton:2,7,3,5."},
-         {"pairings", 0, "LIST", "4d", "Of " + listed(names_of(pairing_choices)) + "."},
-         {"line-orders", 0, "LIST", "shuffled", "Of " + listed(names_of(line_order_choices)) + "."},
-         {"chords", 0, "LIST", "", "Of " + listed(names_of(chords_choices)) + ". Without it, each method's own."}}};
+    return {"Curves, one for each combination",
+            {{"methods", 'm', "LIST", "first-shot,extended,reuse",
+              "Any that solve knows, or all; see 'multipath help methods'."},
+             {"sequences", 's', "LIST", "random,sobol",
+              "Any that solve knows, or all; those with bases too, as in random,sobol,halton:2,7,3,5."},
+             {"pairings", 0, "LIST", "4d", "Of " + listed(names_of(pairing_choices)) + "."},
+             {"line-orders", 0, "LIST", "shuffled", "Of " + listed(names_of(line_order_choices)) + "."},
+             {"chords", 0, "LIST", "", "Of " + listed(names_of(chords_choices)) + ". Without it, each method's own."}}};
 }
 
 /// One curve for each combination of the lists, without those that differ in nothing, such as chords of a method
 /// without global lines. Throws UsageError for an unknown name, one named twice, and options without effect.
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
-    const std::vector<std::string> methods =
-        read_list(line, "methods", find_option(solve_command().table, "method")->choices);
+    const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
+    const std::vector<std::string> methods = read_list(line, "methods", known_methods, known_methods);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);
-    const std::vector<std::string> sequences = read_list(line, "sequences", {});
+    const std::vector<std::string> sequences = read_list(line, "sequences", {}, all_sequence_names());
     const std::vector<std::string> pairings = read_list(line, "pairings", names_of(pairing_choices));
     const std::vector<std::string> orders = read_list(line, "line-orders", names_of(line_order_choices));
     const std::vector<std::string> chords =

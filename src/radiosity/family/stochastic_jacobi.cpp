@@ -85,15 +85,14 @@ namespace {
 constexpr std::uint64_t rays_together = 4096;
 
 /// How all rays of all iterations are shared among the patches: in proportion to what each sends, mean of the channels;
-/// a few of them in proportion to what it could reflect, since what is known of that may be wrong (defensive
+/// `reserve` of them in proportion to what it could reflect, where what it sends is not known well (defensive
 /// importance sampling, Hesterberg 1995). Every patch has a row of items of its own, so that its rays of all iterations
 /// together are evenly spread.
 class RayPlan
 {
 public:
-    RayPlan(const Scene& scene, const std::vector<Rgb>& power, double rays, double offset)
+    RayPlan(const Scene& scene, const std::vector<Rgb>& power, double rays, double reserve, double offset)
     {
-        constexpr double defensive = 0.02;
         const auto reflecting = [&](std::uint32_t i) { return scene.area(i) * mean(scene.reflectance(i)); };
         double all_power = 0.0;
         double all_reflecting = 0.0;
@@ -101,7 +100,8 @@ public:
             all_power += mean(power[i]);
             all_reflecting += reflecting(i);
         }
-        const double reserve = all_reflecting > 0.0 ? defensive : 0.0;
+        if (!(all_reflecting > 0.0))
+            reserve = 0.0;
         double before = offset;
         for (std::uint32_t i = 0; all_power > 0.0 && i < power.size(); ++i) {
             const double spread = reserve > 0.0 ? reserve * reflecting(i) / all_reflecting : 0.0;
@@ -319,7 +319,7 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
             break;
         // Less power than that of a ray is sent by one now and then (Russian roulette), or else is gone.
         const double wanted = std::min(rays_per_power * power, static_cast<double>(options.most_lines - cast));
-        const RayPlan plan(scene, state.unshot, wanted, bits_to_unit(random_bits(key, passes)));
+        const RayPlan plan(scene, state.unshot, wanted, 0.0, bits_to_unit(random_bits(key, passes)));
         const SentRays sent(scene, plan, state.unshot, 0.0, 1.0);
         if (!rays.cast(sent, options.first_item + cast))
             break;
@@ -335,7 +335,10 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     const PowerState start(scene);
     JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
     const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
-    const RayPlan plan(scene, iterations.power(), static_cast<double>(options.lines), offset);
+    // Of m rays each of n patches has received about m / n.
+    const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(options.lines_before + 1);
+    const RayPlan plan(scene, iterations.power(), static_cast<double>(options.lines), std::clamp(unknown, 0.02, 0.5),
+                       offset);
     RayIterations rays(scene, sequence, options.bidirectional, run);
     std::uint64_t done = 0; // of the lines
     std::uint64_t cast = 0; // rays that this has made, but for rounding as many

@@ -1,0 +1,119 @@
+// What the papers of the methods claim of them, on a closed box with two floating blocks (744 patches). The reference
+// is line reuse with many lines, whose error is below a hundredth of those compared.
+
+#include "radiosity/error_measure.h"
+#include "radiosity/solve.h"
+#include "scene/obj/obj_reader.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace family_test {
+
+using namespace multipath;
+
+namespace {
+
+const ProgressCallback silent = [](double) {};
+
+class Box
+{
+public:
+    Box() : scene_(read_obj("tests/fixtures/reference/box744.obj"), 0.1)
+    {
+        SolveOptions options;
+        options.method = Method::reuse;
+        options.lines = 1u << 22;
+        options.threads = 2;
+        reference_ = solve(scene_, options, silent).radiosity;
+    }
+
+    /// Relative mean square error, mean of four runs.
+    double error(SolveOptions options, const std::string& sequence, std::uint64_t lines) const
+    {
+        options.sequence = sequence;
+        options.lines = lines;
+        options.threads = 2;
+        double sum = 0.0;
+        for (options.seed = 1; options.seed <= 4; ++options.seed)
+            sum += measure_error(scene_.areas(), solve(scene_, options, silent).radiosity, reference_)
+                       .relative_mean_square;
+        return sum / 4.0;
+    }
+
+    const Scene& scene() const { return scene_; }
+
+private:
+    Scene scene_;
+    std::vector<Rgb> reference_;
+};
+
+SolveOptions settings_of(Method method)
+{
+    SolveOptions options;
+    options.method = method;
+    return options;
+}
+
+} // namespace
+
+// Neumann, Neumann, Bekaert: Radiosity with well distributed ray sets (1997): the error falls faster than that of
+// random rays. Bekaert (1999): transfers in both directions reduce it to a half or less.
+TEST_CASE("stochastic Jacobi iterations gain by evenly spread rays and by transfers in both directions" *
+          doctest::test_suite("statistics"))
+{
+    const Box box;
+    SolveOptions both_ways = settings_of(Method::jacobi);
+    SolveOptions one_way = both_ways;
+    one_way.bidirectional = false;
+    const double even = box.error(both_ways, "sobol-owen", 1u << 20);
+    CHECK(box.error(both_ways, "random", 1u << 20) > 2.5 * even);
+    CHECK(box.error(one_way, "sobol-owen", 1u << 20) > 1.5 * even);
+    CHECK(box.error(both_ways, "sobol-owen", 1u << 17) > 1.15 * 8.0 * even); // slope -1.07 and steeper
+}
+
+// Szirmay-Kalos, Foris, Neumann, Csebfalvi (1997): quasi-random directions beat random ones.
+TEST_CASE("transillumination gains by evenly spread directions" * doctest::test_suite("statistics"))
+{
+    const Box box;
+    const SolveOptions options = settings_of(Method::transillumination);
+    CHECK(box.error(options, "random", 1u << 19) > 1.5 * box.error(options, "sobol-owen", 1u << 19));
+}
+
+// Bekaert (1999): counting a walk wherever it passes is better than where it ends; and of few small lamps gathering
+// walks know less than shooting ones.
+TEST_CASE("gathering walks gain by the collision estimator, and know less of a small lamp than shooting ones" *
+          doctest::test_suite("statistics"))
+{
+    const Box box;
+    SolveOptions collision = settings_of(Method::gathering);
+    SolveOptions absorption = collision;
+    absorption.estimator = Estimator::absorption;
+    const double error = box.error(collision, "random", 1u << 18);
+    CHECK(box.error(absorption, "random", 1u << 18) > 1.5 * error);
+    CHECK(error > 10.0 * box.error(settings_of(Method::local), "random", 1u << 18));
+}
+
+TEST_CASE("the methods take about as many lines as they are given, also few, and directions of many lines at a time")
+{
+    const Box box;
+    for (const Method method : {Method::jacobi, Method::transillumination, Method::gathering})
+        for (const std::uint64_t lines : {1u, 2u, 17u, 1000u, 100000u}) {
+            CAPTURE(method->name);
+            SolveOptions options = settings_of(method);
+            options.lines = lines;
+            for (const std::uint64_t bundle : {1u, 64u}) {
+                options.bundle = bundle;
+                const Solution solution = solve(box.scene(), options, silent);
+                const double used = static_cast<double>(solution.all_lines);
+                CHECK(used <= 1.05 * static_cast<double>(lines) + 40.0);
+                CHECK(used >= 0.95 * static_cast<double>(lines) - 64.0);
+                CHECK(solution.balance.relative_error() < 1e-9);
+            }
+        }
+}
+
+} // namespace family_test
