@@ -2,6 +2,7 @@
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "commands/commands.h"
+#include "commands/options/important_patches.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
@@ -160,6 +161,8 @@ int run_solve(const CommandLine& line)
 
     const Scene scene = as_accurate_as_asked(job, as_adaptive_as_asked(job, read_scene(line, thread_count(line))));
     settle_lines(scene, job.line, job.options);
+    if (line.has("important"))
+        job.options.importance = important_patches(scene, line.text("important"), job.pictures);
     require_no_input(outputs, scene.file().material_files);
     require_results_possible(job, scene, outputs);
     require_memory_for_reuse(job.line, job.options, scene);

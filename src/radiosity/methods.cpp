@@ -97,8 +97,8 @@ void ray_series(Run& run)
 
 void ray_iterations(Run& run)
 {
-    const JacobiOptions jacobi{run.first_local_item(), run.solution.local_lines, run.lines_left(),
-                               run.options.bidirectional, run.options.seed};
+    const JacobiOptions jacobi{run.first_local_item(),    run.solution.local_lines, run.lines_left(),
+                               run.options.bidirectional, run.options.seed,         run.options.importance.get()};
     run.solution.local_lines +=
         iterate_by_rays(run.scene, *run.sequence, jacobi, run.control(1, 1), run.state); // (J1) (J2)
     run.solved = true;
@@ -253,8 +253,8 @@ constexpr MethodInfo table[] = {
     {"jacobi",
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",
-     "bidirectional", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_jacobi, nullptr, nullptr, "",
-     "extended"},
+     "bidirectional important", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_jacobi, nullptr,
+     nullptr, "", "extended"},
     {"transillumination",
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",

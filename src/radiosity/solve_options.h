@@ -1,5 +1,6 @@
 #pragma once
 
+#include "radiosity/family/importance.h"
 #include "radiosity/local_monte_carlo.h"
 #include "radiosity/methods.h"
 #include "sampling/sequence.h"
@@ -7,6 +8,7 @@
 #include "transport/lines/global_lines.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -48,22 +50,23 @@ struct SolveOptions
     Method method = Method::first_shot;
     std::string sequence = "sobol"; ///< a name that make_sequence knows
     Pairing pairing = Pairing::four_dimensional;
-    LineOrder line_order = LineOrder::shuffled; ///< of the methods that walk along global lines
-    std::optional<Chords> chords;               ///< empty: the method's own
-    std::uint64_t seed = 1;                     ///< of what is random
-    std::uint64_t skip = 0;                     ///< items of the sequence to leave out at its beginning
-    std::uint64_t lines = 1u << 20;             ///< N_l + N_g
-    std::optional<double> ratio;                ///< N_l / N_g; empty: (3) with figures measured on the scene
-    std::optional<double> power_by_line;        ///< [W] of one ray of the (extended) first shot, instead of the ratio
-    std::optional<double> threshold;            ///< [W/m^2] unshot radiosity kept by every patch; empty: (4)
-    int most_steps = 1000;                      ///< passes of the extended first shot
-    bool bidirectional = true;                  ///< (M2)
-    Estimator estimator = Estimator::collision; ///< of the local method
-    std::uint64_t bundle = 1;                   ///< parallel lines of each direction, of the method transillumination
-    Direct direct = Direct::gather;             ///< of the method `reuse`
-    bool denoise = true;                        ///< of the method `reuse`
-    bool all_pairs = true;                      ///< may `reuse` make a table of all pairs where it pays?
-    double memory = 2e9;                        ///< [bytes] that the run may take; `reuse` keeps its pairs within
+    LineOrder line_order = LineOrder::shuffled;   ///< of the methods that walk along global lines
+    std::optional<Chords> chords;                 ///< empty: the method's own
+    std::uint64_t seed = 1;                       ///< of what is random
+    std::uint64_t skip = 0;                       ///< items of the sequence to leave out at its beginning
+    std::uint64_t lines = 1u << 20;               ///< N_l + N_g
+    std::optional<double> ratio;                  ///< N_l / N_g; empty: (3) with figures measured on the scene
+    std::optional<double> power_by_line;          ///< [W] of one ray of the (extended) first shot, instead of the ratio
+    std::optional<double> threshold;              ///< [W/m^2] unshot radiosity kept by every patch; empty: (4)
+    int most_steps = 1000;                        ///< passes of the extended first shot
+    bool bidirectional = true;                    ///< (M2)
+    Estimator estimator = Estimator::collision;   ///< of the local method
+    std::uint64_t bundle = 256;                   ///< parallel lines of each direction, of the method transillumination
+    std::shared_ptr<const Importance> importance; ///< of the method jacobi; empty: all patches are equal
+    Direct direct = Direct::gather;               ///< of the method `reuse`
+    bool denoise = true;                          ///< of the method `reuse`
+    bool all_pairs = true;                        ///< may `reuse` make a table of all pairs where it pays?
+    double memory = 2e9;                          ///< [bytes] that the run may take; `reuse` keeps its pairs within
     int threads = 1;
 };
 

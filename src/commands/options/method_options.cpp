@@ -87,7 +87,8 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           names_of(estimator_choices)},
          {"bidirectional", 0, "WHETHER", "yes", "Let a global line, or a ray of jacobi, carry power both ways at once.",
           false, names_of(yes_or_no)},
-         {"bundle", 0, "N", "1", "Of transillumination: parallel lines along each direction."},
+         {"bundle", 0, "N", "256",
+          "Of transillumination: parallel lines along each direction, at most a sixteenth of all."},
          {"chords", 0, "FROM", "",
           "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
           "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
@@ -115,11 +116,15 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
 
 OptionGroup solve_method_group()
 {
-    return method_option_group(
+    OptionGroup group = method_option_group(
         {"lines", 'n', "N", "auto",
          "Total number of lines, local and global; auto takes 2^20, or the power of two that gives each patch 24. "
          "Global lines that miss the scene's bounding box are free."},
         true);
+    group.options.push_back({"important", 0, "WHAT", "",
+                             "Of jacobi: send rays for the sake of an object or a material of this name, or of what "
+                             "the user's cameras see (view). The rest gets fewer."});
+    return group;
 }
 
 SolveOptions read_settings(const CommandLine& line)

@@ -13,6 +13,7 @@
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
 #include "geometry/elementary.h"
+#include "radiosity/error_measure.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/runs/replicates.h"
@@ -82,6 +83,31 @@ std::optional<double> SolveSummary::error() const
     return elementary::hypot(*accuracy.patch_error, *solution.relative_standard_error);
 }
 
+std::optional<double> SolveSummary::error_of_important() const
+{
+    if (!options.importance || solution.standard_error.empty())
+        return std::nullopt;
+    std::vector<double> weights = options.importance->weight;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        weights[i] *= scene.area(i);
+    return std::sqrt(expected_relative_square(weights, solution.radiosity, solution.standard_error));
+}
+
+namespace {
+
+std::string important_text(const SolveSummary& s)
+{
+    std::uint64_t patches = 0;
+    for (const double weight : s.options.importance->weight)
+        patches += weight > 0.0 ? 1 : 0;
+    const std::optional<double> error = s.error_of_important();
+    return format("important  %s patches%s\n", grouped(patches).c_str(),
+                  error ? format(": noise %.2g %% of their mean", 100.0 * *error).c_str()
+                        : "; --replicates tells their error");
+}
+
+} // namespace
+
 std::string summary_text(const SolveSummary& s)
 {
     const PowerBalance& balance = s.solution.balance;
@@ -104,6 +130,8 @@ std::string summary_text(const SolveSummary& s)
                        s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
                            ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
                            : "");
+    if (s.options.importance)
+        text += important_text(s);
     if (s.accuracy.tolerance && s.error() > *s.accuracy.tolerance)
         text += format("warning    that is above the tolerance of %.3g %%: %s\n", 100.0 * *s.accuracy.tolerance,
                        *s.accuracy.patch_error > std::sqrt(0.5) * *s.accuracy.tolerance
@@ -221,6 +249,8 @@ JsonObject summary_json(const SolveSummary& s)
     json.count("all_lines", s.solution.all_lines);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
     json.number("relative_standard_error", s.solution.relative_standard_error.value_or(unknown));
+    if (s.options.importance)
+        json.number("important_relative_standard_error", s.error_of_important().value_or(unknown));
     json.number("patch_error", s.accuracy.patch_error.value_or(unknown));
     json.number("error", s.error().value_or(unknown));
     return json;

@@ -61,6 +61,9 @@ struct SolveSummary
 
     /// [1] Root of the relative total MSE, of patches and noise; nothing where these are not known.
     std::optional<double> error() const;
+
+    /// [1] Root of the relative MSE by noise of the patches that options.importance weights, relative to their mean.
+    std::optional<double> error_of_important() const;
 };
 
 /// Some lines for a person.

@@ -84,28 +84,74 @@ namespace {
 
 constexpr std::uint64_t rays_together = 4096;
 
-/// How all rays of all iterations are shared among the patches: in proportion to what each sends, mean of the channels;
-/// `reserve` of them in proportion to what it could reflect, where what it sends is not known well (defensive
-/// importance sampling, Hesterberg 1995). Every patch has a row of items of its own, so that its rays of all iterations
-/// together are evenly spread.
+/// Makes the sum 1, if it is not 0.
+void normalise(std::vector<double>& shares)
+{
+    double sum = 0.0;
+    for (const double share : shares)
+        sum += share;
+    for (double& share : shares)
+        share *= sum > 0.0 ? 1.0 / sum : 1.0;
+}
+
+/// A part of b for a.
+void mix(std::vector<double>& a, const std::vector<double>& b, double part)
+{
+    for (std::size_t i = 0; i < a.size(); ++i)
+        a[i] = (1.0 - part) * a[i] + part * b[i];
+}
+
+/// The share of the rays that each patch gets: in proportion to what it sends, mean of the channels. The part `unknown`
+/// goes by what it could reflect, as what it sends is not known well (defensive importance sampling, Hesterberg 1995).
+std::vector<double> shares_of_rays(const Scene& scene, const std::vector<Rgb>& power, double unknown)
+{
+    std::vector<double> shares;
+    std::vector<double> reflecting;
+    for (std::uint32_t i = 0; i < power.size(); ++i) {
+        shares.push_back(mean(power[i]));
+        reflecting.push_back(scene.area(i) * mean(scene.reflectance(i)));
+    }
+    normalise(shares);
+    normalise(reflecting);
+    const bool any = std::any_of(reflecting.begin(), reflecting.end(), [](double share) { return share > 0.0; });
+    mix(shares, reflecting, any ? unknown : 0.0);
+    return shares;
+}
+
+/// The same where some patches matter more. Most of the rays go by the power times its noise there (I1), which few rays
+/// have told, so that its mean is added; a quarter leave the wanted patches, since what they see sends its power along
+/// them too; a tenth go as if nothing was wanted.
+void favour(const Scene& scene, const Importance& importance, const std::vector<double>& of_rays,
+            const std::vector<Rgb>& power, std::vector<double>& shares)
+{
+    double all_squares = 0.0;
+    double all_power = 0.0;
+    for (std::uint32_t i = 0; i < power.size(); ++i) {
+        all_squares += mean(power[i]) * of_rays[i] * of_rays[i];
+        all_power += mean(power[i]);
+    }
+    const double usual_square = all_power > 0.0 ? all_squares / all_power : 0.0;
+    std::vector<double> towards;
+    std::vector<double> from;
+    for (std::uint32_t i = 0; i < power.size(); ++i) {
+        towards.push_back(mean(power[i]) * std::sqrt(of_rays[i] * of_rays[i] + usual_square));
+        from.push_back(scene.area(i) * mean(scene.reflectance(i)) * std::sqrt(importance.weight[i]));
+    }
+    normalise(towards);
+    normalise(from);
+    mix(towards, from, 0.25);
+    mix(shares, towards, 0.9);
+}
+
+/// How all rays of all iterations are shared among the patches. Every patch has a row of items of its own, so that its
+/// rays of all iterations together are evenly spread.
 class RayPlan
 {
 public:
-    RayPlan(const Scene& scene, const std::vector<Rgb>& power, double rays, double reserve, double offset)
+    RayPlan(const std::vector<double>& shares, double rays, double offset)
     {
-        const auto reflecting = [&](std::uint32_t i) { return scene.area(i) * mean(scene.reflectance(i)); };
-        double all_power = 0.0;
-        double all_reflecting = 0.0;
-        for (std::uint32_t i = 0; i < power.size(); ++i) {
-            all_power += mean(power[i]);
-            all_reflecting += reflecting(i);
-        }
-        if (!(all_reflecting > 0.0))
-            reserve = 0.0;
         double before = offset;
-        for (std::uint32_t i = 0; all_power > 0.0 && i < power.size(); ++i) {
-            const double spread = reserve > 0.0 ? reserve * reflecting(i) / all_reflecting : 0.0;
-            const double share = (1.0 - reserve) * mean(power[i]) / all_power + spread;
+        for (const double share : shares) {
             expected_.push_back(rays * share);
             begin_.push_back(before - std::floor(before));
             first_item_.push_back(SystematicRounding::whole(before));
@@ -113,7 +159,6 @@ public:
         }
     }
 
-    bool any() const { return !expected_.empty(); } ///< rays at all: there is power
     double expected(std::uint32_t patch) const { return expected_[patch]; }
     std::uint64_t first_item(std::uint32_t patch) const { return first_item_[patch]; }
 
@@ -319,7 +364,7 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
             break;
         // Less power than that of a ray is sent by one now and then (Russian roulette), or else is gone.
         const double wanted = std::min(rays_per_power * power, static_cast<double>(options.most_lines - cast));
-        const RayPlan plan(scene, state.unshot, wanted, 0.0, bits_to_unit(random_bits(key, passes)));
+        const RayPlan plan(shares_of_rays(scene, state.unshot, 0.0), wanted, bits_to_unit(random_bits(key, passes)));
         const SentRays sent(scene, plan, state.unshot, 0.0, 1.0);
         if (!rays.cast(sent, options.first_item + cast))
             break;
@@ -337,33 +382,49 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
     // Of m rays each of n patches has received about m / n.
     const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(options.lines_before + 1);
-    const RayPlan plan(scene, iterations.power(), static_cast<double>(options.lines), std::clamp(unknown, 0.02, 0.5),
-                       offset);
+    std::vector<double> shares = shares_of_rays(scene, iterations.power(), std::clamp(unknown, 0.02, 0.5));
+    std::uint64_t rays_around = 0;
+    double importance_of_all = 0.0; // tells which patches are important
+    if (options.importance) {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            importance_of_all += options.importance->weight[i] * (1.0 + i);
+        const auto per_patch =
+            static_cast<std::uint32_t>(std::clamp<std::uint64_t>(options.lines / 32 / scene.patch_count(), 2, 16));
+        favour(scene, *options.importance,
+               options.importance->of_rays_from(scene, sequence, options.first_item, per_patch, run.threads),
+               iterations.power(), shares);
+        rays_around = std::min(options.lines, std::uint64_t{per_patch} * scene.patch_count());
+    }
+    const std::uint64_t first_item = options.first_item + rays_around;
+    const std::uint64_t lines = options.lines - rays_around; // of the iterations
+    const RayPlan plan(shares, static_cast<double>(lines), offset);
     RayIterations rays(scene, sequence, options.bidirectional, run);
     std::uint64_t done = 0; // of the lines
     std::uint64_t cast = 0; // rays that this has made, but for rounding as many
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("done", done);
         archive.value<std::uint64_t>("cast", cast);
+        double wanted = importance_of_all;
+        archive.value<double>("importance", wanted);
+        if (wanted != importance_of_all)
+            throw ArchiveError("in the state other patches are important");
         iterations.visit(archive);
         const Archive::Inner inner(archive, "transfer");
         rays.visit(archive);
     });
-    const auto part_of = [&](std::uint64_t lines) {
-        return static_cast<double>(lines) / static_cast<double>(options.lines);
-    };
-    while (plan.any() && done < options.lines) {
-        const std::uint64_t lines = iterations.next_lines(options.lines - done);
-        const SentRays sent(scene, plan, iterations.power(), part_of(done), part_of(done + lines));
-        if (!rays.cast(sent, options.first_item))
+    const auto part_of = [&](std::uint64_t count) { return static_cast<double>(count) / static_cast<double>(lines); };
+    while (done < lines) {
+        const std::uint64_t next = iterations.next_lines(lines - done);
+        const SentRays sent(scene, plan, iterations.power(), part_of(done), part_of(done + next));
+        if (!rays.cast(sent, first_item))
             break;
-        iterations.add(rays.take(), static_cast<double>(lines));
-        done += lines;
+        iterations.add(rays.take(), static_cast<double>(next));
+        done += next;
         cast += sent.count();
     }
     if (done > 0)
         state = iterations.finish();
-    return cast;
+    return rays_around + cast;
 }
 
 } // namespace multipath

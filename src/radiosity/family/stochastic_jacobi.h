@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parallel/run_control.h"
+#include "radiosity/family/importance.h"
 #include "radiosity/power_state.h"
 #include "sampling/sequence.h"
 
@@ -73,6 +74,8 @@ struct JacobiOptions
     std::uint64_t lines = 0;        ///< to be used
     bool bidirectional = true;
     std::uint64_t seed = 0;
+    const Importance* importance =
+        nullptr; ///< for which 2 to 16 rays from each patch are cast first; null: all is equal
 };
 
 /// The Neumann series: pass after pass the patches send what they hold unshot, and hold what they reflect of what they

@@ -15,6 +15,7 @@ namespace multipath {
 namespace {
 
 constexpr std::uint64_t lines_together = 1024;
+constexpr std::uint64_t fewest_directions = 16;
 
 /// Parallel lines through the smallest rectangle across their direction that hides the scene's box.
 class Bundle
@@ -172,11 +173,13 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
     });
     const std::uint64_t first_direction = options.first_item + rays;
     BlockBuffers<BundleBlock> blocks(run.threads);
-    const std::uint64_t all_directions = (options.lines - std::min(options.lines, rays)) / options.bundle;
-    const std::uint64_t directions_per_block = std::max<std::uint64_t>(1, lines_together / options.bundle);
+    const std::uint64_t lines_left = options.lines - std::min(options.lines, rays);
+    const std::uint64_t bundle = std::clamp<std::uint64_t>(lines_left / fewest_directions, 1, options.bundle);
+    const std::uint64_t all_directions = lines_left / bundle;
+    const std::uint64_t directions_per_block = std::max<std::uint64_t>(1, lines_together / bundle);
     while (done < all_directions) {
-        const std::uint64_t lines = iterations.next_lines((all_directions - done) * options.bundle);
-        const std::uint64_t directions = std::clamp<std::uint64_t>(lines / options.bundle, 1, all_directions - done);
+        const std::uint64_t lines = iterations.next_lines((all_directions - done) * bundle);
+        const std::uint64_t directions = std::clamp<std::uint64_t>(lines / bundle, 1, all_directions - done);
         std::vector<Rgb> radiosity = iterations.power();
         for (std::uint32_t i = 0; i < radiosity.size(); ++i)
             radiosity[i] = (1.0 / scene.area(i)) * radiosity[i];
@@ -185,23 +188,23 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
             BundleBlock& block = blocks[slot];
             block.items.resize(all.length(number));
             sequence.generate(first_direction + done + all.first(number), block.items);
-            block.trace(scene, options.bundle);
+            block.trace(scene, bundle);
         };
         const auto take = [&](std::uint64_t number, int slot) {
             carry(blocks[slot], radiosity, static_cast<double>(directions), transfer);
-            run.count_lines(options.bundle * all.length(number));
+            run.count_lines(bundle * all.length(number));
         };
         resumable_blocks(next_block, all.count(), run, trace, take);
         if (next_block < all.count())
             break;
-        iterations.add(transfer, static_cast<double>(directions * options.bundle));
+        iterations.add(transfer, static_cast<double>(directions * bundle));
         done += directions;
         next_block = 0;
         transfer = Transfer::none(scene);
     }
     if (done > 0)
         state = iterations.finish();
-    return rays + done * options.bundle;
+    return rays + done * bundle;
 }
 
 } // namespace multipath

@@ -12,8 +12,9 @@ struct TransilluminationOptions
 {
     std::uint64_t first_item = 0; ///< of the sequence; one item per ray, then one per direction
     std::uint64_t lines = 0;      ///< to be used; those that miss the scene's box are free (N1)
-    std::uint64_t bundle = 1;     ///< parallel lines of each direction
-    std::uint64_t seed = 0;       ///< of the rounding of rays
+    std::uint64_t bundle =
+        256;                ///< parallel lines of each direction; fewer where there would be less than 16 directions
+    std::uint64_t seed = 0; ///< of the rounding of rays
 };
 
 /// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines, ray bundles, Szirmay-Kalos and

@@ -1,0 +1,86 @@
+#include "radiosity/family/importance.h"
+
+#include "parallel/blocks.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace multipath {
+
+namespace {
+
+/// Receivers of some rays from each patch.
+class RaysAround
+{
+public:
+    RaysAround(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, std::uint32_t rays_per_patch,
+               int threads)
+        : rays_(rays_per_patch), receivers_(std::size_t{rays_per_patch} * scene.patch_count())
+    {
+        constexpr std::uint32_t patches_at_a_time = 64;
+        parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+            RayBlock block;
+            block.items.resize(std::size_t{rays_} * (end - first));
+            sequence.generate(first_item + std::uint64_t{rays_} * first, block.items);
+            for (std::uint32_t i = first; i < end; ++i)
+                block.patches.insert(block.patches.end(), rays_, i);
+            block.trace(scene);
+            std::copy(block.receivers.begin(), block.receivers.end(),
+                      receivers_.begin() + static_cast<std::ptrdiff_t>(std::size_t{rays_} * first));
+        });
+    }
+
+    /// Mean of value(receiver) over the rays from a patch; those that arrive nowhere count as 0.
+    template <class Value>
+    double mean_of(std::uint32_t patch, const Value& value) const
+    {
+        double sum = 0.0;
+        for (std::size_t k = std::size_t{rays_} * patch; k < std::size_t{rays_} * (patch + std::size_t{1}); ++k)
+            if (Segment::is_patch(receivers_[k]))
+                sum += value(receivers_[k]);
+        return sum / rays_;
+    }
+
+private:
+    std::uint32_t rays_;
+    std::vector<std::uint32_t> receivers_;
+};
+
+} // namespace
+
+// A little power that arrives at patch j by chance changes B_j by rho_j / A_j of it: the square counts V_j A_j times.
+// What j reflects arrives elsewhere. Its influence R_j on the wanted patches together solves the transposed system;
+// spread over their area, the square of rho_j R_j counts.
+std::vector<double> Importance::of_rays_from(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                             std::uint32_t rays_per_patch, int threads) const
+{
+    constexpr int reflections = 8; // with the exact values nothing else would change but a few rays
+    const RaysAround rays(scene, sequence, first_item, rays_per_patch, threads);
+    const std::uint32_t n = scene.patch_count();
+    std::vector<double> direct(n);
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        direct[i] = mean(scene.reflectance(i)) * std::sqrt(weight[i]);
+        area += weight[i] * scene.area(i);
+    }
+    std::vector<double> influence(n);
+    for (int k = 0; k < reflections; ++k) {
+        const std::vector<double> before = influence;
+        parallel_numbers(n, threads, [&](std::uint32_t i) {
+            influence[i] =
+                rays.mean_of(i, [&](std::uint32_t j) { return direct[j] + mean(scene.reflectance(j)) * before[j]; });
+        });
+    }
+    std::vector<double> result(n);
+    parallel_numbers(n, threads, [&](std::uint32_t i) {
+        result[i] = std::sqrt(rays.mean_of(i, [&](std::uint32_t j) {
+            const double reflected = mean(scene.reflectance(j)) * influence[j];
+            return direct[j] * direct[j] / scene.area(j) + reflected * reflected / area; // (I1)
+        }));
+    });
+    return result;
+}
+
+} // namespace multipath
