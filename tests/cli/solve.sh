@@ -252,6 +252,17 @@ check "a number of lines that does not suit Sobol's sequence is remarked on, onc
 too_short() { ends 2 solve "$scene" --patch-size 1 --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 3 && says err "ends after 500"; }
 check "a sequence that is too short is refused" too_short
 
+family_options() {
+    ends 0 solve "$scene" $quick -q --method transillumination --bundle 16 -o a.csv && ends 2 solve "$scene" --method transillumination --bundle 0 &&
+        ends 2 solve "$scene" $quick --bundle 16 && says err "no effect" &&
+        ends 0 solve 5cubes $quick --method jacobi --important floor --replicates 2 -o b.csv && says err "important " && says err "noise" &&
+        ends 0 solve 5cubes $quick -q --json --method jacobi --important view --eye 1.5,1,2.9 --target 1.5,1,0 --replicates 2 -o c.csv &&
+        says out '"important_relative_standard_error": 0' && ends 2 solve 5cubes $quick --method jacobi --important view && says err "expected --eye and --target" &&
+        ends 1 solve 5cubes $quick --method jacobi --important nothing && says err "no object or material is called 'nothing'" &&
+        ends 2 solve 5cubes $quick --important floor && says err "no effect"
+}
+check "the options of the family of methods are followed, and refused where they have no effect" family_options
+
 budget_options() {
     ends 0 solve "$scene" $quick -q --json --method extended --power-per-line 0.01 --threshold 0 -o a.csv && says out '"method": "extended"' &&
         ends 0 solve "$scene" $quick -q --method extended --steps 2 --ratio 1 -o b.csv && ends 0 solve "$scene" $quick -q --method local \

@@ -4,10 +4,14 @@
 #include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
 #include "scene/obj/obj_reader.h"
+#include "scene/scene_builder.h"
+#include "statistics.h"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -114,6 +118,76 @@ TEST_CASE("the methods take about as many lines as they are given, also few, and
                 CHECK(solution.balance.relative_error() < 1e-9);
             }
         }
+}
+
+namespace {
+
+/// Two closed rooms side by side, each with a lamp that covers its ceiling in part.
+Scene two_rooms()
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.6, 0.0);
+    const std::uint32_t lamp = builder.grey(0.0, 5.0);
+    for (const double x : {0.0, 2.0}) {
+        builder.room({x, 0, 0}, {x + 1, 1, 1}, wall);
+        builder.rectangle({x + 0.4, 0.99, 0.4}, {0.2, 0, 0}, {0, 0, 0.2}, lamp); // looks down
+    }
+    return builder.scene(0.1);
+}
+
+struct PartError
+{
+    double error; ///< mean square over the patches of the first room, mean of the runs
+    double bias;  ///< of their mean radiosity, in standard errors
+};
+
+PartError error_of_first_room(const Scene& scene, const std::vector<Rgb>& reference,
+                              const std::shared_ptr<const Importance>& importance)
+{
+    std::vector<double> areas(scene.patch_count());
+    double truth = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        areas[i] = scene.patch(i).shape.centre().x < 1.5 ? scene.area(i) : 0.0;
+        truth += areas[i] * reference[i].g;
+    }
+    SolveOptions options = settings_of(Method::jacobi);
+    options.sequence = "sobol-owen";
+    options.lines = 1u << 18;
+    options.threads = 2;
+    options.importance = importance;
+    double error = 0.0;
+    std::vector<double> powers;
+    constexpr int runs = 12;
+    for (options.seed = 1; options.seed <= runs; ++options.seed) {
+        const std::vector<Rgb> found = solve(scene, options, silent).radiosity;
+        error += measure_error(areas, found, reference).mean_square / runs;
+        double power = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            power += areas[i] * found[i].g;
+        powers.push_back(power);
+    }
+    const Estimate power = estimate(powers);
+    return {error, (power.mean - truth) / power.standard_error};
+}
+
+} // namespace
+
+// Without importance half of the rays serve the other room.
+TEST_CASE("rays for the sake of one room know it better, and say the same" * doctest::test_suite("statistics"))
+{
+    const Scene scene = two_rooms();
+    SolveOptions options = settings_of(Method::reuse);
+    options.lines = 1u << 21;
+    options.threads = 2;
+    const std::vector<Rgb> reference = solve(scene, options, silent).radiosity;
+    Importance first_room{std::vector<double>(scene.patch_count())};
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        first_room.weight[i] = scene.patch(i).shape.centre().x < 1.5 ? 1.0 : 0.0;
+    const PartError without = error_of_first_room(scene, reference, nullptr);
+    const PartError with = error_of_first_room(scene, reference, std::make_shared<const Importance>(first_room));
+    CHECK(with.error < 0.75 * without.error);
+    CHECK(std::abs(with.bias) < 4.5);
+    CHECK(std::abs(without.bias) < 4.5);
 }
 
 } // namespace family_test
