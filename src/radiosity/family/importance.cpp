@@ -4,6 +4,7 @@
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -36,10 +37,11 @@ public:
     template <class Value>
     double mean_of(std::uint32_t patch, const Value& value) const
     {
+        const std::uint32_t* const first = receivers_.data() + std::size_t{rays_} * patch;
         double sum = 0.0;
-        for (std::size_t k = std::size_t{rays_} * patch; k < std::size_t{rays_} * (patch + std::size_t{1}); ++k)
-            if (Segment::is_patch(receivers_[k]))
-                sum += value(receivers_[k]);
+        for (std::uint32_t k = 0; k < rays_; ++k)
+            if (Segment::is_patch(first[k]))
+                sum += value(first[k]);
         return sum / rays_;
     }
 

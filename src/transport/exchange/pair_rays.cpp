@@ -288,8 +288,7 @@ public:
     /// nothing. Forgets the rays.
     std::vector<double> visible_shares()
     {
-        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(),
-                                              hits_);
+        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
         std::vector<double> shares;
         for (const PairOfBlock& pair : pairs_)
             shares.push_back(visible_share(pair));
