@@ -110,7 +110,7 @@ std::string methods_text()
 {
     std::string text = "How the light of the scene is found, --method NAME:\n\n";
     for (const Method method : all_methods())
-        text += two_columns("  " + std::string(method->name), std::string(method->summary), 14, topic_width);
+        text += two_columns("  " + std::string(method->name), std::string(method->summary), 21, topic_width);
     return text + "\nWhat they cost is counted in lines, --lines: rays from patches and global lines\n"
                   "together. 'multipath study' measures the error of each against lines.\n";
 }

@@ -266,8 +266,11 @@ std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& sett
     std::vector<Check> local;
     double done = 0.0;
     for (const Method method : all_methods()) {
+        SelftestSettings of_method = settings;
+        if (method == Method::gathering) // as few walks meet a small lamp
+            of_method.lines *= 16;
         const std::vector<Solution> runs =
-            solved_runs(scene, preparation_for(scene, method), method, scene_sequence, settings);
+            solved_runs(scene, preparation_for(scene, method), method, scene_sequence, of_method);
         checks.push_back(balance_check("power", std::string(method->name), runs));
         checks.push_back(emitted_check(scene, std::string(method->name), runs));
         checks.push_back(reflected_check(scene, std::string(method->name), runs));

@@ -84,7 +84,7 @@ offers() {
 completes_words() {
     offers "solve study selftest" multipath s && offers "--version" multipath --v &&
         offers "--method --memory" multipath solve --me && offers "local" multipath solve --method l &&
-        offers "global" multipath solve -m g && offers "reuse" multipath solve --method = r &&
+        offers "global" multipath solve -m gl && offers "reuse" multipath solve --method = r &&
         offers "sphere box" multipath solve --chords = && offers "scenes" multipath help sc &&
         offers "" multipath solve --lines 1
 }

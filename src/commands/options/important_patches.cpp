@@ -62,6 +62,8 @@ std::vector<double> weight_of_named(const Scene& scene, const std::string& name)
 std::shared_ptr<const Importance> important_patches(const Scene& scene, const std::string& what,
                                                     const PictureOptions& pictures)
 {
+    if (what.empty())
+        throw UsageError("--important: expected the name of an object or a material, or view");
     Importance importance;
     importance.weight = what == "view" ? weight_of_views(scene, pictures) : weight_of_named(scene, what);
     double largest = 0.0;
