@@ -32,8 +32,9 @@ CommandTable explain_table()
             "Number of the first line told, counted from 1 in its stage. Those before it are followed too."},
            {"stage", 0, "STAGE", "",
             "Which lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended first shot, "
-            "counted from 1; global, lines through the scene; local, particles. Without it, local for --method local "
-            "and global for the others."},
+            "counted from 1; global, lines through the scene; bundle, parallel lines of one direction; local, "
+            "particles. "
+            "Without it, the last stage of the method."},
            {"output", 'o', "FILE", "",
             "Also draw the lines in the scene, from above and from the side; the extension is .svg. '-' writes the "
             "drawing to standard output instead of the text.",
@@ -47,7 +48,7 @@ CommandTable explain_table()
         "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
 }
 
-enum class StageKind { shot, global, local };
+enum class StageKind { shot, global, bundle, local };
 
 struct NamedStage
 {
@@ -56,9 +57,10 @@ struct NamedStage
 };
 
 constexpr std::string_view later_pass = "extended:PASS";
-constexpr std::array<NamedStage, 4> known_stages = {{{"first-shot", StageKind::shot},
+constexpr std::array<NamedStage, 5> known_stages = {{{"first-shot", StageKind::shot},
                                                      {later_pass, StageKind::shot},
                                                      {"global", StageKind::global},
+                                                     {"bundle", StageKind::bundle},
                                                      {"local", StageKind::local}}};
 
 /// Which stage of the run is told.
@@ -100,7 +102,8 @@ Stage read_stage(const CommandLine& line)
     const auto* const stage =
         std::find_if(known_stages.begin(), known_stages.end(), [&](const NamedStage& s) { return s.name == name; });
     if (stage == known_stages.end())
-        throw UsageError("--stage: expected first-shot, extended:PASS, global or local, got " + quoted_argument(text));
+        throw UsageError("--stage: expected first-shot, extended:PASS, global, bundle or local, got " +
+                         quoted_argument(text));
     if (!has_stage(method, name))
         throw UsageError("--stage: --method " + line.text("method") + " has no stage " + text + "; expected " +
                          expected_stages(method, name));
@@ -127,7 +130,11 @@ Telling tell(const ToldRun& run, const Stage& stage, const ToldRange& range)
 {
     if (stage.kind == StageKind::global) {
         const GlobalStory story = tell_global_pass(run.scene, run.options, range);
-        return {story_text(run, story), "Lines of the global pass", drawn_lines(story)};
+        return {story_text(run, story), "Lines of the global pass", drawn_lines(story.lines)};
+    }
+    if (stage.kind == StageKind::bundle) {
+        const BundleStory story = tell_bundle(run.scene, run.options, range);
+        return {story_text(run, story), "Lines of one direction of transillumination", drawn_lines(story.lines)};
     }
     if (stage.kind == StageKind::local) {
         const ParticleStory story = tell_particles(run.scene, run.options, range);

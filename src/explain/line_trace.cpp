@@ -1,5 +1,7 @@
 #include "explain/line_trace.h"
 
+#include "radiosity/family/stochastic_jacobi.h"
+#include "radiosity/family/transillumination.h"
 #include "radiosity/first_stage.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/multipath.h"
@@ -56,17 +58,32 @@ std::vector<std::size_t> meetings_before(const std::vector<Meeting>& meetings)
     return before;
 }
 
+/// A line with its hits in order; follow(segment) tells what happens along each segment.
+template <class Follow>
 GlobalLine tell(const Scene& scene, const LineOrigin& origin, const Line& line, const std::vector<Hit>& hits,
-                const std::vector<Segment>& segments, bool bidirectional, PowerWalk& walk)
+                const std::vector<Segment>& segments, const Follow& follow)
 {
     GlobalLine told{origin, line.origin, line.at(1.0), {}, {}};
     for (const Hit& hit : hits)
         told.meetings.push_back(meeting_at(scene, line, hit));
     const std::vector<std::size_t> before = meetings_before(told.meetings);
     for (std::size_t k = 0; k < segments.size(); ++k) {
-        told.stretches.push_back(follow_told(segments[k], bidirectional, walk));
+        told.stretches.push_back(follow(segments[k]));
         told.stretches.back().after = before.at(k);
     }
+    return told;
+}
+
+/// The same for a line whose hits are to be found; its end is a little behind the scene.
+template <class Follow>
+GlobalLine tell(const Scene& scene, const LineOrigin& origin, const Line& line, const Follow& follow)
+{
+    std::vector<Hit> hits;
+    scene.intersector().all_hits(line, hits);
+    std::vector<Segment> segments;
+    append_segments(scene, {hits}, segments);
+    GlobalLine told = tell(scene, origin, line, hits, segments, follow);
+    told.to = line.origin + (2.0 * dot(scene.bounds().centre() - line.origin, line.direction)) * line.direction;
     return told;
 }
 
@@ -112,11 +129,57 @@ GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, co
         segments.clear();
         append_segments(scene, hits, segments);
         if (range.includes(n))
-            story.lines.push_back(tell(scene, origin, line, hits, segments, options.bidirectional, walk));
+            story.lines.push_back(tell(scene, origin, line, hits, segments, [&](const Segment& segment) {
+                return follow_told(segment, options.bidirectional, walk);
+            }));
         else
             for (const Segment& segment : segments)
                 walk.follow(segment);
     }
+    return story;
+}
+
+BundleStory tell_bundle(const Scene& scene, const SolveOptions& options, const ToldRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    PowerState state(scene);
+    const GlobalStory before = begin(scene, *sequence, lines, options, state);
+    const ItemPlan items = plan_items(*sequence, options.skip, 0, before.lines_cast);
+    const TransilluminationOptions bundles{items.first_shot + before.local_lines, before.lines_charged, options.bundle,
+                                           options.seed};
+    const PowerState start = state;
+    BundleStory story;
+    story.shot_lines = before.local_lines;
+    story.rays = estimate_by_rays(scene, *sequence, bundles, {options.threads}, state);
+    const JacobiIterations iterations(scene, start, state, static_cast<double>(story.rays));
+    const BundlePlan plan = plan_bundles(bundles, story.rays);
+    if (plan.directions == 0)
+        throw SettingsError("this run has too few lines for a direction");
+    story.lines_to_meet = plan.bundle;
+    story.directions = std::clamp<std::uint64_t>(iterations.next_lines(plan.directions * plan.bundle) / plan.bundle, 1,
+                                                 plan.directions);
+    const std::uint64_t item = bundles.first_item + story.rays;
+    const Item numbers = sequence->item(item);
+    const Bundle bundle(scene.bounds(), numbers, plan.bundle);
+    story.lines_cast = bundle.count();
+    story.direction = bundle.direction();
+    story.section = bundle.section();
+    require_in_stage(range, bundle.count(), "lines along the first direction");
+    const std::vector<Rgb> power = iterations.power();
+    const auto sent = [&](std::uint32_t from, std::uint32_t to) {
+        const Rgb radiosity = (1.0 / scene.area(from)) * power[from];
+        return Transfer{from, to, power_along_line(radiosity, story.section, story.directions), {}};
+    };
+    for (std::uint64_t n = range.first; n < range.first + range.count; ++n)
+        story.lines.push_back(tell(scene, {n, item, numbers}, bundle.line(n), [&](const Segment& segment) {
+            Stretch stretch{0, segment, {}, {}, {}};
+            if (Segment::is_patch(segment.from))
+                stretch.transfers.push_back(sent(segment.from, segment.to));
+            if (Segment::is_patch(segment.to))
+                stretch.transfers.push_back(sent(segment.to, segment.from));
+            return stretch;
+        }));
     return story;
 }
 

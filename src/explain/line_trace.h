@@ -94,6 +94,23 @@ struct GlobalStory
 /// for lines that the pass does not have, and what solve throws.
 GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, const ToldRange& range);
 
+/// Some lines of the first direction of transillumination, with what the run does before.
+struct BundleStory
+{
+    std::uint64_t shot_lines = 0;    ///< rays of the first shot
+    std::uint64_t rays = 0;          ///< of the first estimate
+    std::uint64_t directions = 0;    ///< of the first iteration
+    std::uint64_t lines_to_meet = 0; ///< per direction, that meet the scene's box (N1)
+    std::uint64_t lines_cast = 0;    ///< along this direction
+    Vec3 direction;                  ///< unit vector
+    double section = 0.0;            ///< [m^2] for which each line stands
+    std::vector<GlobalLine> lines;   ///< whose transfers are forecasts: nothing is held
+};
+
+/// Tells lines of the first direction of the first iteration (P1). Throws SettingsError for lines that it does not
+/// have, and what solve throws.
+BundleStory tell_bundle(const Scene& scene, const SolveOptions& options, const ToldRange& range);
+
 /// A ray of the (extended) first shot (S1).
 struct ShotRay
 {

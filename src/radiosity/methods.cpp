@@ -259,7 +259,7 @@ constexpr MethodInfo table[] = {
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",
      "ratio power-per-line threshold bundle", Chords::sphere, Shards::averaged, any_lines, no_lines,
-     stages_of_transillumination, prepare_ratio, plain_shot, "", "first-shot"},
+     stages_of_transillumination, prepare_ratio, plain_shot, "first-shot bundle"},
     {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", Chords::sphere,
      Shards::averaged, any_lines, no_lines, stages_of_gathering, nullptr, nullptr, "", "local"}};
 

@@ -120,6 +120,23 @@ TEST_CASE("the methods take about as many lines as they are given, also few, and
         }
 }
 
+TEST_CASE("a flat scene, whose box has no volume, is solved")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 2.0)); // looks up
+    builder.rectangle({2, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 0.0));
+    const Scene flat = builder.scene(0.25);
+    for (const Method method : {Method::jacobi, Method::transillumination, Method::gathering}) {
+        CAPTURE(method->name);
+        SolveOptions options = settings_of(method);
+        options.lines = 20000;
+        const Solution solution = solve(flat, options, silent);
+        CHECK(solution.radiosity.front().g == 2.0);
+        CHECK(solution.radiosity.back().g == 0.0);
+        CHECK(solution.balance.escaped.g == doctest::Approx(2.0));
+    }
+}
+
 namespace {
 
 /// Two closed rooms side by side, each with a lamp that covers its ceiling in part.

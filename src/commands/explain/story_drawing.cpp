@@ -17,10 +17,10 @@ Vec3 end_of(const Scene& scene, const Line& ray, const std::optional<Meeting>& m
 
 } // namespace
 
-std::vector<DrawnLine> drawn_lines(const GlobalStory& story)
+std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines)
 {
     std::vector<DrawnLine> drawn;
-    for (const GlobalLine& line : story.lines) {
+    for (const GlobalLine& line : lines) {
         DrawnLine shape{label("line", line.origin), {}, {}};
         Vec3 from = line.from;
         for (const Meeting& meeting : line.meetings) {

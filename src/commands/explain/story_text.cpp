@@ -206,6 +206,22 @@ std::string line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t 
     return text;
 }
 
+std::string parallel_line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t of)
+{
+    std::string text =
+        title("line", line.origin, of) + "  from " + point_text(line.from) + " to " + point_text(line.to) + "\n";
+    if (line.meetings.empty())
+        return text + "  meets nothing\n";
+    text += meetings_table(run.scene, line.meetings);
+    for (const Stretch& stretch : line.stretches)
+        for (const Transfer& transfer : stretch.transfers)
+            text += wrapped(patch_name(run.scene, transfer.from) + " sends " + watts(transfer.sent()) +
+                                (Segment::is_patch(transfer.to) ? " to " + patch_name(run.scene, transfer.to)
+                                                                : ", " + loss(transfer.to)),
+                            2, 4);
+    return text;
+}
+
 std::string ray_text(const Scene& scene, const ShotRay& ray, std::uint64_t of)
 {
     std::string text = title("ray", ray.origin, of) +
@@ -274,6 +290,29 @@ std::string story_text(const ToldRun& run, const GlobalStory& story)
     std::string text = heading(run, "Global pass") + global_context(run, story);
     for (const GlobalLine& line : story.lines)
         text += line_text(run, line, story.lines_cast);
+    return text;
+}
+
+std::string story_text(const ToldRun& run, const BundleStory& story)
+{
+    std::string text = heading(run, "First direction");
+    text +=
+        wrapped("Before it the first shot took " + counted(story.shot_lines, "ray", "rays") +
+                    ". What patches reflected of them is unshot, and " + counted(story.rays, "ray", "rays") +
+                    " from patch to patch gave a first estimate of all light that it brings. The iterations make it "
+                    "better: in the first one " +
+                    counted(story.lines_to_meet, "parallel line meets", "parallel lines meet") +
+                    " the scene's box along each of " + counted(story.directions, "direction", "directions") + ".",
+                0, 0) +
+        wrapped("This direction is " + point_text(story.direction) +
+                    ". Through the smallest rectangle that hides the box " +
+                    counted(story.lines_cast, "line is", "lines are") + " cast; each stands for" +
+                    format(" %.4g%cm^2 of it. ", story.section, tied) +
+                    "Along a line that joins two patches, each sends the other its radiosity times twice that, over "
+                    "the number of directions (P1).",
+                0, 0);
+    for (const GlobalLine& line : story.lines)
+        text += parallel_line_text(run, line, story.lines_cast);
     return text;
 }
 

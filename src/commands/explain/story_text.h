@@ -32,6 +32,7 @@ struct ToldRun
 
 /// The stories in plain text for readers without the paper, at most 110 columns wide.
 std::string story_text(const ToldRun& run, const GlobalStory& story);
+std::string story_text(const ToldRun& run, const BundleStory& story);
 std::string story_text(const ToldRun& run, const ShotStory& story);
 std::string story_text(const ToldRun& run, const ParticleStory& story);
 

@@ -23,13 +23,13 @@ std::uint32_t receiver(std::uint32_t where)
     return Segment::is_patch(where) ? where : Scene::no_patch;
 }
 
-std::vector<ViewerLine> told(const GlobalStory& story)
+std::vector<ViewerLine> told(const std::vector<GlobalLine>& global_lines)
 {
-    const std::vector<DrawnLine> drawn = drawn_lines(story);
+    const std::vector<DrawnLine> drawn = drawn_lines(global_lines);
     std::vector<ViewerLine> lines;
-    for (std::size_t n = 0; n < story.lines.size(); ++n) {
+    for (std::size_t n = 0; n < global_lines.size(); ++n) {
         ViewerLine line{drawn[n], {}};
-        for (const Stretch& stretch : story.lines[n].stretches)
+        for (const Stretch& stretch : global_lines[n].stretches)
             for (const Transfer& transfer : stretch.transfers)
                 line.transfers.push_back({stretch.after, transfer.from, receiver(transfer.to), transfer.forecast,
                                           transfer.held, transfer.sent()});
@@ -87,7 +87,19 @@ ViewerChapter global_lines(const ToldRun& run, const ToldRange& range)
             "sends its forecast, a share of what was unshot, and all that it has received and reflected since. The "
             "first " +
                 grouped(story.lines.size()) + " of " + grouped(story.lines_cast) + " lines" + before + ".",
-            told(story)};
+            told(story.lines)};
+}
+
+ViewerChapter bundle(const ToldRun& run, const ToldRange& range)
+{
+    const BundleStory story = tell_bundle(run.scene, run.options, range);
+    return {
+        "Parallel lines",
+        "Lines in parallel cross the whole scene. Where one leaves a patch and meets another, the two exchange power, "
+        "each by its radiosity as the last iteration found it. The first " +
+            grouped(story.lines.size()) + " of " + grouped(story.lines_cast) + " lines along the first of " +
+            grouped(story.directions) + " directions.",
+        told(story.lines)};
 }
 
 ViewerChapter particles(const ToldRun& run, const ToldRange& range)
@@ -106,8 +118,8 @@ struct ChapterKind
     ViewerChapter (*tell)(const ToldRun&, const ToldRange&);
 };
 
-constexpr std::array<ChapterKind, 3> chapter_kinds = {
-    {{"first-shot", shots}, {"global", global_lines}, {"local", particles}}};
+constexpr std::array<ChapterKind, 4> chapter_kinds = {
+    {{"first-shot", shots}, {"global", global_lines}, {"bundle", bundle}, {"local", particles}}};
 
 /// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
 void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const ToldRange&)>& tell)

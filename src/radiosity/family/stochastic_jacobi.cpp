@@ -12,7 +12,7 @@
 
 namespace multipath {
 
-void Transfer::visit(Archive& archive)
+void TransportEstimate::visit(Archive& archive)
 {
     archive.list<double>("received", incident);
     archive.value<double>("sent", sent);
@@ -47,7 +47,7 @@ std::uint64_t JacobiIterations::next_lines(std::uint64_t left) const
     return left < 2 * as_before ? left : as_before;
 }
 
-void JacobiIterations::add(const Transfer& transfer, double lines)
+void JacobiIterations::add(const TransportEstimate& transfer, double lines)
 {
     const double share = lines / (lines_ + lines);
     const auto take = [share](Rgb& mean, Rgb value) { mean = (1.0 - share) * mean + share * value; };
@@ -229,7 +229,7 @@ private:
 /// Adds what the rays of a block carry. A line between i and j that leaves i is one of n_i / A_i per area; in both
 /// directions it might as well have left j, and all lines between the two together must carry what they exchange: each
 /// carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic of Veach.
-void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, Transfer& transfer)
+void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, TransportEstimate& transfer)
 {
     Rgb sent; // of the block: small sums keep the rounding errors of the balance small
     for (std::size_t k = 0; k < block.receivers.size(); ++k) {
@@ -265,7 +265,7 @@ public:
           bidirectional_(bidirectional),
           run_(run),
           buffers_(run.threads),
-          transfer_(Transfer::none(scene))
+          transfer_(TransportEstimate::none(scene))
     {
     }
 
@@ -293,10 +293,10 @@ public:
     }
 
     /// What all rays have carried since the last call.
-    Transfer take()
+    TransportEstimate take()
     {
         next_block_ = 0;
-        return std::exchange(transfer_, Transfer::none(scene_));
+        return std::exchange(transfer_, TransportEstimate::none(scene_));
     }
 
 private:
@@ -311,7 +311,7 @@ private:
     bool bidirectional_;
     const RunControl& run_;
     BlockBuffers<Buffer> buffers_;
-    Transfer transfer_;
+    TransportEstimate transfer_;
     std::uint64_t next_block_ = 0;
 };
 
@@ -324,7 +324,7 @@ Rgb sum_of(const std::vector<Rgb>& powers)
 }
 
 /// Takes what the patches received of their unshot power: they have sent it, and hold what they reflect.
-void take_transfer(const Scene& scene, const Transfer& transfer, PowerState& state)
+void take_transfer(const Scene& scene, const TransportEstimate& transfer, PowerState& state)
 {
     state.surplus += transfer.sent - sum_of(state.unshot);
     state.escaped += transfer.escaped;

@@ -15,14 +15,14 @@
 namespace multipath {
 
 /// What the patches receive when each sends a given power once: T P, or an estimate of it. All in W.
-struct Transfer
+struct TransportEstimate
 {
     std::vector<Rgb> incident; ///< per patch
     Rgb sent;
     Rgb escaped;
     Rgb behind; ///< met a surface on a side that has no patch
 
-    static Transfer none(const Scene& scene) { return {std::vector<Rgb>(scene.patch_count()), {}, {}, {}}; }
+    static TransportEstimate none(const Scene& scene) { return {std::vector<Rgb>(scene.patch_count()), {}, {}, {}}; }
 
     void visit(Archive& archive); ///< for a checkpoint
 };
@@ -43,7 +43,7 @@ public:
     std::uint64_t next_lines(std::uint64_t left) const;
 
     /// Adds an iteration: what the patches receive of power().
-    void add(const Transfer& transfer, double lines);
+    void add(const TransportEstimate& transfer, double lines);
 
     /// The start with all that its unshot power brings, by the mean. The balance closes by PowerState::surplus: what
     /// the patches sent on the average beyond what they would send next, zero in expectation.
@@ -54,7 +54,7 @@ public:
 private:
     const Scene& scene_;
     const PowerState& start_;
-    Transfer mean_;
+    TransportEstimate mean_;
     double lines_;
 };
 

@@ -14,64 +14,62 @@ namespace multipath {
 
 namespace {
 
+double wrapped(double x)
+{
+    return x - std::floor(x);
+}
+
+/// Unit vector across the direction, along the longest edge of a box of this size as it is seen: the rectangle around
+/// what is seen is then about as small as can be.
+Vec3 axis_across(Vec3 direction, Vec3 size)
+{
+    Vec3 longest;
+    for (const Vec3 axis : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
+        const Vec3 edge = dot(axis, size) * axis;
+        const Vec3 seen = edge - dot(edge, direction) * direction;
+        if (dot(seen, seen) > dot(longest, longest))
+            longest = seen;
+    }
+    return normalized(longest);
+}
+
+} // namespace
+
+Bundle::Bundle(const Bounds& box, const Item& item, std::uint64_t lines)
+    : direction_(square_to_uniform_sphere(item[0], item[1])), shift_u_(item[2]), shift_v_(item[3])
+{
+    const Vec3 half = 0.5 * box.size();
+    along_u_ = axis_across(direction_, half);
+    along_v_ = cross(direction_, along_u_);
+    const auto reach = [&](Vec3 axis) {
+        return std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+    };
+    half_u_ = reach(along_u_);
+    half_v_ = reach(along_v_);
+    centre_ = box.centre() - 1.1 * reach(direction_) * direction_;
+    const Vec3 d = direction_;
+    const double shadow =
+        4.0 * (std::abs(d.x) * half.y * half.z + std::abs(d.y) * half.z * half.x + std::abs(d.z) * half.x * half.y);
+    const double rectangle = 4.0 * half_u_ * half_v_;
+    constexpr double most_missing = 8.0; // lines for one that meets a flat box seen edgeways
+    const double ratio = shadow > 0.0 ? std::min(most_missing, rectangle / shadow) : most_missing;
+    count_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * ratio)));
+    section_ = rectangle / static_cast<double>(count_);
+}
+
+Line Bundle::line(std::uint64_t k) const
+{
+    constexpr double golden = 0.61803398874989485;
+    const auto number = static_cast<double>(k);
+    const double u = wrapped((number + 0.5) / static_cast<double>(count_) + shift_u_);
+    const double v = wrapped(number * golden + shift_v_);
+    return {centre_ + (2.0 * u - 1.0) * half_u_ * along_u_ + (2.0 * v - 1.0) * half_v_ * along_v_, direction_};
+}
+
+namespace {
+
 constexpr std::uint64_t lines_together = 1024;
 constexpr std::uint64_t fewest_directions = 16;
-
-/// Parallel lines through the smallest rectangle across their direction that hides the scene's box.
-class Bundle
-{
-public:
-    /// item[0], item[1]: direction, uniform on the sphere; item[2], item[3]: shift of the lattice. So many lines that
-    /// `lines` of them meet the box in expectation over the shift.
-    Bundle(const Bounds& box, const Item& item, std::uint64_t lines)
-        : direction_(square_to_uniform_sphere(item[0], item[1])), shift_u_(item[2]), shift_v_(item[3])
-    {
-        const Vec3 aside = std::abs(direction_.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-        along_u_ = normalized(cross(direction_, aside));
-        along_v_ = cross(direction_, along_u_);
-        const Vec3 half = 0.5 * box.size();
-        const auto reach = [&](Vec3 axis) {
-            return std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
-        };
-        half_u_ = reach(along_u_);
-        half_v_ = reach(along_v_);
-        centre_ = box.centre() - 1.1 * reach(direction_) * direction_;
-        const Vec3 d = direction_;
-        const double shadow =
-            4.0 * (std::abs(d.x) * half.y * half.z + std::abs(d.y) * half.z * half.x + std::abs(d.z) * half.x * half.y);
-        const double rectangle = 4.0 * half_u_ * half_v_;
-        count_ = std::max<std::uint64_t>(
-            1, static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * rectangle / shadow)));
-        section_ = rectangle / static_cast<double>(count_);
-    }
-
-    std::uint64_t count() const { return count_; }
-    double section() const { return section_; } ///< [m^2] for which a line stands
-
-    /// Of a lattice: (k / n, k times the golden section), shifted.
-    Line line(std::uint64_t k) const
-    {
-        constexpr double golden = 0.61803398874989485;
-        const auto number = static_cast<double>(k);
-        const double u = wrapped((number + 0.5) / static_cast<double>(count_) + shift_u_);
-        const double v = wrapped(number * golden + shift_v_);
-        return {centre_ + (2.0 * u - 1.0) * half_u_ * along_u_ + (2.0 * v - 1.0) * half_v_ * along_v_, direction_};
-    }
-
-private:
-    static double wrapped(double x) { return x - std::floor(x); }
-
-    Vec3 direction_;
-    Vec3 along_u_;
-    Vec3 along_v_;
-    Vec3 centre_; ///< of the rectangle, before the scene
-    double half_u_ = 0.0;
-    double half_v_ = 0.0;
-    double shift_u_;
-    double shift_v_;
-    std::uint64_t count_ = 0;
-    double section_ = 0.0;
-};
 
 /// What the lines of some successive directions join.
 struct BundleBlock
@@ -113,18 +111,17 @@ private:
     HitLists hits_;
 };
 
-/// Adds what the lines of a block carry. A direction and its opposite are one in 2 pi / D of the directions, and a line
-/// stands for its section: from i to j it carries B_i / pi * section * 2 pi / D (P1).
-void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, double directions, Transfer& transfer)
+/// Adds what the lines of a block carry.
+void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, std::uint64_t directions,
+           TransportEstimate& transfer)
 {
     Rgb sent; // of the block: small sums keep the rounding errors of the balance small
     std::size_t k = 0;
     for (const BundleBlock::Direction& direction : block.directions) {
-        const double area = 2.0 * direction.section / directions;
         const auto send = [&](std::uint32_t from, std::uint32_t to) {
             if (!Segment::is_patch(from))
                 return;
-            const Rgb power = area * radiosity[from];
+            const Rgb power = power_along_line(radiosity[from], direction.section, directions);
             sent += power;
             if (to == Segment::behind)
                 transfer.behind += power;
@@ -143,6 +140,26 @@ void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, double d
 
 } // namespace
 
+std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
+                               const RunControl& run, PowerState& state)
+{
+    const SeriesOptions series{options.first_item, std::max<std::uint64_t>(1, options.lines / 8),
+                               std::max<std::uint64_t>(1, options.lines / 2), true, options.seed};
+    return send_series(scene, sequence, series, run, state); // (J1) (J2)
+}
+
+BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays)
+{
+    const std::uint64_t lines = options.lines - std::min(options.lines, rays);
+    const std::uint64_t bundle = std::clamp<std::uint64_t>(lines / fewest_directions, 1, options.bundle);
+    return {bundle, lines / bundle};
+}
+
+Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions)
+{
+    return (2.0 * section / static_cast<double>(directions)) * radiosity;
+}
+
 std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
                                  const RunControl& run, PowerState& state)
 {
@@ -154,14 +171,12 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
         start.visit(archive);
     });
     if (rays == 0) {
-        const SeriesOptions series{options.first_item, std::max<std::uint64_t>(1, options.lines / 8),
-                                   std::max<std::uint64_t>(1, options.lines / 2), true, options.seed};
-        rays = send_series(scene, sequence, series, run, state); // (J1) (J2)
+        rays = estimate_by_rays(scene, sequence, options, run, state);
         if (run.stopped() || rays == 0)
             return rays;
     }
     JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
-    Transfer transfer = Transfer::none(scene);
+    TransportEstimate transfer = TransportEstimate::none(scene);
     std::uint64_t done = 0; // directions of whole iterations
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
@@ -173,9 +188,7 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
     });
     const std::uint64_t first_direction = options.first_item + rays;
     BlockBuffers<BundleBlock> blocks(run.threads);
-    const std::uint64_t lines_left = options.lines - std::min(options.lines, rays);
-    const std::uint64_t bundle = std::clamp<std::uint64_t>(lines_left / fewest_directions, 1, options.bundle);
-    const std::uint64_t all_directions = lines_left / bundle;
+    const auto [bundle, all_directions] = plan_bundles(options, rays);
     const std::uint64_t directions_per_block = std::max<std::uint64_t>(1, lines_together / bundle);
     while (done < all_directions) {
         const std::uint64_t lines = iterations.next_lines((all_directions - done) * bundle);
@@ -191,7 +204,7 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
             block.trace(scene, bundle);
         };
         const auto take = [&](std::uint64_t number, int slot) {
-            carry(blocks[slot], radiosity, static_cast<double>(directions), transfer);
+            carry(blocks[slot], radiosity, directions, transfer);
             run.count_lines(bundle * all.length(number));
         };
         resumable_blocks(next_block, all.count(), run, trace, take);
@@ -200,7 +213,7 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
         iterations.add(transfer, static_cast<double>(directions * bundle));
         done += directions;
         next_block = 0;
-        transfer = Transfer::none(scene);
+        transfer = TransportEstimate::none(scene);
     }
     if (done > 0)
         state = iterations.finish();
