@@ -133,7 +133,7 @@ TEST_CASE("a flat scene, whose box has no volume, is solved")
         const Solution solution = solve(flat, options, silent);
         CHECK(solution.radiosity.front().g == 2.0);
         CHECK(solution.radiosity.back().g == 0.0);
-        CHECK(solution.balance.escaped.g == doctest::Approx(2.0));
+        CHECK(solution.balance.escaped.g == doctest::Approx(2.0).epsilon(0.05)); // of bundles: an estimate
     }
 }
 

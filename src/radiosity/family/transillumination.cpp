@@ -188,7 +188,9 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
     });
     const std::uint64_t first_direction = options.first_item + rays;
     BlockBuffers<BundleBlock> blocks(run.threads);
-    const auto [bundle, all_directions] = plan_bundles(options, rays);
+    const BundlePlan plan = plan_bundles(options, rays);
+    const std::uint64_t bundle = plan.bundle;
+    const std::uint64_t all_directions = plan.directions;
     const std::uint64_t directions_per_block = std::max<std::uint64_t>(1, lines_together / bundle);
     while (done < all_directions) {
         const std::uint64_t lines = iterations.next_lines((all_directions - done) * bundle);
