@@ -32,6 +32,7 @@ SolveOptions options_of_run(Method method, const std::string& sequence, const Se
     options.method = method;
     options.sequence = sequence;
     options.lines = settings.lines;
+    options.bundle = 16; // few patches know little of few directions, however many lines these have
     options.threads = settings.threads;
     return independent_run(options, RandomStream::runs, settings.seed, static_cast<std::uint64_t>(number),
                            most_items_per_line * settings.lines);
@@ -100,13 +101,16 @@ std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method m
     const Scene scene(known.file, whole_surfaces);
     const Preparation preparation = preparation_for(scene, method);
     const double most_power = mean(scene.source_power());
+    SelftestSettings of_method = settings;
+    if (method == Method::gathering)
+        of_method.lines *= 4;
     std::vector<Check> checks;
     std::vector<Solution> all;
     for (const SequenceKind& kind : sequence_kinds()) {
         if (!kind.in_selftest)
             continue;
         const std::string sequence(kind.name);
-        const std::vector<Solution> runs = solved_runs(scene, preparation, method, sequence, settings);
+        const std::vector<Solution> runs = solved_runs(scene, preparation, method, sequence, of_method);
         const double unshot = mean_unshot(runs, method);
         for (const KnownAnswer& answer : known.answers) {
             Check check = {known.name, std::string(method->name), sequence, answer.quantity, answer.value};

@@ -1,6 +1,7 @@
 #include "radiosity/family/gathering_walk.h"
 
 #include "parallel/blocks.h"
+#include "radiosity/family/stochastic_jacobi.h"
 #include "sampling/systematic_rounding.h"
 #include "transport/lines/line_segments.h"
 
@@ -64,20 +65,22 @@ struct Gathered
     std::vector<double> behind;  ///< [1] and that meet a side without a patch
 };
 
-/// The light that the patches gathered as the state. What they send is not what others gathered, but for expectations:
-/// the difference is the surplus.
+/// The light that the patches gathered as the state.
 void take_gathered(const Scene& scene, const Gathered& gathered, PowerState& state)
 {
+    Rgb absorbed;
+    Rgb escaped;
+    Rgb behind;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double area = scene.area(i);
         state.incident[i] += area * gathered.irradiance[i];
         state.unshot[i] = {};
+        absorbed += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
         const Rgb sent = area * scene.emittance(i) + scene.reflectance(i) * state.incident[i];
-        state.escaped += gathered.outside[i] * sent;
-        state.behind += gathered.behind[i] * sent;
-        state.surplus += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
+        escaped += gathered.outside[i] * sent;
+        behind += gathered.behind[i] * sent;
     }
-    state.surplus += state.escaped + state.behind - state.emitted;
+    settle_losses(state.emitted, absorbed, escaped, behind, state);
 }
 
 } // namespace

@@ -26,11 +26,8 @@ JacobiIterations::JacobiIterations(const Scene& scene, const PowerState& start, 
       mean_{first.incident, {}, first.escaped - start.escaped, first.behind - start.behind},
       lines_(lines)
 {
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         mean_.incident[i] = mean_.incident[i] - start.incident[i];
-        mean_.sent += mean_.incident[i];
-    }
-    mean_.sent += mean_.escaped + mean_.behind;
 }
 
 std::vector<Rgb> JacobiIterations::power() const
@@ -59,18 +56,30 @@ void JacobiIterations::add(const TransportEstimate& transfer, double lines)
     lines_ += lines;
 }
 
+void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state)
+{
+    const Rgb found = absorbed + escaped + behind;
+    const auto share = [](double source, double sum) { return sum > 0.0 ? source / sum : 0.0; };
+    const auto rest = [](double source, double sum) { return sum > 0.0 ? 0.0 : source; };
+    const Rgb factor = {share(sources.r, found.r), share(sources.g, found.g), share(sources.b, found.b)};
+    state.surplus += absorbed - factor * absorbed;
+    state.escaped += factor * escaped;
+    state.behind += factor * behind;
+    state.unshot.front() += {rest(sources.r, found.r), rest(sources.g, found.g), rest(sources.b, found.b)};
+}
+
 PowerState JacobiIterations::finish() const
 {
     PowerState state = start_;
-    state.surplus += mean_.sent;
-    const std::vector<Rgb> next = power();
-    for (std::uint32_t i = 0; i < next.size(); ++i) {
+    Rgb sources;
+    Rgb absorbed;
+    for (std::uint32_t i = 0; i < scene_.patch_count(); ++i) {
+        sources += start_.unshot[i];
+        absorbed += (Rgb{1.0, 1.0, 1.0} - scene_.reflectance(i)) * mean_.incident[i];
         state.incident[i] += mean_.incident[i];
         state.unshot[i] = {};
-        state.surplus = state.surplus - next[i];
     }
-    state.escaped += mean_.escaped;
-    state.behind += mean_.behind;
+    settle_losses(sources, absorbed, mean_.escaped, mean_.behind, state);
     return state;
 }
 

@@ -27,6 +27,11 @@ struct TransportEstimate
     void visit(Archive& archive); ///< for a checkpoint
 };
 
+/// Adds what became of the power of sources, as an estimate has found it [W]: absorbed, which the incident power of the
+/// state holds already, and lost. The three parts come from different lines, and do not add up: all are taken in
+/// proportion, the absorbed one by PowerState::surplus.
+void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state);
+
 /// The mean of several iterations.
 class JacobiIterations
 {
@@ -45,8 +50,7 @@ public:
     /// Adds an iteration: what the patches receive of power().
     void add(const TransportEstimate& transfer, double lines);
 
-    /// The start with all that its unshot power brings, by the mean. The balance closes by PowerState::surplus: what
-    /// the patches sent on the average beyond what they would send next, zero in expectation.
+    /// The start with all that its unshot power brings, by the mean (settle_losses).
     PowerState finish() const;
 
     void visit(Archive& archive); ///< for a checkpoint
