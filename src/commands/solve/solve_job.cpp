@@ -278,6 +278,9 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
     const double rounding = 1e-9 * mean(balance.emitted); // of what line reuse finds by its balance
     if (mean(balance.absorbed) > rounding || everything_shines(scene))
         return;
+    if (solution.all_lines < scene.patch_count())
+        throw SettingsError(scene.path() + ": " + grouped(solution.all_lines) +
+                            " lines found no light on any surface; expected more with --lines");
     constexpr std::uint64_t lines_to_look = 1 << 16;
     const bool inside_out = is_inside_out(scene, survey_lines(scene, scene_hull(scene), lines_to_look, threads));
     const std::string dark = scene.path() + ": no light reaches any surface: ";
