@@ -2,13 +2,14 @@
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "commands/commands.h"
-#include "commands/options/important_patches.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
 #include "geometry/elementary.h"
+#include "image/camera.h"
+#include "radiosity/family/importance.h"
 #include "refinement/adaptive_patches.h"
 #include "refinement/shown_error.h"
 #include "scene/input_error.h"
@@ -16,8 +17,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace multipath {
 
@@ -145,6 +151,73 @@ Scene as_accurate_as_asked(SolveJob& job, Scene scene)
             return scene;
         scene = std::move(finer);
     }
+}
+
+/// Adds what one camera sees: the pixels of each patch over its area.
+void add_view(const Scene& scene, const Camera& camera, double aspect, std::vector<double>& weight)
+{
+    constexpr int rows = 256;
+    const int columns = std::clamp(static_cast<int>(aspect * rows), 1, 4096);
+    const PixelRays rays(camera, columns, rows);
+    VisibleHits visible(scene);
+    for (int y = 0; y < rows; ++y)
+        for_each_visible(rays, columns, y, visible, [&](int, const std::optional<Hit>& hit) {
+            if (!hit)
+                return;
+            const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
+            if (patch != Scene::no_patch)
+                weight[patch] += 1.0 / scene.area(patch);
+        });
+}
+
+std::vector<double> weight_of_views(const Scene& scene, const PictureOptions& pictures)
+{
+    if (!pictures.eye || !pictures.target)
+        throw UsageError("--important view: the view must be known before the light; expected --eye and --target, or "
+                         "--camera");
+    std::vector<double> weight(scene.patch_count());
+    const double aspect = static_cast<double>(pictures.render.width) / pictures.render.height;
+    if (pictures.views.empty())
+        add_view(scene, camera_for(scene, pictures), aspect, weight);
+    for (const View& view : pictures.views)
+        add_view(scene, view.camera, aspect, weight);
+    return weight;
+}
+
+std::vector<double> weight_of_named(const Scene& scene, const std::string& name)
+{
+    const SceneFile& file = scene.file();
+    std::vector<double> weight(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const std::uint32_t surface = scene.surface_of(i);
+        if (!scene.is_sky(surface) && (file.groups[file.group[surface]] == name || scene.material_of(i).name == name))
+            weight[i] = 1.0;
+    }
+    if (std::find(weight.begin(), weight.end(), 1.0) == weight.end())
+        throw InputError(scene.path() + ": --important: no object or material is called '" + name +
+                         "'; 'multipath check' lists them");
+    return weight;
+}
+
+/// What --important says: the patches of an object or a material of this name, all with the weight 1; or for "view"
+/// those that the user's cameras see, in proportion to their share of the pictures. Throws UsageError for a view
+/// without a camera of the user's, and InputError for a name that the scene does not have or whose patches reflect
+/// nothing.
+std::shared_ptr<const Importance> important_patches(const Scene& scene, const std::string& what,
+                                                    const PictureOptions& pictures)
+{
+    if (what.empty())
+        throw UsageError("--important: expected the name of an object or a material, or view");
+    Importance importance;
+    importance.weight = what == "view" ? weight_of_views(scene, pictures) : weight_of_named(scene, what);
+    double largest = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        largest = std::max(largest, mean(scene.reflectance(i)) > 0.0 ? importance.weight[i] : 0.0);
+    if (!(largest > 0.0))
+        throw InputError(scene.path() + ": --important " + what + ": nothing there reflects light");
+    for (double& weight : importance.weight)
+        weight /= largest;
+    return std::make_shared<const Importance>(std::move(importance));
 }
 
 int run_solve(const CommandLine& line)

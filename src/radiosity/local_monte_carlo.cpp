@@ -229,21 +229,12 @@ std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const
     }
     const Particles particles(scene, shots, options.seed);
     const Blocks all = {particles.count(), particles_together(scene)};
-
-    struct Block
-    {
-        std::vector<Item> items;
-        ParticlePaths paths;
-    };
-    BlockBuffers<Block> blocks(run.threads);
+    BlockBuffers<ParticleBlock> blocks(run.threads);
     const auto trace = [&](std::uint64_t number, int slot) {
-        Block& block = blocks[slot];
-        block.items.resize(all.length(number));
-        sequence.generate(options.first_item + all.first(number), block.items);
-        particles.follow(all.first(number), block.items, block.paths);
+        blocks[slot].follow(particles, sequence, options.first_item, all, number);
     };
     const auto deposit_all = [&](std::uint64_t, int slot) {
-        const Block& block = blocks[slot];
+        const ParticleBlock& block = blocks[slot];
         sums.deposit_all(scene, block.paths.steps, options.estimator, state);
         segments += block.paths.steps.size();
         run.count_lines(block.paths.steps.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parallel/blocks.h"
 #include "parallel/run_control.h"
 #include "radiosity/first_shot.h"
 #include "sampling/sequence.h"
@@ -70,6 +71,22 @@ private:
     std::vector<Shot> shots_;
     std::vector<std::uint64_t> before_ = {0};
     std::uint64_t key_;
+};
+
+/// Successive particles, followed together; the memory serves again.
+struct ParticleBlock
+{
+    std::vector<Item> items;
+    ParticlePaths paths;
+
+    /// Block `number` of all particles, which take the items from first_item on.
+    void follow(const Particles& particles, const Sequence& sequence, std::uint64_t first_item, const Blocks& all,
+                std::uint64_t number)
+    {
+        items.resize(all.length(number));
+        sequence.generate(first_item + all.first(number), items);
+        particles.follow(all.first(number), items, paths);
+    }
 };
 
 /// As many as may be followed together: their paths must fit into memory, and get long in bright scenes.

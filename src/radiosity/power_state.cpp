@@ -50,6 +50,18 @@ void PowerState::visit(Archive& archive)
     archive.value<double>("emitted variance", emitted_variance);
 }
 
+void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state)
+{
+    const Rgb found = absorbed + escaped + behind;
+    const auto share = [](double source, double sum) { return sum > 0.0 ? source / sum : 0.0; };
+    const auto rest = [](double source, double sum) { return sum > 0.0 ? 0.0 : source; };
+    const Rgb factor = {share(sources.r, found.r), share(sources.g, found.g), share(sources.b, found.b)};
+    state.surplus += absorbed - factor * absorbed;
+    state.escaped += factor * escaped;
+    state.behind += factor * behind;
+    state.unshot.front() += {rest(sources.r, found.r), rest(sources.g, found.g), rest(sources.b, found.b)};
+}
+
 void add(const PowerBalance& part, double share, PowerBalance& sum)
 {
     sum.emitted += share * part.emitted;

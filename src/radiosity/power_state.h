@@ -47,6 +47,11 @@ struct PowerState
     double emitted_variance = 0.0; ///< [W^2] see PowerBalance::emitted_error
 };
 
+/// Adds what became of the power of sources, as an estimate has found it [W]: absorbed, which the incident power of the
+/// state holds already, and lost. The three parts come from different lines, and do not add up: all are taken in
+/// proportion, the absorbed one by PowerState::surplus.
+void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state);
+
 /// Adds a share of one balance to another.
 void add(const PowerBalance& part, double share, PowerBalance& sum);
 

@@ -1,7 +1,6 @@
 #include "radiosity/family/gathering_walk.h"
 
 #include "parallel/blocks.h"
-#include "radiosity/family/stochastic_jacobi.h"
 #include "sampling/systematic_rounding.h"
 #include "transport/lines/line_segments.h"
 
@@ -105,18 +104,9 @@ std::uint64_t gather_by_walks(const Scene& scene, const Sequence& sequence, cons
                     .shots();
     const Particles walks(scene, shots, options.seed);
     const Blocks all = {walks.count(), particles_together(scene)};
-
-    struct Block
-    {
-        std::vector<Item> items;
-        ParticlePaths paths;
-    };
-    BlockBuffers<Block> blocks(run.threads);
+    BlockBuffers<ParticleBlock> blocks(run.threads);
     const auto trace = [&](std::uint64_t number, int slot) {
-        Block& block = blocks[slot];
-        block.items.resize(all.length(number));
-        sequence.generate(options.first_item + all.first(number), block.items);
-        walks.follow(all.first(number), block.items, block.paths);
+        blocks[slot].follow(walks, sequence, options.first_item, all, number);
     };
     const auto take = [&](std::uint64_t, int slot) {
         const std::vector<ParticleStep>& steps = blocks[slot].paths.steps;

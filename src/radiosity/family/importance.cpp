@@ -58,7 +58,7 @@ private:
 std::vector<double> Importance::of_rays_from(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                              std::uint32_t rays_per_patch, int threads) const
 {
-    constexpr int reflections = 8; // with the exact values nothing else would change but a few rays
+    constexpr int reflections = 8; // what more of them would add is little, and only steers rays
     const RaysAround rays(scene, sequence, first_item, rays_per_patch, threads);
     const std::uint32_t n = scene.patch_count();
     std::vector<double> direct(n);

@@ -12,10 +12,19 @@
 
 namespace multipath {
 
+void TransportEstimate::deposit(std::uint32_t where, Rgb power)
+{
+    if (where == Segment::behind)
+        behind += power;
+    else if (where == Segment::outside)
+        escaped += power;
+    else
+        incident[where] += power;
+}
+
 void TransportEstimate::visit(Archive& archive)
 {
     archive.list<double>("received", incident);
-    archive.value<double>("sent", sent);
     archive.value<double>("escaped", escaped);
     archive.value<double>("behind", behind);
 }
@@ -23,7 +32,7 @@ void TransportEstimate::visit(Archive& archive)
 JacobiIterations::JacobiIterations(const Scene& scene, const PowerState& start, const PowerState& first, double lines)
     : scene_(scene),
       start_(start),
-      mean_{first.incident, {}, first.escaped - start.escaped, first.behind - start.behind},
+      mean_{first.incident, first.escaped - start.escaped, first.behind - start.behind},
       lines_(lines)
 {
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
@@ -50,22 +59,9 @@ void JacobiIterations::add(const TransportEstimate& transfer, double lines)
     const auto take = [share](Rgb& mean, Rgb value) { mean = (1.0 - share) * mean + share * value; };
     for (std::size_t i = 0; i < mean_.incident.size(); ++i)
         take(mean_.incident[i], transfer.incident[i]);
-    take(mean_.sent, transfer.sent);
     take(mean_.escaped, transfer.escaped);
     take(mean_.behind, transfer.behind);
     lines_ += lines;
-}
-
-void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state)
-{
-    const Rgb found = absorbed + escaped + behind;
-    const auto share = [](double source, double sum) { return sum > 0.0 ? source / sum : 0.0; };
-    const auto rest = [](double source, double sum) { return sum > 0.0 ? 0.0 : source; };
-    const Rgb factor = {share(sources.r, found.r), share(sources.g, found.g), share(sources.b, found.b)};
-    state.surplus += absorbed - factor * absorbed;
-    state.escaped += factor * escaped;
-    state.behind += factor * behind;
-    state.unshot.front() += {rest(sources.r, found.r), rest(sources.g, found.g), rest(sources.b, found.b)};
 }
 
 PowerState JacobiIterations::finish() const
@@ -240,28 +236,16 @@ private:
 /// carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic of Veach.
 void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, TransportEstimate& transfer)
 {
-    Rgb sent; // of the block: small sums keep the rounding errors of the balance small
     for (std::size_t k = 0; k < block.receivers.size(); ++k) {
         const std::uint32_t from = block.patches[k];
         const std::uint32_t to = block.receivers[k];
         const Sender& sender = rays.sender(from);
         const bool both = bidirectional && Segment::is_patch(to);
         const double area = 1.0 / (sender.density + (both ? rays.sender(to).density : 0.0));
-        const Rgb power = area * sender.radiosity; // (J1)
-        sent += power;
-        if (to == Segment::behind)
-            transfer.behind += power;
-        else if (to == Segment::outside)
-            transfer.escaped += power;
-        else
-            transfer.incident[to] += power;
-        if (both) {
-            const Rgb back = area * rays.sender(to).radiosity;
-            sent += back;
-            transfer.incident[from] += back;
-        }
+        transfer.deposit(to, area * sender.radiosity); // (J1)
+        if (both)
+            transfer.deposit(from, area * rays.sender(to).radiosity);
     }
-    transfer.sent += sent;
 }
 
 /// Does iterations one after the other, each of which can be interrupted.
@@ -335,7 +319,7 @@ Rgb sum_of(const std::vector<Rgb>& powers)
 /// Takes what the patches received of their unshot power: they have sent it, and hold what they reflect.
 void take_transfer(const Scene& scene, const TransportEstimate& transfer, PowerState& state)
 {
-    state.surplus += transfer.sent - sum_of(state.unshot);
+    state.surplus += sum_of(transfer.incident) + transfer.escaped + transfer.behind - sum_of(state.unshot);
     state.escaped += transfer.escaped;
     state.behind += transfer.behind;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -398,11 +382,13 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             importance_of_all += options.importance->weight[i] * (1.0 + i);
         const auto per_patch =
-            static_cast<std::uint32_t>(std::clamp<std::uint64_t>(options.lines / 32 / scene.patch_count(), 2, 16));
-        favour(scene, *options.importance,
-               options.importance->of_rays_from(scene, sequence, options.first_item, per_patch, run.threads),
-               iterations.power(), shares);
-        rays_around = std::min(options.lines, std::uint64_t{per_patch} * scene.patch_count());
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(16, options.lines / 32 / scene.patch_count()));
+        rays_around = std::uint64_t{per_patch} * scene.patch_count();
+        const std::vector<double> of_rays =
+            per_patch > 0
+                ? options.importance->of_rays_from(scene, sequence, options.first_item, per_patch, run.threads)
+                : std::vector<double>(scene.patch_count(), 1.0); // too few lines to ask
+        favour(scene, *options.importance, of_rays, iterations.power(), shares);
     }
     const std::uint64_t first_item = options.first_item + rays_around;
     const std::uint64_t lines = options.lines - rays_around; // of the iterations
@@ -421,6 +407,8 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
         const Archive::Inner inner(archive, "transfer");
         rays.visit(archive);
     });
+    if (!part.resumed())
+        run.count_lines(rays_around);
     const auto part_of = [&](std::uint64_t count) { return static_cast<double>(count) / static_cast<double>(lines); };
     while (done < lines) {
         const std::uint64_t next = iterations.next_lines(lines - done);

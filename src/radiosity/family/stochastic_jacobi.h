@@ -18,19 +18,16 @@ namespace multipath {
 struct TransportEstimate
 {
     std::vector<Rgb> incident; ///< per patch
-    Rgb sent;
     Rgb escaped;
     Rgb behind; ///< met a surface on a side that has no patch
 
-    static TransportEstimate none(const Scene& scene) { return {std::vector<Rgb>(scene.patch_count()), {}, {}, {}}; }
+    static TransportEstimate none(const Scene& scene) { return {std::vector<Rgb>(scene.patch_count()), {}, {}}; }
+
+    /// Adds power that arrives at a patch, Segment::behind or Segment::outside.
+    void deposit(std::uint32_t where, Rgb power);
 
     void visit(Archive& archive); ///< for a checkpoint
 };
-
-/// Adds what became of the power of sources, as an estimate has found it [W]: absorbed, which the incident power of the
-/// state holds already, and lost. The three parts come from different lines, and do not add up: all are taken in
-/// proportion, the absorbed one by PowerState::surplus.
-void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state);
 
 /// The mean of several iterations.
 class JacobiIterations
@@ -78,8 +75,8 @@ struct JacobiOptions
     std::uint64_t lines = 0;        ///< to be used
     bool bidirectional = true;
     std::uint64_t seed = 0;
-    const Importance* importance =
-        nullptr; ///< for which 2 to 16 rays from each patch are cast first; null: all is equal
+    /// For which up to 16 rays from each patch are cast first, a 32nd of the lines; null: all patches are equal.
+    const Importance* importance = nullptr;
 };
 
 /// The Neumann series: pass after pass the patches send what they hold unshot, and hold what they reflect of what they

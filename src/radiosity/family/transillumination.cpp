@@ -115,27 +115,17 @@ private:
 void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, std::uint64_t directions,
            TransportEstimate& transfer)
 {
-    Rgb sent; // of the block: small sums keep the rounding errors of the balance small
     std::size_t k = 0;
     for (const BundleBlock::Direction& direction : block.directions) {
         const auto send = [&](std::uint32_t from, std::uint32_t to) {
-            if (!Segment::is_patch(from))
-                return;
-            const Rgb power = power_along_line(radiosity[from], direction.section, directions);
-            sent += power;
-            if (to == Segment::behind)
-                transfer.behind += power;
-            else if (to == Segment::outside)
-                transfer.escaped += power;
-            else
-                transfer.incident[to] += power;
+            if (Segment::is_patch(from))
+                transfer.deposit(to, power_along_line(radiosity[from], direction.section, directions));
         };
         for (; k < direction.end; ++k) {
             send(block.segments[k].from, block.segments[k].to);
             send(block.segments[k].to, block.segments[k].from);
         }
     }
-    transfer.sent += sent;
 }
 
 } // namespace
