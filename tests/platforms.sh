@@ -31,7 +31,7 @@ results() {
     ln -s "$root/scenes" scenes && ln -s "$scratch/files" files || return
     case $kind in
     two-sided) "$@" solve scenes/cornell.obj $few --two-sided -o sided.csv ;;
-    replicates) "$@" solve scenes/cornell.obj $few -m extended --replicates 2 -o replicates.csv ;;
+    replicates) "$@" solve scenes/cornell.obj --threads 2 --patches 60 -n 2^10 -q -m extended --replicates 2 -o replicates.csv ;;
     rays) "$@" solve scenes/4chairs.obj --threads 2 --patches 600 -n 2^12 -q --memory 64MB -o rays.csv ;;
     adaptive) "$@" solve scenes/5cubes.obj --threads 2 --adaptive 400 -n 2^11 -q -o adaptive.csv ;;
     outputs) "$@" solve scenes/cornell.obj $few --size 32x24 --samples 4 -o all.ppm -o all.png -o all.pfm -o all.ply -o all.glb \
