@@ -117,8 +117,10 @@ void bundle_iterations(Run& run)
 void walks(Run& run)
 {
     const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
-    run.solution.local_lines += gather_by_walks(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (W1)
-    run.solved = true;
+    const GatheringResult result =
+        gather_by_walks(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (W1)
+    run.solution.local_lines += result.segments;
+    run.solved = result.solved;
 }
 
 // Choice of stages

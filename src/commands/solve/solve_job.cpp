@@ -95,6 +95,13 @@ std::optional<double> SolveSummary::error_of_important() const
 
 namespace {
 
+/// Of a share: "0.62 %", "98 %", "150 %".
+std::string percent_text(double share)
+{
+    const double percent = 100.0 * share;
+    return format(percent < 99.5 ? "%.2g %%" : "%.0f %%", percent);
+}
+
 std::string important_text(const SolveSummary& s)
 {
     std::uint64_t patches = 0;
@@ -102,7 +109,7 @@ std::string important_text(const SolveSummary& s)
         patches += weight > 0.0 ? 1 : 0;
     const std::optional<double> error = s.error_of_important();
     return format("important  %s patches%s\n", grouped(patches).c_str(),
-                  error ? format(": noise %.2g %% of their mean", 100.0 * *error).c_str()
+                  error ? (": noise " + percent_text(*error) + " of their mean").c_str()
                         : "; --replicates tells their error");
 }
 
@@ -124,9 +131,9 @@ std::string summary_text(const SolveSummary& s)
     text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.sequence.c_str(),
                    grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
     if (const std::optional<double> error = s.error())
-        text += format("error      %.2g %% of the mean (patches %.2g %%, noise %.2g %%), by %d replicates%s\n",
-                       100.0 * *error, 100.0 * *s.accuracy.patch_error, 100.0 * *s.solution.relative_standard_error,
-                       s.solution.replicates,
+        text += format("error      %s of the mean (patches %s, noise %s), by %d replicates%s\n",
+                       percent_text(*error).c_str(), percent_text(*s.accuracy.patch_error).c_str(),
+                       percent_text(*s.solution.relative_standard_error).c_str(), s.solution.replicates,
                        s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
                            ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
                            : "");
@@ -166,15 +173,14 @@ std::string summary_text(const SolveSummary& s)
                    "difference: these lines are not uniform, and the result is as wrong\n",
                    mean(balance.emitted), units.power, mean(balance.source), balance.emitted_error);
     if (percent(balance.unshot) > 5.0)
-        text += format("warning    %.2g %% of the power is not distributed yet, which makes the result too dark; more "
-                       "lines help, or "
-                       "larger patches\n",
-                       percent(balance.unshot));
+        text += format("warning    %s of the power is not distributed yet, which makes the result too dark; more "
+                       "lines help, or larger patches\n",
+                       percent_text(0.01 * percent(balance.unshot)).c_str());
     else if (const double more = growth_by_unshot_light(s); more > 0.1)
-        text += format("warning    the %.2g %% of the power that is not distributed yet is on surfaces that reflect "
-                       "nearly all of it, and may make the result brighter by %.2g %%; more lines help, or "
+        text += format("warning    the %s of the power that is not distributed yet is on surfaces that reflect "
+                       "nearly all of it, and may make the result brighter by %s; more lines help, or "
                        "--method reuse\n",
-                       percent(balance.unshot), 100.0 * more);
+                       percent_text(0.01 * percent(balance.unshot)).c_str(), percent_text(more).c_str());
     if (percent(balance.behind) > 0.01 && !s.scene.file().sky_surfaces) // the sky shines on the outside, too
         text += format(
             "warning    %.3g %% of the power met surfaces from behind and is lost, which makes the result too dark; "

@@ -1,6 +1,7 @@
 #include "radiosity/family/gathering_walk.h"
 
 #include "parallel/blocks.h"
+#include "sampling/random.h"
 #include "sampling/systematic_rounding.h"
 #include "transport/lines/line_segments.h"
 
@@ -13,13 +14,13 @@ namespace {
 
 /// So many walks, from each patch in proportion to the root of its area: that makes the error (1) smallest if all
 /// patches are equally noisy. What one brings counts with the share of a walk of its patch, the same in all channels.
-std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks)
+/// `begin`, in [0, 1), is that of the rounding.
+std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks, double begin)
 {
     double all = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         all += std::sqrt(scene.area(i));
     std::vector<Shot> shots;
-    constexpr double begin = 0.5;
     double wanted = begin;
     SystematicRounding rounding(begin);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -31,6 +32,30 @@ std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks)
             shots.push_back({i, number, {share, share, share}});
     }
     return shots;
+}
+
+/// All patches are asked in each round, so that a run which is stopped has asked them about equally.
+std::uint64_t count_rounds(const Scene& scene, std::uint64_t lines)
+{
+    constexpr std::uint64_t most = 16;
+    constexpr std::uint64_t lines_per_patch = 64; // of a round: fewer, and items spread their walks less evenly
+    return std::clamp<std::uint64_t>(lines / (lines_per_patch * scene.patch_count()), 1, most);
+}
+
+/// Of a round: successive ones round differently (additive recurrence).
+double rounding_begin(std::uint64_t round)
+{
+    constexpr double golden = 0.61803398874989485;
+    const double sum = 0.5 + golden * static_cast<double>(round);
+    return sum - std::floor(sum);
+}
+
+std::uint64_t count_walks(const std::vector<Shot>& shots)
+{
+    std::uint64_t walks = 0;
+    for (const Shot& shot : shots)
+        walks += shot.rays;
+    return walks;
 }
 
 /// What the walks of each patch have told.
@@ -64,50 +89,69 @@ struct Gathered
     std::vector<double> behind;  ///< [1] and that meet a side without a patch
 };
 
-/// The light that the patches gathered as the state.
-void take_gathered(const Scene& scene, const Gathered& gathered, PowerState& state)
+/// How often each patch was asked, in rounds: `whole` ones, and one of which so many walks are done.
+std::vector<double> rounds_of_patches(const Scene& scene, std::uint64_t whole, const std::vector<Shot>& shots,
+                                      std::uint64_t walks_done)
+{
+    std::vector<double> rounds(scene.patch_count(), static_cast<double>(whole));
+    std::uint32_t next = 0; // patch
+    for (const Shot& shot : shots) {
+        if (walks_done == 0)
+            break;
+        for (; next < shot.patch; ++next)
+            rounds[next] += 1.0;
+        const std::uint64_t done = std::min(walks_done, shot.rays);
+        rounds[next++] += static_cast<double>(done) / static_cast<double>(shot.rays);
+        walks_done -= done;
+    }
+    return rounds;
+}
+
+/// The light that the patches gathered in so many rounds as the state.
+void take_gathered(const Scene& scene, const Gathered& gathered, const std::vector<double>& rounds, PowerState& state)
 {
     Rgb absorbed;
     Rgb escaped;
     Rgb behind;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double area = scene.area(i);
-        state.incident[i] += area * gathered.irradiance[i];
+        state.incident[i] += (area / rounds[i]) * gathered.irradiance[i];
         state.unshot[i] = {};
         absorbed += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
         const Rgb sent = area * scene.emittance(i) + scene.reflectance(i) * state.incident[i];
-        escaped += gathered.outside[i] * sent;
-        behind += gathered.behind[i] * sent;
+        escaped += (gathered.outside[i] / rounds[i]) * sent;
+        behind += (gathered.behind[i] / rounds[i]) * sent;
     }
     settle_losses(state.emitted, absorbed, escaped, behind, state);
 }
 
 } // namespace
 
-std::uint64_t gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
-                              const RunControl& run, PowerState& state)
+GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
+                                const RunControl& run, PowerState& state)
 {
-    std::vector<Shot> shots;
+    const std::uint64_t rounds = count_rounds(scene, options.lines);
     Gathered gathered(scene);
+    std::uint64_t walks_per_round = 0;
+    std::uint64_t round = 0;
+    std::uint64_t first_walk = 0; // of the round
     std::uint64_t segments = 0;
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "walks", [&](Archive& archive) {
+        archive.value<std::uint64_t>("walks per round", walks_per_round);
+        archive.value<std::uint64_t>("round", round);
+        archive.value<std::uint64_t>("first walk", first_walk);
         archive.value<std::uint64_t>("next block", next_block);
         archive.value<std::uint64_t>("segments", segments);
         gathered.visit(archive);
-        visit(archive, scene, shots);
     });
     if (!part.resumed())
-        shots = plan_particles(
-                    scene, [&](std::uint64_t walks) { return plan_walks(scene, walks); }, options.lines, options.seed,
-                    run.threads)
-                    .shots();
-    const Particles walks(scene, shots, options.seed);
-    const Blocks all = {walks.count(), particles_together(scene)};
+        walks_per_round =
+            count_walks(plan_particles(
+                            scene, [&](std::uint64_t walks) { return plan_walks(scene, walks, rounding_begin(0)); },
+                            options.lines / rounds, options.seed, run.threads)
+                            .shots());
     BlockBuffers<ParticleBlock> blocks(run.threads);
-    const auto trace = [&](std::uint64_t number, int slot) {
-        blocks[slot].follow(walks, sequence, options.first_item, all, number);
-    };
     const auto take = [&](std::uint64_t, int slot) {
         const std::vector<ParticleStep>& steps = blocks[slot].paths.steps;
         for (std::size_t first = 0; first < steps.size();) {
@@ -120,9 +164,26 @@ std::uint64_t gather_by_walks(const Scene& scene, const Sequence& sequence, cons
         segments += steps.size();
         run.count_lines(steps.size());
     };
-    resumable_blocks(next_block, all.count(), run, trace, take);
-    take_gathered(scene, gathered, state);
-    return segments;
+    std::vector<Shot> shots;
+    std::uint64_t done = 0; // walks of the round that was not finished
+    for (; round < rounds; ++round) {
+        shots = plan_walks(scene, walks_per_round, rounding_begin(round));
+        const Particles walks(scene, shots, mix_bits(mix_bits(options.seed) + round));
+        const Blocks all = {walks.count(), particles_together(scene)};
+        const auto trace = [&](std::uint64_t number, int slot) {
+            blocks[slot].follow(walks, sequence, options.first_item + first_walk, all, number);
+        };
+        resumable_blocks(next_block, all.count(), run, trace, take);
+        if (next_block < all.count()) {
+            done = all.first(next_block);
+            break;
+        }
+        first_walk += walks.count();
+        next_block = 0;
+    }
+    if (round > 0)
+        take_gathered(scene, gathered, rounds_of_patches(scene, round, shots, done), state);
+    return {segments, round > 0};
 }
 
 } // namespace multipath

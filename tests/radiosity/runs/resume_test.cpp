@@ -230,6 +230,35 @@ TEST_CASE("what is found when the work is left keeps the balance of power, and c
     }
 }
 
+// Gathering walks ask patch after patch: what is left must not be a scene of which one half is dark.
+TEST_CASE("gathering walks that are left have asked all patches alike, or say that nothing is distributed")
+{
+    const Scene scene = room();
+    const SolveOptions options = options_of(Method::gathering, "sobol", 1u << 19);
+    const Solution whole = solved(scene, options, 1, nullptr);
+    const auto mean_of_half = [&](const Solution& solution, std::uint32_t half) {
+        const std::uint32_t middle = scene.patch_count() / 2;
+        double sum = 0.0;
+        for (std::uint32_t i = half * middle; i < (half + 1) * middle; ++i)
+            sum += scene.area(i) * mean(solution.radiosity[i] - scene.emittance(i));
+        return sum;
+    };
+    int told = 0;
+    for (int pause = 1;; pause += 13) {
+        CAPTURE(pause);
+        TestCheckpoint left(pause);
+        const Solution then = solved(scene, options, 1, &left);
+        if (left.finished())
+            break;
+        if (mean(then.balance.unshot) > 0.5 * mean(then.balance.emitted))
+            continue;
+        for (const std::uint32_t half : {0u, 1u})
+            CHECK(mean_of_half(then, half) == doctest::Approx(mean_of_half(whole, half)).epsilon(0.3));
+        ++told;
+    }
+    CHECK(told > 10);
+}
+
 TEST_CASE("state of other work is refused")
 {
     const Scene scene = room();
