@@ -310,7 +310,9 @@ CommandTable compare_table()
                threads_option()}}},
             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
             "wrote, or states of finished runs, of the same patches. Where they have standard errors\n"
-            "(solve --replicates), the report tells whether these explain the difference.\n\n"
+            "(solve --replicates), the report tells whether these explain the difference. Of another\n"
+            "program's result A needs only the columns patch, counted from 0 in the order of B, and\n"
+            "radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
             "States of the same surfaces with other patches, B with many more than A, are compared by what\n"
             "A shows: at points, with smooth shading, against light gathered from B. Without B the light is\n"
             "gathered from A itself: an estimate of its whole error, of patches and noise together, except\n"
@@ -335,12 +337,12 @@ int run_compare(const CommandLine& line)
     std::optional<double> tolerance;
     if (line.has("tolerance"))
         tolerance = read_share("--tolerance", line.text("tolerance"));
-    const ResultFile result(line.operands()[0]);
-    const PatchTable& a = result.table;
     const bool alone = line.operands().size() == 1;
+    const std::optional<ResultFile> other = alone ? std::nullopt : std::optional<ResultFile>(line.operands()[1]);
+    const ResultFile result(line.operands()[0], other ? &other->table : nullptr);
+    const PatchTable& a = result.table;
     if (alone && !result.scene)
         throw InputError(a.path + ": a table of patches has no surfaces, expected a state or a second result");
-    const std::optional<ResultFile> other = alone ? std::nullopt : std::optional<ResultFile>(line.operands()[1]);
     const ResultFile& reference = alone ? result : *other;
     const PatchTable& b = reference.table;
     const bool json = line.has("json");

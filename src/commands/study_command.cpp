@@ -27,6 +27,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -163,6 +164,10 @@ CommandTable study_table()
                 "plot).",
                 true},
                {"against", 0, "WHAT", "lines", "What the plot has across.", false, names_of(against_choices)},
+               {"with", 0, "FILE.csv", "",
+                "Another program's curve beside these, called as the file: a table with the columns lines and "
+                "relative_mse, and seconds, if it has them.",
+                true},
                {"cache", 0, "FOLDER", "",
                 "Where to keep finished runs and the reference, so that the same study goes on where it was "
                 "interrupted; a program from other sources begins anew. Without it, the first output's name with "
@@ -391,8 +396,8 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
     if (cache.empty())
         return Journal();
     // Facts that all runs of this study share; the curves and the numbers of lines are each run's own.
-    const std::vector<std::string> not_shared = {"methods", "sequences", "pairings",   "line-orders", "chords",
-                                                 "from",    "to",        "replicates", "reference",   "against"};
+    const std::vector<std::string> not_shared = {"methods", "sequences",  "pairings",  "line-orders", "chords", "from",
+                                                 "to",      "replicates", "reference", "against",     "with"};
     const std::string shared = joined(provenance(without_options(study_table(), not_shared), line, scene)) +
                                "reference " + checksum_of(bytes_of(reference.radiosity));
     try {
@@ -400,6 +405,21 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
     } catch (const std::runtime_error& error) {
         throw OutputError(error.what());
     }
+}
+
+/// The curves of other programs, each called as its file without folder and extension.
+std::vector<Curve> other_curves(const std::vector<std::string>& paths)
+{
+    std::vector<Curve> curves;
+    for (const std::string& path : paths) {
+        const std::string name = std::filesystem::path(path).stem().string();
+        for (const Curve& other : curves)
+            if (other.kind.method == name)
+                throw UsageError("--with: two files are called " + quoted_argument(name) +
+                                 ", as their curves would be");
+        curves.push_back(read_curve(path, name));
+    }
+    return curves;
 }
 
 std::string plot_title(const Scene& scene)
@@ -415,6 +435,9 @@ int run_study_command(const CommandLine& line)
     std::vector<std::string> inputs = {scene_path(line)};
     if (line.has("reference"))
         inputs.push_back(line.text("reference"));
+    const std::vector<std::string> others = line.all("with");
+    inputs.insert(inputs.end(), others.begin(), others.end());
+    const std::vector<Curve> with = other_curves(others);
     std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {".csv", ".svg"});
 
     const Scene scene = read_scene(line, threads);
@@ -433,6 +456,7 @@ int run_study_command(const CommandLine& line)
         const int at_a_time = counts ? reuse_runs_at_a_time(line, scene, threads) : threads;
         study = run_study(scene, reference, plan, journal, at_a_time, [&](double done) { progress.show(done); });
     }
+    study.curves.insert(study.curves.end(), with.begin(), with.end());
     const Abscissa against = line.choice("against", against_choices).value;
     for (PlannedOutput& output : outputs)
         output.file.write(output.extension == ".csv" ? study_csv(study, comments)

@@ -164,9 +164,45 @@ Rgb read_error(const CsvTable& table, const CsvRow& row, const ThreeColumns& col
 
 } // namespace
 
-PatchTable read_patch_table(const std::string& path)
+namespace {
+
+/// Of the three channels, or one for all of them.
+ThreeColumns radiosity_columns(const CsvTable& table)
+{
+    if (const std::optional<std::size_t> grey = table.find_column("radiosity"))
+        return {*grey, *grey, *grey};
+    return columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
+}
+
+PatchTable read_radiosity(const CsvTable& table, const PatchTable& beside)
+{
+    const std::size_t patch = table.column("patch");
+    const ThreeColumns radiosity = radiosity_columns(table);
+    const std::optional<ThreeColumns> error = error_columns(table);
+    PatchTable patches = beside;
+    patches.path = table.path;
+    patches.comments = table.comments;
+    patches.radiosity.clear();
+    patches.standard_error.clear();
+    for (const CsvRow& row : table.rows) {
+        require_patch(table, row, patch, patches.radiosity.size());
+        patches.radiosity.push_back(read_three<Rgb>(table, row, radiosity));
+        if (error)
+            patches.standard_error.push_back(read_error(table, row, *error));
+    }
+    if (patches.radiosity.size() != beside.areas.size())
+        refuse(table.place(table.header), std::to_string(patches.radiosity.size()) + " patches, expected " +
+                                              std::to_string(beside.areas.size()) + " as in " + beside.path);
+    return patches;
+}
+
+} // namespace
+
+PatchTable read_patch_table(const std::string& path, const PatchTable* beside)
 {
     const CsvTable table = read_csv(path);
+    if (beside && !table.find_column("area"))
+        return read_radiosity(table, *beside);
     const std::size_t patch = table.column("patch");
     const std::size_t surface = table.column("surface");
     const std::size_t material = table.column("material");

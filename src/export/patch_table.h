@@ -31,6 +31,8 @@ struct PatchTable
 
 /// Reads the columns by their names, the numbers to the same doubles that were written; columns of other names are
 /// ignored. Throws InputError for a file that is no such table, or whose patches are not counted 0, 1, 2 ...
-PatchTable read_patch_table(const std::string& path);
+/// A table without areas, as another program may have written it, needs only `patch` and `radiosity` [W/m^2], or the
+/// three channels of it; if it is `beside` another one of as many patches, the rest is taken from there.
+PatchTable read_patch_table(const std::string& path, const PatchTable* beside = nullptr);
 
 } // namespace multipath

@@ -79,7 +79,10 @@ std::string slope_words(const std::optional<PowerLaw>& law)
 
 std::string curve_label(const Study& study, const Curve& curve)
 {
-    std::string label = curve.kind.method + ", " + curve.kind.sequence;
+    std::string label = curve.kind.method;
+    if (curve.kind.sequence.empty())
+        return label;
+    label += ", " + curve.kind.sequence;
     if (differs(study, curve, &CurveKind::pairing) || curve.kind.pairing != "4d")
         label += ", " + curve.kind.pairing;
     if (differs(study, curve, &CurveKind::chords))
@@ -124,6 +127,41 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
                    curve.kind.chords + "," + curve.kind.line_order + "\n";
         }
     return csv;
+}
+
+Curve read_curve(const std::string& path, const std::string& name)
+{
+    const CsvTable table = read_csv(path);
+    const std::size_t lines = table.column("lines");
+    const std::size_t relative = table.column("relative_mse");
+    const std::optional<std::size_t> error = table.find_column("standard_error");
+    const std::optional<std::size_t> seconds = table.find_column("seconds");
+    const auto positive = [&](const CsvRow& row, std::size_t column) {
+        const double value = table.number(row, column);
+        if (!(value > 0.0))
+            refuse(table.place(row), table.header.fields[column] + " is " + in_quotes(row.fields[column]) +
+                                         ", expected a number above 0");
+        return value;
+    };
+    Curve curve{{name, "", "", "", ""}, {}, {}};
+    for (const CsvRow& row : table.rows) {
+        CurvePoint point;
+        const double count = positive(row, lines);
+        if (!(count < 0x1p63) || count != std::floor(count))
+            refuse(table.place(row), "lines is " + in_quotes(row.fields[lines]) + ", expected a whole number");
+        point.lines = static_cast<std::uint64_t>(count);
+        if (!curve.points.empty() && point.lines <= curve.points.back().lines)
+            refuse(table.place(row),
+                   "lines is " + in_quotes(row.fields[lines]) + ", expected more than in the row before");
+        point.relative = positive(row, relative);
+        point.relative_error = error && !row.fields[*error].empty() ? table.number(row, *error) : 0.0;
+        point.seconds = seconds ? positive(row, *seconds) : 0.0;
+        curve.points.push_back(point);
+    }
+    if (curve.points.empty())
+        refuse(table.place(table.header), "no row behind the header, expected one per point");
+    curve.law = fit(curve.points); // (2)
+    return curve;
 }
 
 Study read_study(const std::string& path)

@@ -17,9 +17,14 @@ std::string scientific(double value);
 /// "−1.10 ± 0.02", with the half width of the 95 % interval; "none" without a law.
 std::string slope_words(const std::optional<PowerLaw>& law);
 
-/// Label of a curve: "first-shot, sobol". Chords and line order follow where another curve of the same method has other
-/// ones, the pairing also if it is not 4d.
+/// Label of a curve: "first-shot, sobol"; that of another program has its name alone. Chords and line order follow
+/// where another curve of the same method has other ones, the pairing also if it is not 4d.
 std::string curve_label(const Study& study, const Curve& curve);
+
+/// The curve of another program: a table with the columns `lines` and `relative_mse` (1), one row per point; and, if it
+/// has them, `standard_error` of the latter and `seconds`. Throws InputError for a file that is no such table, for
+/// numbers that are not above 0, and for lines that do not increase.
+Curve read_curve(const std::string& path, const std::string& name);
 
 /// A report to read: every point, and the slope of each curve with its standard error.
 std::string study_text(const Study& study);

@@ -30,6 +30,22 @@ by_hand() {
 }
 check "the report has the numbers that a hand computes" by_hand
 
+# What another program writes: patches and radiosities, grey or in colour, with standard errors or without.
+foreign() {
+    printf 'patch,radiosity\n0,10\n1,3\n' >grey.csv && printf '# mine\nradiosity_b,patch,radiosity_r,radiosity_g\n10,0,10,10\n3,1,3,3\n' >colour.csv &&
+        printf 'patch,radiosity,error_r,error_g,error_b\n0,10,.5,.5,.5\n1,3,.5,.5,.5\n' >errors.csv || return
+    for table in grey colour; do
+        ends 0 compare $table.csv b.csv && says out "1.75 W^2/m^4; relative 0.07, its root 26.46 %" && says out "(1, 2, 3)" || return
+    done
+    ends 0 compare errors.csv b-one.csv && says out "they explain it" && ends 0 compare a-half.csv b-one.csv && says out "they explain it" || return
+    printf 'patch,radiosity\n0,10\n' >short.csv && ends 1 compare short.csv b.csv && says err "short.csv:1: 1 patches, expected 2 as in b.csv" &&
+        ends 1 compare b.csv grey.csv && says err "grey.csv:1: no column" &&
+        printf 'patch,radiosity\n1,10\n0,3\n' >order.csv && ends 1 compare order.csv b.csv && says err "patches count from 0" &&
+        printf 'patch,radiosity\n0,nan\n1,3\n' >nan.csv && ends 1 compare nan.csv b.csv && says err "nan.csv:2" &&
+        printf 'patch,b\n0,1\n1,3\n' >none-named.csv && ends 1 compare none-named.csv b.csv && says err "radiosity_r"
+}
+check "a table of another program needs patches and radiosities alone" foreign
+
 channels() {
     sed 's/3,3,3,3$/3,4,1,4/;s/10,10,10/8,8,8/' a.csv >green.csv
     ends 0 compare green.csv b.csv && says out " 2.25 W^2/m^4" && says out "-3 W/m^2 in one channel of patch 1, 60 %" &&

@@ -156,6 +156,32 @@ refusals() {
 }
 check "what makes no sense is refused in one line" refusals
 
+# Points of the law 3 / lines: its slope is known.
+other_programs() {
+    printf 'lines,relative_mse,seconds\n1000,3e-3,0.1\n2000,1.5e-3,0.2\n4000,7.5e-4,0.4\n' >mine.csv
+    ends 0 study "$scene" $few --methods global --sequences random --with mine.csv -o with.csv -o with.svg &&
+        says out "mine" && says out "slope -1.000 +- 0.000" && grep -q '^mine,,1000,0,0,' with.csv && grep -q '>mine' with.svg &&
+        ends 0 study "$scene" $few --methods global --sequences random --with mine.csv --against seconds -o seconds.svg -q && grep -q '>mine' seconds.svg || return
+    mkdir -p other && cp mine.csv other && ends 2 study "$scene" $few --with mine.csv --with other/mine.csv && says err "two files are called" &&
+        ends 2 study "$scene" $few --with mine.csv -o mine.csv && says err "is an input" &&
+        ends 1 study "$scene" $few --with absent.csv && says err "absent.csv" || return
+    while IFS= read -r row; do
+        { echo lines,relative_mse; echo 100,1; echo "$row"; } >bad.csv
+        ends 1 study "$scene" $few --with bad.csv && says err "bad.csv:3" && lines_are err 1 || { echo "$row"; return 1; }
+    done <<END
+0,1
+100,1
+50,1
+200.5,1
+200,0
+200,-1
+200,inf
+1e30,1
+200
+END
+}
+check "curves of other programs stand beside those of the study" other_programs
+
 # Patches of half a metre show the cube with a per mille of error, whatever the lines; their own values are exact.
 total_error() {
     ends 0 solve "$scene" --patches 8000 --lines 2^20 -q -o finer.state &&

@@ -27,10 +27,10 @@ PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene&
 
 } // namespace
 
-ResultFile::ResultFile(const std::string& path)
+ResultFile::ResultFile(const std::string& path, const PatchTable* beside)
 {
     if (!is_state_file(path)) {
-        table = read_patch_table(path);
+        table = read_patch_table(path, beside);
         return;
     }
     const SavedRun saved = read_saved_run(path);

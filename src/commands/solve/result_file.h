@@ -14,8 +14,8 @@ struct ResultFile
     PatchTable table;                   ///< of a state the one that `solve -o FILE.csv` would have written
     std::unique_ptr<const Scene> scene; ///< of a state
 
-    /// Throws InputError, ArchiveError.
-    explicit ResultFile(const std::string& path);
+    /// `beside`: see read_patch_table. Throws InputError, ArchiveError.
+    explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
 };
 
 /// True if two scenes have the same surfaces and sides, in whichever patches.
