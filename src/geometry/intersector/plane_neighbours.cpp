@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t few_in_plane = 32;         ///< compared each with each
 constexpr std::size_t most_looked_at = 4096;       ///< for one surface
+constexpr std::size_t most_listed = 256;           ///< of one; the tree finds those at a point sooner than a longer list
 constexpr std::uint32_t surfaces_at_a_time = 1024; ///< surfaces for which a thread looks at a time
 
 /// Corners in order around the surface.
@@ -104,10 +105,10 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
         std::size_t looked_at = 0;
         tree.for_each_near({frame.to_frame(boxes[s].low), frame.to_frame(boxes[s].high)}, [&](std::uint32_t other) {
             take(other);
-            return ++looked_at < most_looked_at;
+            return ++looked_at < most_looked_at && found.size() <= most_listed;
         });
         std::sort(found.begin(), found.end());
-        return looked_at < most_looked_at;
+        return looked_at < most_looked_at && found.size() <= most_listed;
     };
     const auto neighbour = [&](std::uint32_t s) {
         const Vec3 low = frame.to_frame(boxes[s].low);
