@@ -12,9 +12,9 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t few_in_plane = 32;         ///< compared each with each
-constexpr std::size_t most_looked_at = 4096;       ///< for one surface
-constexpr std::size_t most_listed = 256;           ///< of one; the tree finds those at a point sooner than a longer list
+constexpr std::uint32_t few_in_plane = 32;   ///< compared each with each
+constexpr std::size_t most_looked_at = 4096; ///< for one surface
+constexpr std::size_t most_listed = 256;     ///< of one; the tree finds those at a point sooner than a longer list
 constexpr std::uint32_t surfaces_at_a_time = 1024; ///< surfaces for which a thread looks at a time
 
 /// Corners in order around the surface.
