@@ -44,10 +44,10 @@ double one_digit(double value)
     return std::floor(value / unit) * unit;
 }
 
-class Lint
+class SceneChecks
 {
 public:
-    Lint(const Scene& scene, const SceneReport& report) : scene_(scene), file_(scene.file()), report_(report) {}
+    SceneChecks(const Scene& scene, const SceneReport& report) : scene_(scene), file_(scene.file()), report_(report) {}
 
     std::vector<Finding> findings()
     {
@@ -382,9 +382,9 @@ private:
 
 } // namespace
 
-std::vector<Finding> lint(const Scene& scene, const SceneReport& report)
+std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report)
 {
-    return Lint(scene, report).findings();
+    return SceneChecks(scene, report).findings();
 }
 
 bool is_inside_out(const Scene& scene, const LineSurvey& survey)

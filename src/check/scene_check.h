@@ -25,7 +25,7 @@ struct Finding
 
 /// All that is suspicious about the physics of a scene: light that is lost, sources that light nothing, faces that hide
 /// each other, materials and scale that are not of this world. Wrong results first, then by shares of power and area.
-std::vector<Finding> lint(const Scene& scene, const SceneReport& report);
+std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report);
 
 /// True if no emitter lights anything, but some would with all faces turned over: a room modelled inside out.
 bool is_inside_out(const Scene& scene, const LineSurvey& survey);

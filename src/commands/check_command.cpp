@@ -248,7 +248,7 @@ int run_check(const CommandLine& line)
     const int threads = thread_count(line);
     const Scene scene = scene_for_check(line, threads);
     const SceneReport report = report_on(scene, lines, threads);
-    const std::vector<Finding> findings = lint(scene, report);
+    const std::vector<Finding> findings = findings_of(scene, report);
     const std::string text =
         line.has("json") ? report_json(scene, report, findings).document() : report_text(scene, report, findings);
     print(text);

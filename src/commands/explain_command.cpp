@@ -4,8 +4,8 @@
 #include "cli/options/usage_error.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
-#include "commands/explain/story_drawing.h"
-#include "commands/explain/story_text.h"
+#include "commands/explain/trace_drawing.h"
+#include "commands/explain/trace_text.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "transport/lines/global_lines.h"
@@ -26,7 +26,7 @@ CommandTable explain_table()
         "explain",
         "what single lines of a run do, one by one, in words and as a drawing",
         {{"SCENE.obj", false, false, {".obj"}}},
-        {{"Story",
+        {{"Lines",
           {{"lines", 'n', "K", "3", "How many lines to tell, at most 1000; particles with the stage local."},
            {"first", 0, "N", "1",
             "Number of the first line told, counted from 1 in its stage. Those before it are followed too."},
@@ -112,13 +112,13 @@ Stage read_stage(const CommandLine& line)
     return {stage->kind, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
-ToldRange read_told_range(const CommandLine& line)
+TracedRange read_told_range(const CommandLine& line)
 {
     return {read_count("--first", line.text("first"), 1, std::uint64_t{1} << 48) - 1,
             read_count("--lines", line.text("lines"), 1, most_lines_told)};
 }
 
-/// Text and drawing of one story.
+/// Text and drawing of one trace.
 struct Telling
 {
     std::string text;
@@ -126,26 +126,26 @@ struct Telling
     std::vector<DrawnLine> lines;
 };
 
-Telling tell(const ToldRun& run, const Stage& stage, const ToldRange& range)
+Telling tell(const TracedRun& run, const Stage& stage, const TracedRange& range)
 {
     if (stage.kind == StageKind::global) {
-        const GlobalStory story = tell_global_pass(run.scene, run.options, range);
-        return {story_text(run, story), "Lines of the global pass", drawn_lines(story.lines)};
+        const GlobalTrace trace = trace_global_pass(run.scene, run.options, range);
+        return {trace_text(run, trace), "Lines of the global pass", drawn_lines(trace.lines)};
     }
     if (stage.kind == StageKind::bundle) {
-        const BundleStory story = tell_bundle(run.scene, run.options, range);
-        return {story_text(run, story), "Lines of one direction of transillumination", drawn_lines(story.lines)};
+        const BundleTrace trace = trace_bundle(run.scene, run.options, range);
+        return {trace_text(run, trace), "Lines of one direction of transillumination", drawn_lines(trace.lines)};
     }
     if (stage.kind == StageKind::local) {
-        const ParticleStory story = tell_particles(run.scene, run.options, range);
-        return {story_text(run, story), "Particles of local Monte Carlo", drawn_lines(run.scene, story)};
+        const ParticleTrace trace = trace_particles(run.scene, run.options, range);
+        return {trace_text(run, trace), "Particles of local Monte Carlo", drawn_lines(run.scene, trace)};
     }
-    const ShotStory story = tell_shot_pass(run.scene, run.options, stage.pass, range);
-    return {story_text(run, story), "Rays of pass " + std::to_string(stage.pass + 1) + " of the first shot",
-            drawn_lines(run.scene, story)};
+    const ShotTrace trace = trace_shot_pass(run.scene, run.options, stage.pass, range);
+    return {trace_text(run, trace), "Rays of pass " + std::to_string(stage.pass + 1) + " of the first shot",
+            drawn_lines(run.scene, trace)};
 }
 
-LineDrawing drawing_of(const ToldRun& run, const Stage& stage, const std::string& title)
+LineDrawing drawing_of(const TracedRun& run, const Stage& stage, const std::string& title)
 {
     LineDrawing drawing;
     drawing.title = title;
@@ -161,7 +161,7 @@ int run_explain(const CommandLine& line)
 {
     require_options_with_effect(line);
     const Stage stage = read_stage(line);
-    const ToldRange range = read_told_range(line);
+    const TracedRange range = read_told_range(line);
     const Vec3 up = read_direction("--up", line.text("up"));
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);
@@ -172,7 +172,7 @@ int run_explain(const CommandLine& line)
     require_no_input(outputs, scene.file().material_files);
     for (const std::string& warning : scene.file().warnings)
         print_note(warning + "\n");
-    const ToldRun run{scene, options, line.text("method"), sequence};
+    const TracedRun run{scene, options, line.text("method"), sequence};
     const Telling telling = tell(run, stage, range);
     LineDrawing drawing = drawing_of(run, stage, telling.title);
     drawing.up = up;

@@ -19,7 +19,7 @@ Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit)
     return {hit, line.at(hit.t), passage_at(scene, hit)};
 }
 
-void require_in_stage(const ToldRange& range, std::uint64_t lines, const char* what)
+void require_in_stage(const TracedRange& range, std::uint64_t lines, const char* what)
 {
     if (range.first >= lines || range.count > lines - range.first)
         throw SettingsError("this stage has " + std::to_string(lines) + " " + what + ", but number " +
@@ -88,37 +88,37 @@ GlobalLine tell(const Scene& scene, const LineOrigin& origin, const Line& line, 
 }
 
 /// The first stage as solve runs it, and the budget that it leaves.
-GlobalStory begin(const Scene& scene, const Sequence& sequence, const GlobalLines& lines, const SolveOptions& options,
+GlobalTrace begin(const Scene& scene, const Sequence& sequence, const GlobalLines& lines, const SolveOptions& options,
                   PowerState& state)
 {
     const ItemPlan all_items = plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines));
-    GlobalStory story;
-    story.shot_passes = shoot_first(scene, sequence, all_items.first_shot, options, {options.threads}, state);
-    for (const ShotPass& pass : story.shot_passes)
-        story.local_lines += pass.lines;
-    story.lines_charged = options.lines - std::min(options.lines, story.local_lines);
-    story.lines_cast = lines.lines_to_cast(story.lines_charged);
-    story.crossings_per_area = lines.expected_crossings(1.0, story.lines_cast); // (G1)
+    GlobalTrace trace;
+    trace.shot_passes = shoot_first(scene, sequence, all_items.first_shot, options, {options.threads}, state);
+    for (const ShotPass& pass : trace.shot_passes)
+        trace.local_lines += pass.lines;
+    trace.lines_charged = options.lines - std::min(options.lines, trace.local_lines);
+    trace.lines_cast = lines.lines_to_cast(trace.lines_charged);
+    trace.crossings_per_area = lines.expected_crossings(1.0, trace.lines_cast); // (G1)
     for (const Rgb unshot : state.unshot) {
-        story.unshot += unshot;
-        story.unshot_patches += mean(unshot) > 0.0 ? 1 : 0;
+        trace.unshot += unshot;
+        trace.unshot_patches += mean(unshot) > 0.0 ? 1 : 0;
     }
-    return story;
+    return trace;
 }
 
 } // namespace
 
-GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, const ToldRange& range)
+GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds(), chords_of(options));
     PowerState state(scene);
-    GlobalStory story = begin(scene, *sequence, lines, options, state);
-    require_in_stage(range, story.lines_cast, "global lines");
+    GlobalTrace trace = begin(scene, *sequence, lines, options, state);
+    require_in_stage(range, trace.lines_cast, "global lines");
 
-    const ItemPlan items = plan_items(*sequence, options.skip, story.local_lines, story.lines_cast);
-    const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, story.lines_cast);
-    PowerWalk walk(scene, story.crossings_per_area, options.bidirectional, state);
+    const ItemPlan items = plan_items(*sequence, options.skip, trace.local_lines, trace.lines_cast);
+    const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, trace.lines_cast);
+    PowerWalk walk(scene, trace.crossings_per_area, options.bidirectional, state);
     std::vector<Hit> hits;
     std::vector<Segment> segments;
     for (std::uint64_t n = 0; n < range.first + range.count; ++n) {
@@ -129,50 +129,50 @@ GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, co
         segments.clear();
         append_segments(scene, hits, segments);
         if (range.includes(n))
-            story.lines.push_back(tell(scene, origin, line, hits, segments, [&](const Segment& segment) {
+            trace.lines.push_back(tell(scene, origin, line, hits, segments, [&](const Segment& segment) {
                 return follow_told(segment, options.bidirectional, walk);
             }));
         else
             for (const Segment& segment : segments)
                 walk.follow(segment);
     }
-    return story;
+    return trace;
 }
 
-BundleStory tell_bundle(const Scene& scene, const SolveOptions& options, const ToldRange& range)
+BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds(), chords_of(options));
     PowerState state(scene);
-    const GlobalStory before = begin(scene, *sequence, lines, options, state);
+    const GlobalTrace before = begin(scene, *sequence, lines, options, state);
     const ItemPlan items = plan_items(*sequence, options.skip, 0, before.lines_cast);
     const TransilluminationOptions bundles{items.first_shot + before.local_lines, before.lines_charged, options.bundle,
                                            options.seed};
     const PowerState start = state;
-    BundleStory story;
-    story.shot_lines = before.local_lines;
-    story.rays = estimate_by_rays(scene, *sequence, bundles, {options.threads}, state);
-    const JacobiIterations iterations(scene, start, state, static_cast<double>(story.rays));
-    const BundlePlan plan = plan_bundles(bundles, story.rays);
+    BundleTrace trace;
+    trace.shot_lines = before.local_lines;
+    trace.rays = estimate_by_rays(scene, *sequence, bundles, {options.threads}, state);
+    const JacobiIterations iterations(scene, start, state, static_cast<double>(trace.rays));
+    const BundlePlan plan = plan_bundles(bundles, trace.rays);
     if (plan.directions == 0)
         throw SettingsError("this run has too few lines for a direction");
-    story.lines_to_meet = plan.bundle;
-    story.directions = std::clamp<std::uint64_t>(iterations.next_lines(plan.directions * plan.bundle) / plan.bundle, 1,
+    trace.lines_to_meet = plan.bundle;
+    trace.directions = std::clamp<std::uint64_t>(iterations.next_lines(plan.directions * plan.bundle) / plan.bundle, 1,
                                                  plan.directions);
-    const std::uint64_t item = bundles.first_item + story.rays;
+    const std::uint64_t item = bundles.first_item + trace.rays;
     const Item numbers = sequence->item(item);
     const Bundle bundle(scene.bounds(), numbers, plan.bundle);
-    story.lines_cast = bundle.count();
-    story.direction = bundle.direction();
-    story.section = bundle.section();
+    trace.lines_cast = bundle.count();
+    trace.direction = bundle.direction();
+    trace.section = bundle.section();
     require_in_stage(range, bundle.count(), "lines along the first direction");
     const std::vector<Rgb> power = iterations.power();
     const auto sent = [&](std::uint32_t from, std::uint32_t to) {
         const Rgb radiosity = (1.0 / scene.area(from)) * power[from];
-        return Transfer{from, to, power_along_line(radiosity, story.section, story.directions), {}};
+        return Transfer{from, to, power_along_line(radiosity, trace.section, trace.directions), {}};
     };
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n)
-        story.lines.push_back(tell(scene, {n, item, numbers}, bundle.line(n), [&](const Segment& segment) {
+        trace.lines.push_back(tell(scene, {n, item, numbers}, bundle.line(n), [&](const Segment& segment) {
             Stretch stretch{0, segment, {}, {}, {}};
             if (Segment::is_patch(segment.from))
                 stretch.transfers.push_back(sent(segment.from, segment.to));
@@ -180,7 +180,7 @@ BundleStory tell_bundle(const Scene& scene, const SolveOptions& options, const T
                 stretch.transfers.push_back(sent(segment.to, segment.from));
             return stretch;
         }));
-    return story;
+    return trace;
 }
 
 namespace {
@@ -220,7 +220,7 @@ void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 
 } // namespace
 
-ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const ToldRange& range)
+ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds(), chords_of(options));
@@ -238,16 +238,16 @@ ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::s
     require_pass(passes, pass);
     require_in_stage(range, ray_count(told.shots), "rays");
 
-    ShotStory story{passes, pass, options.threshold.value_or(threshold_radiosity(scene)), told.shots.size(), {}};
+    ShotTrace trace{passes, pass, options.threshold.value_or(threshold_radiosity(scene)), told.shots.size(), {}};
     std::uint64_t n = 0;
     for (const Shot& shot : told.shots)
         for (std::uint64_t k = 0; k < shot.rays && n < range.first + range.count; ++k, ++n) {
             const std::uint64_t item = told.first_item + n;
             const ShotRay ray = follow(scene, shot, {n, item, sequence->item(item)}, *told.state);
             if (range.includes(n))
-                story.rays.push_back(ray);
+                trace.rays.push_back(ray);
         }
-    return story;
+    return trace;
 }
 
 namespace {
@@ -265,7 +265,7 @@ ToldStep tell(const Scene& scene, const ParticleStep& step, Estimator estimator)
 
 } // namespace
 
-ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, const ToldRange& range)
+ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds());
@@ -273,16 +273,16 @@ ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, co
     const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
     require_in_stage(range, particles.count(), "particles");
 
-    ParticleStory story{particles.count(), particles.shots().size(), {}};
+    ParticleTrace trace{particles.count(), particles.shots().size(), {}};
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
         ToldParticle told{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
         ParticlePaths paths;
         particles.follow(n, {told.origin.numbers}, paths);
         for (const ParticleStep& step : paths.steps)
             told.steps.push_back(tell(scene, step, options.estimator));
-        story.particles.push_back(told);
+        trace.particles.push_back(told);
     }
-    return story;
+    return trace;
 }
 
 } // namespace multipath

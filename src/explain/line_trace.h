@@ -11,13 +11,13 @@
 #include <optional>
 #include <vector>
 
-// The stories: what single lines of a run do, for readers who want to follow the method step by step. They are made by
+// The traces: what single lines of a run do, for readers who want to follow the method step by step. They are made by
 // the functions that the solver itself calls, in its order and with its items, so that what is told is what happens.
 
 namespace multipath {
 
 /// Which lines of a stage are told, counted from 0.
-struct ToldRange
+struct TracedRange
 {
     std::uint64_t first = 0;
     std::uint64_t count = 3;
@@ -44,7 +44,7 @@ struct Meeting
 Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit);
 
 /// Throws SettingsError unless the stage has all these lines; `what` names them: "global lines".
-void require_in_stage(const ToldRange& range, std::uint64_t lines, const char* what);
+void require_in_stage(const TracedRange& range, std::uint64_t lines, const char* what);
 
 /// What a patch sends along a stretch of a line (M1).
 struct Transfer
@@ -78,7 +78,7 @@ struct GlobalLine
 };
 
 /// Some lines of the global pass of a run, with what the run does before.
-struct GlobalStory
+struct GlobalTrace
 {
     std::vector<ShotPass> shot_passes;
     std::uint64_t local_lines = 0;    ///< N_l
@@ -92,10 +92,10 @@ struct GlobalStory
 
 /// Walks the lines of the global pass up to the last one of the range and tells those in it. Throws SettingsError
 /// for lines that the pass does not have, and what solve throws.
-GlobalStory tell_global_pass(const Scene& scene, const SolveOptions& options, const ToldRange& range);
+GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 /// Some lines of the first direction of transillumination, with what the run does before.
-struct BundleStory
+struct BundleTrace
 {
     std::uint64_t shot_lines = 0;    ///< rays of the first shot
     std::uint64_t rays = 0;          ///< of the first estimate
@@ -109,7 +109,7 @@ struct BundleStory
 
 /// Tells lines of the first direction of the first iteration (P1). Throws SettingsError for lines that it does not
 /// have, and what solve throws.
-BundleStory tell_bundle(const Scene& scene, const SolveOptions& options, const ToldRange& range);
+BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 /// A ray of the (extended) first shot (S1).
 struct ShotRay
@@ -124,7 +124,7 @@ struct ShotRay
 };
 
 /// Some rays of one pass.
-struct ShotStory
+struct ShotTrace
 {
     std::vector<ShotPass> shot_passes; ///< all of the run
     std::size_t pass = 0;              ///< the one told, from 0
@@ -135,7 +135,7 @@ struct ShotStory
 
 /// Follows the rays of a pass (from 0) up to the last one of the range and tells those in it. Throws SettingsError for
 /// a pass or rays that the run does not have, and what solve throws.
-ShotStory tell_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const ToldRange& range);
+ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range);
 
 /// One segment of a told particle's path.
 struct ToldStep
@@ -154,7 +154,7 @@ struct ToldParticle
 };
 
 /// Some particles of a run.
-struct ParticleStory
+struct ParticleTrace
 {
     std::uint64_t particles_in_all = 0;
     std::size_t sources = 0; ///< patches that emit
@@ -163,6 +163,6 @@ struct ParticleStory
 
 /// Follows the particles of the range, each from its source to its end. Throws SettingsError for particles that
 /// the run does not have, and what solve throws.
-ParticleStory tell_particles(const Scene& scene, const SolveOptions& options, const ToldRange& range);
+ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 } // namespace multipath

@@ -131,9 +131,9 @@ JsonObject line_json(const ViewerLine& line)
         .objects("transfers", transfers);
 }
 
-/// A chapter of the story as the page reads it: every line as a chain of points, with the power that goes along its
-/// stretches. Numbers have six digits: they are looked at, not computed with.
-JsonObject story_json(const ViewerChapter& chapter)
+/// A chapter of the traced lines as the page reads it: every line as a chain of points, with the power that goes along
+/// its stretches. Numbers have six digits: they are looked at, not computed with.
+JsonObject chapter_json(const ViewerChapter& chapter)
 {
     std::vector<JsonObject> lines;
     for (const ViewerLine& line : chapter.lines)
@@ -354,7 +354,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         quantities.push_back(quantity_json(scene, quantity, quantities.empty(), content.render.threads));
     std::vector<JsonObject> chapters;
     for (const ViewerChapter& chapter : content.chapters)
-        chapters.push_back(story_json(chapter));
+        chapters.push_back(chapter_json(chapter));
     return JsonObject()
         .text("scene", scene.path())
         .texts("record", content.record)

@@ -1,6 +1,6 @@
 #include "commands/solve/solution_page.h"
 
-#include "commands/explain/story_drawing.h"
+#include "commands/explain/trace_drawing.h"
 #include "scene/input_error.h"
 #include "scene/light_units.h"
 #include "scene/text/text_format.h"
@@ -38,26 +38,26 @@ std::vector<ViewerLine> told(const std::vector<GlobalLine>& global_lines)
     return lines;
 }
 
-std::vector<ViewerLine> told(const Scene& scene, const ShotStory& story)
+std::vector<ViewerLine> told(const Scene& scene, const ShotTrace& trace)
 {
-    const std::vector<DrawnLine> drawn = drawn_lines(scene, story);
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
     std::vector<ViewerLine> lines;
-    for (std::size_t n = 0; n < story.rays.size(); ++n) {
-        const ShotRay& ray = story.rays[n];
+    for (std::size_t n = 0; n < trace.rays.size(); ++n) {
+        const ShotRay& ray = trace.rays[n];
         lines.push_back({drawn[n], {{0, ray.shooter, receiver(ray.where), {}, ray.power, ray.power}}});
     }
     return lines;
 }
 
-std::vector<ViewerLine> told(const Scene& scene, const ParticleStory& story)
+std::vector<ViewerLine> told(const Scene& scene, const ParticleTrace& trace)
 {
-    const std::vector<DrawnLine> drawn = drawn_lines(scene, story);
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
     std::vector<ViewerLine> lines;
-    for (std::size_t n = 0; n < story.particles.size(); ++n) {
+    for (std::size_t n = 0; n < trace.particles.size(); ++n) {
         ViewerLine line{drawn[n], {}};
         // Between two of its steps the particle moves within a patch, which is a stretch of the drawing too.
         std::size_t stretch = 0;
-        for (const ToldStep& told : story.particles[n].steps) {
+        for (const ToldStep& told : trace.particles[n].steps) {
             line.transfers.push_back(
                 {stretch, told.step.from, receiver(told.step.where), {}, told.step.power, told.counted});
             stretch += 2;
@@ -67,62 +67,62 @@ std::vector<ViewerLine> told(const Scene& scene, const ParticleStory& story)
     return lines;
 }
 
-ViewerChapter shots(const ToldRun& run, const ToldRange& range)
+ViewerChapter shots(const TracedRun& run, const TracedRange& range)
 {
-    const ShotStory story = tell_shot_pass(run.scene, run.options, 0, range);
+    const ShotTrace trace = trace_shot_pass(run.scene, run.options, 0, range);
     return {"First shot",
             "Rays carry the light of the sources to the patches that they see, each the same power. What a patch "
             "reflects of it is unshot until it is sent on. The first " +
-                grouped(story.rays.size()) + " of " + grouped(story.shot_passes.front().lines) + " rays.",
-            told(run.scene, story)};
+                grouped(trace.rays.size()) + " of " + grouped(trace.shot_passes.front().lines) + " rays.",
+            told(run.scene, trace)};
 }
 
-ViewerChapter global_lines(const ToldRun& run, const ToldRange& range)
+ViewerChapter global_lines(const TracedRun& run, const TracedRange& range)
 {
-    const GlobalStory story = tell_global_pass(run.scene, run.options, range);
+    const GlobalTrace trace = trace_global_pass(run.scene, run.options, range);
     const std::string before =
-        story.local_lines > 0 ? ", after " + grouped(story.local_lines) + " rays of the first shot" : "";
+        trace.local_lines > 0 ? ", after " + grouped(trace.local_lines) + " rays of the first shot" : "";
     return {"Global lines",
             "A line crosses the whole scene. Where it leaves one patch and meets another, the two exchange power: each "
             "sends its forecast, a share of what was unshot, and all that it has received and reflected since. The "
             "first " +
-                grouped(story.lines.size()) + " of " + grouped(story.lines_cast) + " lines" + before + ".",
-            told(story.lines)};
+                grouped(trace.lines.size()) + " of " + grouped(trace.lines_cast) + " lines" + before + ".",
+            told(trace.lines)};
 }
 
-ViewerChapter bundle(const ToldRun& run, const ToldRange& range)
+ViewerChapter bundle(const TracedRun& run, const TracedRange& range)
 {
-    const BundleStory story = tell_bundle(run.scene, run.options, range);
+    const BundleTrace trace = trace_bundle(run.scene, run.options, range);
     return {
         "Parallel lines",
         "Lines in parallel cross the whole scene. Where one leaves a patch and meets another, the two exchange power, "
         "each by its radiosity as the last iteration found it. The first " +
-            grouped(story.lines.size()) + " of " + grouped(story.lines_cast) + " lines along the first of " +
-            grouped(story.directions) + " directions.",
-        told(story.lines)};
+            grouped(trace.lines.size()) + " of " + grouped(trace.lines_cast) + " lines along the first of " +
+            grouped(trace.directions) + " directions.",
+        told(trace.lines)};
 }
 
-ViewerChapter particles(const ToldRun& run, const ToldRange& range)
+ViewerChapter particles(const TracedRun& run, const TracedRange& range)
 {
-    const ParticleStory story = tell_particles(run.scene, run.options, range);
+    const ParticleTrace trace = trace_particles(run.scene, run.options, range);
     return {"Particles",
             "Particles leave the sources and are reflected from patch to patch, until they are absorbed or leave the "
             "scene. The first " +
-                grouped(story.particles.size()) + " of " + grouped(story.particles_in_all) + " particles.",
-            told(run.scene, story)};
+                grouped(trace.particles.size()) + " of " + grouped(trace.particles_in_all) + " particles.",
+            told(run.scene, trace)};
 }
 
 struct ChapterKind
 {
     std::string_view stage; ///< see MethodInfo::told; later passes are not told
-    ViewerChapter (*tell)(const ToldRun&, const ToldRange&);
+    ViewerChapter (*tell)(const TracedRun&, const TracedRange&);
 };
 
 constexpr std::array<ChapterKind, 4> chapter_kinds = {
     {{"first-shot", shots}, {"global", global_lines}, {"bundle", bundle}, {"local", particles}}};
 
 /// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
-void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const ToldRange&)>& tell)
+void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const TracedRange&)>& tell)
 {
     for (const std::uint64_t count : {100u, 10u, 1u}) {
         try {
@@ -183,7 +183,7 @@ std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, const Sho
 
 } // namespace
 
-std::vector<ViewerChapter> viewer_story(const ToldRun& run)
+std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
 {
     const Method method = run.options.method;
     const bool only_counts = !method->told_as.empty();
@@ -193,12 +193,12 @@ std::vector<ViewerChapter> viewer_story(const ToldRun& run)
         options.method = method_named(method->told_as);
         options.ratio.reset(); // it means something else there
     }
-    const ToldRun walk{run.scene, options, run.method, run.sequence};
+    const TracedRun walk{run.scene, options, run.method, run.sequence};
     std::vector<ViewerChapter> chapters;
     for (const std::string_view stage : told_stages(options.method))
         for (const ChapterKind& kind : chapter_kinds)
             if (kind.stage == stage)
-                append(chapters, [&](const ToldRange& range) { return kind.tell(walk, range); });
+                append(chapters, [&](const TracedRange& range) { return kind.tell(walk, range); });
     if (only_counts)
         for (ViewerChapter& chapter : chapters)
             chapter.note += " The method " + std::string(method->name) +
@@ -244,7 +244,7 @@ std::vector<ViewerStage> solve_stages(const Scene& scene, const SolveOptions& op
     return stages;
 }
 
-std::string solution_page(const ToldRun& run, const Solution& solution, const PictureOptions& picture_options,
+std::string solution_page(const TracedRun& run, const Solution& solution, const PictureOptions& picture_options,
                           const std::vector<std::string>& comments, const ProgressCallback& progress)
 {
     ViewerContent content;
@@ -257,7 +257,7 @@ std::string solution_page(const ToldRun& run, const Solution& solution, const Pi
     content.lines = solution.local_lines + solution.global_lines;
     content.stages =
         solve_stages(run.scene, run.options, stage_lines(content.lines, run.scene.patch_count()), progress);
-    content.chapters = viewer_story(run);
+    content.chapters = viewer_chapters(run);
     return viewer_page(run.scene, content);
 }
 

@@ -21,12 +21,12 @@ Scene lit_room()
     return builder.room({0, 0, 0}, {2, 1, 3}, {wall, lamp, wall, wall, wall, wall}).scene(0.5);
 }
 
-std::vector<ViewerChapter> story(const Scene& scene, Method method, std::uint64_t lines)
+std::vector<ViewerChapter> trace(const Scene& scene, Method method, std::uint64_t lines)
 {
     SolveOptions options;
     options.method = method;
     options.lines = lines;
-    return viewer_story({scene, options, "method", "sequence"});
+    return viewer_chapters({scene, options, "method", "sequence"});
 }
 
 /// Is the place one of the patch, a rectangle?
@@ -47,7 +47,7 @@ TEST_CASE("power goes along its stretch of a told line, from a patch at one end 
     const Scene scene = lit_room();
     for (const Method method : all_methods()) {
         std::size_t transfers = 0;
-        for (const ViewerChapter& chapter : story(scene, method, 4096)) {
+        for (const ViewerChapter& chapter : trace(scene, method, 4096)) {
             CHECK(chapter.lines.size() == 100);
             for (const ViewerLine& line : chapter.lines)
                 for (const ViewerTransfer& transfer : line.transfers) {
@@ -68,21 +68,21 @@ TEST_CASE("power goes along its stretch of a told line, from a patch at one end 
 TEST_CASE("each method has its chapters, the lines of reuse being those of the extended walk")
 {
     const Scene scene = lit_room();
-    CHECK(story(scene, Method::local, 4096).size() == 1);
-    CHECK(story(scene, Method::global, 4096).size() == 1);
-    CHECK(story(scene, Method::extended, 4096).size() == 2);
-    const std::vector<ViewerChapter> reuse = story(scene, Method::reuse, 4096);
+    CHECK(trace(scene, Method::local, 4096).size() == 1);
+    CHECK(trace(scene, Method::global, 4096).size() == 1);
+    CHECK(trace(scene, Method::extended, 4096).size() == 2);
+    const std::vector<ViewerChapter> reuse = trace(scene, Method::reuse, 4096);
     REQUIRE(reuse.size() == 2);
     CHECK(reuse[1].title == "Global lines");
     CHECK(reuse[1].note.find("--method extended") != std::string::npos);
     CHECK(reuse[1].lines[7].shape.stretches[0].to ==
-          story(scene, Method::extended, 4096)[1].lines[7].shape.stretches[0].to);
+          trace(scene, Method::extended, 4096)[1].lines[7].shape.stretches[0].to);
 }
 
 TEST_CASE("a run with few lines has a shorter story")
 {
     const Scene scene = lit_room();
-    const std::vector<ViewerChapter> chapters = story(scene, Method::global, 20);
+    const std::vector<ViewerChapter> chapters = trace(scene, Method::global, 20);
     REQUIRE(chapters.size() == 1);
     CHECK(chapters[0].lines.size() == 10);
 }

@@ -21,8 +21,8 @@ std::string surface_name(const Scene& scene, std::uint32_t surface);
 /// "patch 12 of table_top (line 12)"; "its back" is said where both sides have patches.
 std::string patch_name(const Scene& scene, std::uint32_t patch);
 
-/// The run that the lines of a story belong to.
-struct ToldRun
+/// The run that the lines of a trace belong to.
+struct TracedRun
 {
     const Scene& scene;
     const SolveOptions& options;
@@ -30,10 +30,10 @@ struct ToldRun
     std::string sequence; ///< full name
 };
 
-/// The stories in plain text for readers without the paper, at most 110 columns wide.
-std::string story_text(const ToldRun& run, const GlobalStory& story);
-std::string story_text(const ToldRun& run, const BundleStory& story);
-std::string story_text(const ToldRun& run, const ShotStory& story);
-std::string story_text(const ToldRun& run, const ParticleStory& story);
+/// The traces in plain text for readers without the paper, at most 110 columns wide.
+std::string trace_text(const TracedRun& run, const GlobalTrace& trace);
+std::string trace_text(const TracedRun& run, const BundleTrace& trace);
+std::string trace_text(const TracedRun& run, const ShotTrace& trace);
+std::string trace_text(const TracedRun& run, const ParticleTrace& trace);
 
 } // namespace multipath

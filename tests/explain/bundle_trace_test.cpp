@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-namespace bundle_story_test {
+namespace bundle_trace_test {
 
 using namespace multipath;
 
@@ -41,28 +41,28 @@ TEST_CASE("the lines of a bundle are parallel, and cross surfaces in proportion 
     const Scene scene = room();
     SolveOptions options = run(1u << 16);
     options.bundle = 2048;
-    const BundleStory first = tell_bundle(scene, options, {0, 1});
-    const BundleStory story = tell_bundle(scene, options, {0, first.lines_cast});
-    REQUIRE(story.lines.size() == story.lines_cast);
-    CHECK(std::abs(length(story.direction) - 1.0) < 1e-12);
+    const BundleTrace first = trace_bundle(scene, options, {0, 1});
+    const BundleTrace trace = trace_bundle(scene, options, {0, first.lines_cast});
+    REQUIRE(trace.lines.size() == trace.lines_cast);
+    CHECK(std::abs(length(trace.direction) - 1.0) < 1e-12);
     double crossed = 0.0; // [m^2] as the lines tell
-    for (const GlobalLine& line : story.lines) {
-        CHECK(length(cross(line.to - line.from, story.direction)) < 1e-12);
-        crossed += static_cast<double>(line.meetings.size()) * story.section;
+    for (const GlobalLine& line : trace.lines) {
+        CHECK(length(cross(line.to - line.from, trace.direction)) < 1e-12);
+        crossed += static_cast<double>(line.meetings.size()) * trace.section;
     }
     double across = 0.0;
     for (const Surface& surface : scene.surfaces())
-        across += surface.area() * std::abs(dot(surface.normal(), story.direction));
+        across += surface.area() * std::abs(dot(surface.normal(), trace.direction));
     CHECK(crossed == doctest::Approx(across).epsilon(0.02));
 }
 
 TEST_CASE("along a line of a bundle two patches exchange power, each the same along every line")
 {
     const Scene scene = room();
-    const BundleStory story = tell_bundle(scene, run(1u << 14), {0, 200});
+    const BundleTrace trace = trace_bundle(scene, run(1u << 14), {0, 200});
     std::map<std::uint32_t, double> sent; // [W] by each patch
     std::size_t exchanges = 0;
-    for (const GlobalLine& line : story.lines)
+    for (const GlobalLine& line : trace.lines)
         for (const Stretch& stretch : line.stretches) {
             REQUIRE(stretch.transfers.size() == (stretch.segment.joins_patches() ? 2 : 1));
             exchanges += stretch.segment.joins_patches() ? 1 : 0;
@@ -79,9 +79,9 @@ TEST_CASE("along a line of a bundle two patches exchange power, each the same al
 TEST_CASE("lines that the direction does not have are refused")
 {
     const Scene scene = room();
-    const BundleStory story = tell_bundle(scene, run(1u << 12), {0, 1});
-    CHECK_NOTHROW(tell_bundle(scene, run(1u << 12), {story.lines_cast - 1, 1}));
-    CHECK_THROWS_AS(tell_bundle(scene, run(1u << 12), {story.lines_cast, 1}), SettingsError);
+    const BundleTrace trace = trace_bundle(scene, run(1u << 12), {0, 1});
+    CHECK_NOTHROW(trace_bundle(scene, run(1u << 12), {trace.lines_cast - 1, 1}));
+    CHECK_THROWS_AS(trace_bundle(scene, run(1u << 12), {trace.lines_cast, 1}), SettingsError);
 }
 
-} // namespace bundle_story_test
+} // namespace bundle_trace_test

@@ -1,4 +1,4 @@
-#include "commands/explain/story_text.h"
+#include "commands/explain/trace_text.h"
 
 #include "cli/options/help_text.h"
 #include "explain/line_trace.h"
@@ -38,7 +38,7 @@ std::string origin_text(const LineOrigin& origin)
                   origin.numbers[3]);
 }
 
-constexpr std::size_t story_width = 110;
+constexpr std::size_t text_width = 110;
 constexpr std::size_t widest_name = 41;
 
 /// Cut or filled to a number of columns.
@@ -79,7 +79,7 @@ std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meeti
 constexpr std::size_t name_column = 13; // of the patches of a stretch, below which stands
 constexpr std::size_t indent = 15;      // what they send
 
-std::string heading(const ToldRun& run, const std::string& stage)
+std::string heading(const TracedRun& run, const std::string& stage)
 {
     return wrapped(stage + " of a run with --method " + run.method + ", sequence " + run.sequence + ", " +
                        grouped(run.options.lines) + " lines in all, " + grouped(run.scene.patch_count()) + " patches.",
@@ -105,39 +105,39 @@ std::string loss(std::uint32_t where)
                                     : "which is lost: it leaves the scene";
 }
 
-std::string before_the_pass(const GlobalStory& story)
+std::string before_the_pass(const GlobalTrace& trace)
 {
-    const std::string unshot = watts(story.unshot) + " on " + counted(story.unshot_patches, "patch", "patches") + ". ";
-    if (story.shot_passes.empty())
+    const std::string unshot = watts(trace.unshot) + " on " + counted(trace.unshot_patches, "patch", "patches") + ". ";
+    if (trace.shot_passes.empty())
         return "No rays are shot first: all that the sources emit is unshot when the global lines begin, " + unshot;
-    return "Before it, " + counted(story.shot_passes.size(), "pass", "passes") + " of shots took " +
-           grouped(story.local_lines) +
+    return "Before it, " + counted(trace.shot_passes.size(), "pass", "passes") + " of shots took " +
+           grouped(trace.local_lines) +
            " of the lines. What patches reflected of them and what the sources kept is unshot: " + unshot;
 }
 
 /// Where the lines come from, and how many it takes (N1).
-std::string lines_drawn(const ToldRun& run, const GlobalStory& story)
+std::string lines_drawn(const TracedRun& run, const GlobalTrace& trace)
 {
     if (chords_of(run.options) == Chords::box)
         return " from random points of the scene's bounding box, in directions that favour its inward normal by the "
                "cosine: all of them meet the box (N1).";
-    return "; " + grouped(story.lines_cast) +
+    return "; " + grouped(trace.lines_cast) +
            " chords between random points of a sphere around the scene are cast, so that this many meet the scene's "
            "box (N1).";
 }
 
-std::string global_context(const ToldRun& run, const GlobalStory& story)
+std::string global_context(const TracedRun& run, const GlobalTrace& trace)
 {
     const double area = run.scene.total_area() / run.scene.patch_count();
-    const double crossings = story.crossings_per_area * area;
+    const double crossings = trace.crossings_per_area * area;
     const bool both = run.options.bidirectional;
     const std::string per_patch = format("%.4g", both ? crossings : 0.5 * crossings);
-    return wrapped(before_the_pass(story) + "The pass distributes it with " +
-                       counted(story.lines_charged, "global line", "global lines") + lines_drawn(run, story),
+    return wrapped(before_the_pass(trace) + "The pass distributes it with " +
+                       counted(trace.lines_charged, "global line", "global lines") + lines_drawn(run, trace),
                    0, 0) +
            wrapped("Such chords cross a patch in proportion to its area, " +
                        format("%.4g times per square metre (G1). A patch of %.3g%cm^2, the mean, is crossed ",
-                              story.crossings_per_area, area, tied) +
+                              trace.crossings_per_area, area, tied) +
                        format("%.4g times, and ", crossings) +
                        (both ? "each crossing leaves its front in one of the line's two directions (M2)"
                              : "half of the lines leave its front") +
@@ -171,7 +171,7 @@ std::string transfer_text(const Scene& scene, const Transfer& transfer, const St
                    indent, indent + 2);
 }
 
-std::string stretch_text(const ToldRun& run, const GlobalLine& line, const Stretch& stretch)
+std::string stretch_text(const TracedRun& run, const GlobalLine& line, const Stretch& stretch)
 {
     const Scene& scene = run.scene;
     const std::size_t after = stretch.after;
@@ -189,7 +189,7 @@ std::string stretch_text(const ToldRun& run, const GlobalLine& line, const Stret
     return text;
 }
 
-std::string line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t of)
+std::string line_text(const TracedRun& run, const GlobalLine& line, std::uint64_t of)
 {
     const bool box = chords_of(run.options) == Chords::box;
     std::string text = title("line", line.origin, of) + "  from " + point_text(line.from) + " to " +
@@ -206,7 +206,7 @@ std::string line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t 
     return text;
 }
 
-std::string parallel_line_text(const ToldRun& run, const GlobalLine& line, std::uint64_t of)
+std::string parallel_line_text(const TracedRun& run, const GlobalLine& line, std::uint64_t of)
 {
     std::string text =
         title("line", line.origin, of) + "  from " + point_text(line.from) + " to " + point_text(line.to) + "\n";
@@ -261,7 +261,7 @@ std::string step_text(const Scene& scene, const ToldStep& told, std::size_t numb
 
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others)
 {
-    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, story_width);
+    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, text_width);
     std::replace(result.begin(), result.end(), tied, ' ');
     return result;
 }
@@ -285,72 +285,72 @@ std::string patch_name(const Scene& scene, std::uint32_t patch)
            (scene.is_front(patch) ? "" : ", its back");
 }
 
-std::string story_text(const ToldRun& run, const GlobalStory& story)
+std::string trace_text(const TracedRun& run, const GlobalTrace& trace)
 {
-    std::string text = heading(run, "Global pass") + global_context(run, story);
-    for (const GlobalLine& line : story.lines)
-        text += line_text(run, line, story.lines_cast);
+    std::string text = heading(run, "Global pass") + global_context(run, trace);
+    for (const GlobalLine& line : trace.lines)
+        text += line_text(run, line, trace.lines_cast);
     return text;
 }
 
-std::string story_text(const ToldRun& run, const BundleStory& story)
+std::string trace_text(const TracedRun& run, const BundleTrace& trace)
 {
     std::string text = heading(run, "First direction");
     text +=
-        wrapped("Before it the first shot took " + counted(story.shot_lines, "ray", "rays") +
-                    ". What patches reflected of them is unshot, and " + counted(story.rays, "ray", "rays") +
+        wrapped("Before it the first shot took " + counted(trace.shot_lines, "ray", "rays") +
+                    ". What patches reflected of them is unshot, and " + counted(trace.rays, "ray", "rays") +
                     " from patch to patch gave a first estimate of all light that it brings. The iterations make it "
                     "better: in the first one " +
-                    counted(story.lines_to_meet, "parallel line meets", "parallel lines meet") +
-                    " the scene's box along each of " + counted(story.directions, "direction", "directions") + ".",
+                    counted(trace.lines_to_meet, "parallel line meets", "parallel lines meet") +
+                    " the scene's box along each of " + counted(trace.directions, "direction", "directions") + ".",
                 0, 0) +
-        wrapped("This direction is " + point_text(story.direction) +
+        wrapped("This direction is " + point_text(trace.direction) +
                     ". Through the smallest rectangle that hides the box " +
-                    counted(story.lines_cast, "line is", "lines are") + " cast; each stands for" +
-                    format(" %.4g%cm^2 of it. ", story.section, tied) +
+                    counted(trace.lines_cast, "line is", "lines are") + " cast; each stands for" +
+                    format(" %.4g%cm^2 of it. ", trace.section, tied) +
                     "Along a line that joins two patches, each sends the other its radiosity times twice that, over "
                     "the number of directions (P1).",
                 0, 0);
-    for (const GlobalLine& line : story.lines)
-        text += parallel_line_text(run, line, story.lines_cast);
+    for (const GlobalLine& line : trace.lines)
+        text += parallel_line_text(run, line, trace.lines_cast);
     return text;
 }
 
-std::string story_text(const ToldRun& run, const ShotStory& story)
+std::string trace_text(const TracedRun& run, const ShotTrace& trace)
 {
-    const ShotPass& pass = story.shot_passes[story.pass];
+    const ShotPass& pass = trace.shot_passes[trace.pass];
     const std::string stage =
-        story.pass == 0 ? "First shot, pass 1" : "Extended first shot, pass " + std::to_string(story.pass + 1);
-    std::string text = heading(run, stage + " of " + std::to_string(story.shot_passes.size()) + ",");
+        trace.pass == 0 ? "First shot, pass 1" : "Extended first shot, pass " + std::to_string(trace.pass + 1);
+    std::string text = heading(run, stage + " of " + std::to_string(trace.shot_passes.size()) + ",");
     text += wrapped("A patch whose unshot radiosity exceeds the threshold" +
-                        format(", %.4g W/m^2 (4), shoots the excess. ", story.threshold) + "In this pass " +
-                        counted(story.shooters, "patch shoots", "patches shoot") + format(" %.4g W with ", pass.power) +
+                        format(", %.4g W/m^2 (4), shoots the excess. ", trace.threshold) + "In this pass " +
+                        counted(trace.shooters, "patch shoots", "patches shoot") + format(" %.4g W with ", pass.power) +
                         counted(pass.lines, "ray", "rays") +
                         ", one after the other. A ray takes one item of four numbers: two for a uniform point of the "
                         "patch, two for a direction that favours the normal by the cosine, as diffuse light does. "
                         "Where it arrives its power is added to what has arrived, and the reflected part is unshot "
                         "until a later pass or the global lines send it on (S1).",
                     0, 0);
-    for (const ShotRay& ray : story.rays)
+    for (const ShotRay& ray : trace.rays)
         text += ray_text(run.scene, ray, pass.lines);
     return text;
 }
 
-std::string story_text(const ToldRun& run, const ParticleStory& story)
+std::string trace_text(const TracedRun& run, const ParticleTrace& trace)
 {
     const bool collision = run.options.estimator == Estimator::collision;
     std::string text = heading(run, "Local Monte Carlo");
     text += wrapped(
-        "The sources, " + counted(story.sources, "patch", "patches") + ", send " +
-            counted(story.particles_in_all, "particle", "particles") +
+        "The sources, " + counted(trace.sources, "patch", "patches") + ", send " +
+            counted(trace.particles_in_all, "particle", "particles") +
             " of equal power, as many as take the lines of the run in expectation: every segment of a path counts as a "
             "line. At every patch that it meets a particle draws a number. If that is below the patch's reflectance, "
             "it is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
             (collision ? "Wherever it arrives, its power is scored as arrived (L1)."
                        : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1)."),
         0, 0);
-    for (const ToldParticle& particle : story.particles) {
-        text += title("particle", particle.origin, story.particles_in_all);
+    for (const ToldParticle& particle : trace.particles) {
+        text += title("particle", particle.origin, trace.particles_in_all);
         for (std::size_t k = 0; k < particle.steps.size(); ++k)
             text += step_text(run.scene, particle.steps[k], k + 1);
     }

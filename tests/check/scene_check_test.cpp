@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 
-namespace scene_lint_test {
+namespace scene_check_test {
 
 using namespace multipath;
 
@@ -16,7 +16,7 @@ namespace {
 
 std::vector<Finding> findings_of(const Scene& scene)
 {
-    return lint(scene, report_on(scene, 20000, 2));
+    return findings_of(scene, report_on(scene, 20000, 2));
 }
 
 /// The finding of this kind; empty kind when there is none.
@@ -87,7 +87,7 @@ TEST_CASE("emitters that light nothing are one finding, wrong if they have a sha
         m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
         for (const double x : {0.2, 0.8, 1.4})
             m.builder.rectangle({x, 2.5, 0}, {0, 0, size}, {size, 0, 0}, m.lamp);
-        const std::vector<Finding> findings = lint(m.builder.scene(0.5), report_on(m.builder.scene(0.5), 200000, 2));
+        const std::vector<Finding> findings = findings_of(m.builder.scene(0.5), report_on(m.builder.scene(0.5), 200000, 2));
         const Finding finding = find(findings, "emitter");
         CHECK(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.kind == "emitter"; }) ==
               1);
@@ -224,9 +224,9 @@ TEST_CASE("hundreds of copies of a face are measured with fewer lines, and a not
     CHECK(report.trial_lines <= report.survey.lines);
     CHECK(report.intersections_per_sphere_line_measured ==
           doctest::Approx(report.intersections_per_sphere_line).epsilon(0.1));
-    const std::vector<Finding> findings = lint(scene, report);
+    const std::vector<Finding> findings = findings_of(scene, report);
     CHECK(mentions(find(findings, "depth"), "instead of 20,000"));
     CHECK(mentions(find(findings, "copy"), "at least 10000 pairs"));
 }
 
-} // namespace scene_lint_test
+} // namespace scene_check_test

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-namespace global_story_test {
+namespace global_trace_test {
 
 using namespace multipath;
 
@@ -44,20 +44,20 @@ SolveOptions short_run(Method method)
     return options;
 }
 
-GlobalStory tell_all(const Scene& scene, const SolveOptions& options)
+GlobalTrace tell_all(const Scene& scene, const SolveOptions& options)
 {
-    const std::uint64_t cast = tell_global_pass(scene, options, {0, 1}).lines_cast;
-    return tell_global_pass(scene, options, {0, cast});
+    const std::uint64_t cast = trace_global_pass(scene, options, {0, 1}).lines_cast;
+    return trace_global_pass(scene, options, {0, cast});
 }
 
 /// Solves by what is told: what the transfers bring, added up in their order to what the first stage brought.
-std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options, const GlobalStory& story)
+std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options, const GlobalTrace& trace)
 {
     PowerState state(scene);
     const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
     std::vector<Rgb> received(scene.patch_count());
-    for (const GlobalLine& line : story.lines)
+    for (const GlobalLine& line : trace.lines)
         for (const Stretch& stretch : line.stretches)
             for (const Transfer& transfer : stretch.transfers)
                 if (Segment::is_patch(transfer.to))
@@ -67,10 +67,10 @@ std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options,
     return radiosity(scene, state);
 }
 
-Rgb lost(const GlobalStory& story, std::uint32_t where)
+Rgb lost(const GlobalTrace& trace, std::uint32_t where)
 {
     Rgb power;
-    for (const GlobalLine& line : story.lines)
+    for (const GlobalLine& line : trace.lines)
         for (const Stretch& stretch : line.stretches)
             for (const Transfer& transfer : stretch.transfers)
                 if (transfer.to == where)
@@ -85,11 +85,11 @@ TEST_CASE("the lines told are the box's where the run draws them from the box")
     const Scene scene = furnished_room();
     SolveOptions options = short_run(Method::first_shot);
     options.chords = Chords::box;
-    const GlobalStory story = tell_all(scene, options);
+    const GlobalTrace trace = tell_all(scene, options);
     const Solution solution = solve(scene, options, [](double) {});
-    CHECK(story.lines_cast == story.lines_charged);
-    CHECK(story.lines.size() == solution.global_lines_cast);
-    CHECK(radiosity_told(scene, options, story) == solution.radiosity); // the same sums in the same order
+    CHECK(trace.lines_cast == trace.lines_charged);
+    CHECK(trace.lines.size() == solution.global_lines_cast);
+    CHECK(radiosity_told(scene, options, trace) == solution.radiosity); // the same sums in the same order
 }
 
 // The oracle is the solver. The same powers are added in the same order, so the bits must agree.
@@ -103,12 +103,12 @@ TEST_CASE("the powers told for all global lines add up to the solver's radiosity
                 const Scene scene = furnished_room(two_sided);
                 SolveOptions options = short_run(method);
                 options.bidirectional = bidirectional;
-                const GlobalStory story = tell_all(scene, options);
+                const GlobalTrace trace = tell_all(scene, options);
                 const Solution solution = solve(scene, options, [](double) {});
-                CHECK(story.local_lines == solution.local_lines);
-                CHECK(story.lines_charged == solution.global_lines);
-                CHECK(story.lines.size() == solution.global_lines_cast);
-                CHECK(radiosity_told(scene, options, story) == solution.radiosity);
+                CHECK(trace.local_lines == solution.local_lines);
+                CHECK(trace.lines_charged == solution.global_lines);
+                CHECK(trace.lines.size() == solution.global_lines_cast);
+                CHECK(radiosity_told(scene, options, trace) == solution.radiosity);
             }
 }
 
@@ -119,11 +119,11 @@ TEST_CASE("what is told as lost is what the solver finds to have left the scene 
     for (const bool bidirectional : {true, false}) {
         SolveOptions options = short_run(Method::global);
         options.bidirectional = bidirectional;
-        const GlobalStory story = tell_all(scene, options);
+        const GlobalTrace trace = tell_all(scene, options);
         const PowerBalance balance = solve(scene, options, [](double) {}).balance;
         CHECK(mean(balance.escaped) > 0.0);
-        CHECK(mean(lost(story, Segment::outside)) == doctest::Approx(mean(balance.escaped)).epsilon(1e-13));
-        CHECK(mean(lost(story, Segment::behind)) == doctest::Approx(mean(balance.behind)).epsilon(1e-13));
+        CHECK(mean(lost(trace, Segment::outside)) == doctest::Approx(mean(balance.escaped)).epsilon(1e-13));
+        CHECK(mean(lost(trace, Segment::behind)) == doctest::Approx(mean(balance.behind)).epsilon(1e-13));
     }
 }
 
@@ -168,8 +168,8 @@ TEST_CASE("a later line is told with the powers that the lines before it left")
 {
     const Scene scene = furnished_room();
     const SolveOptions options = short_run(Method::first_shot);
-    const GlobalStory from_the_start = tell_global_pass(scene, options, {0, 200});
-    const GlobalStory late = tell_global_pass(scene, options, {190, 10});
+    const GlobalTrace from_the_start = trace_global_pass(scene, options, {0, 200});
+    const GlobalTrace late = trace_global_pass(scene, options, {190, 10});
     REQUIRE(late.lines.size() == 10);
     for (std::size_t k = 0; k < 10; ++k) {
         const GlobalLine& a = from_the_start.lines[190 + k];
@@ -186,10 +186,10 @@ TEST_CASE("lines that the pass does not cast are refused")
 {
     const Scene scene = furnished_room();
     const SolveOptions options = short_run(Method::global);
-    const std::uint64_t cast = tell_global_pass(scene, options, {0, 1}).lines_cast;
-    CHECK(tell_global_pass(scene, options, {cast - 1, 1}).lines.size() == 1);
-    CHECK_THROWS_AS(tell_global_pass(scene, options, {cast, 1}), InputError);
-    CHECK_THROWS_AS(tell_global_pass(scene, options, {cast - 1, 2}), InputError);
+    const std::uint64_t cast = trace_global_pass(scene, options, {0, 1}).lines_cast;
+    CHECK(trace_global_pass(scene, options, {cast - 1, 1}).lines.size() == 1);
+    CHECK_THROWS_AS(trace_global_pass(scene, options, {cast, 1}), InputError);
+    CHECK_THROWS_AS(trace_global_pass(scene, options, {cast - 1, 2}), InputError);
 }
 
-} // namespace global_story_test
+} // namespace global_trace_test

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-namespace shot_story_test {
+namespace shot_trace_test {
 
 using namespace multipath;
 
@@ -58,8 +58,8 @@ void require_sum_of_the_run(const SolveOptions& options, std::size_t least_passe
     Rgb escaped;
     std::uint64_t item = options.skip;
     for (std::size_t pass = 0; pass < passes.size(); ++pass) {
-        const ShotStory story = tell_shot_pass(scene, options, pass, {0, passes[pass].lines});
-        for (const ShotRay& ray : story.rays) {
+        const ShotTrace trace = trace_shot_pass(scene, options, pass, {0, passes[pass].lines});
+        for (const ShotRay& ray : trace.rays) {
             CHECK(ray.origin.item == item++);
             if (Segment::is_patch(ray.where))
                 incident[ray.where] += ray.power;
@@ -109,7 +109,7 @@ TEST_CASE("the unshot power told after the last ray of a pass is the solver's")
     std::vector<ShotPass> passes;
     const PowerState state = state_after(scene, options, passes);
     std::vector<Rgb> unshot(scene.patch_count());
-    for (const ShotRay& ray : tell_shot_pass(scene, options, 0, {0, passes[0].lines}).rays)
+    for (const ShotRay& ray : trace_shot_pass(scene, options, 0, {0, passes[0].lines}).rays)
         if (Segment::is_patch(ray.where))
             unshot[ray.where] = ray.unshot;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
@@ -121,11 +121,11 @@ TEST_CASE("a pass or a ray that the run does not have is refused, and so is a ru
 {
     const Scene scene = dim_room();
     const SolveOptions options = run(Method::first_shot);
-    CHECK_THROWS_AS(tell_shot_pass(scene, options, 1, {0, 1}), InputError);
-    CHECK_THROWS_AS(tell_shot_pass(scene, options, 0, {options.lines, 1}), InputError);
+    CHECK_THROWS_AS(trace_shot_pass(scene, options, 1, {0, 1}), InputError);
+    CHECK_THROWS_AS(trace_shot_pass(scene, options, 0, {options.lines, 1}), InputError);
     SolveOptions nothing = options;
     nothing.ratio = 0.0;
-    CHECK_THROWS_AS(tell_shot_pass(scene, nothing, 0, {0, 1}), InputError);
+    CHECK_THROWS_AS(trace_shot_pass(scene, nothing, 0, {0, 1}), InputError);
 }
 
-} // namespace shot_story_test
+} // namespace shot_trace_test

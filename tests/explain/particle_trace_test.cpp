@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-namespace particle_story_test {
+namespace particle_trace_test {
 
 using namespace multipath;
 
@@ -30,10 +30,10 @@ SolveOptions short_run(Estimator estimator)
     return options;
 }
 
-ParticleStory tell_all(const Scene& scene, const SolveOptions& options)
+ParticleTrace tell_all(const Scene& scene, const SolveOptions& options)
 {
-    const std::uint64_t particles = tell_particles(scene, options, {0, 1}).particles_in_all;
-    return tell_particles(scene, options, {0, particles});
+    const std::uint64_t particles = trace_particles(scene, options, {0, 1}).particles_in_all;
+    return trace_particles(scene, options, {0, particles});
 }
 
 } // namespace
@@ -80,7 +80,7 @@ TEST_CASE("a path goes from patch to patch as long as the number drawn is below 
 
 TEST_CASE("particles that the run does not have are refused")
 {
-    CHECK_THROWS_AS(tell_particles(coloured_room(), short_run(Estimator::collision), {100000, 1}), InputError);
+    CHECK_THROWS_AS(trace_particles(coloured_room(), short_run(Estimator::collision), {100000, 1}), InputError);
 }
 
-} // namespace particle_story_test
+} // namespace particle_trace_test

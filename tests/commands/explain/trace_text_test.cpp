@@ -1,4 +1,4 @@
-#include "commands/explain/story_text.h"
+#include "commands/explain/trace_text.h"
 
 #include "test_scenes.h"
 
@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace story_text_test {
+namespace trace_text_test {
 
 using namespace multipath;
 
@@ -53,4 +53,4 @@ TEST_CASE("a surface without a name has its material's, and a back is called one
     CHECK(patch_name(scene, 1) == "patch 1 of material0 (line 1), its back");
 }
 
-} // namespace story_text_test
+} // namespace trace_text_test

@@ -1,4 +1,4 @@
-#include "commands/explain/story_drawing.h"
+#include "commands/explain/trace_drawing.h"
 
 namespace multipath {
 
@@ -36,10 +36,10 @@ std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines)
     return drawn;
 }
 
-std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotStory& story)
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace)
 {
     std::vector<DrawnLine> drawn;
-    for (const ShotRay& ray : story.rays) {
+    for (const ShotRay& ray : trace.rays) {
         DrawnLine shape{label("ray", ray.origin), {}, {}};
         shape.stretches.push_back({ray.ray.origin, end_of(scene, ray.ray, ray.meeting), Segment::is_patch(ray.where)});
         if (ray.meeting)
@@ -49,10 +49,10 @@ std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotStory& story)
     return drawn;
 }
 
-std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleStory& story)
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleTrace& trace)
 {
     std::vector<DrawnLine> drawn;
-    for (const ToldParticle& particle : story.particles) {
+    for (const ToldParticle& particle : trace.particles) {
         DrawnLine shape{label("particle", particle.origin), {}, {}};
         for (const ToldStep& told : particle.steps) {
             if (!shape.meetings.empty())
