@@ -32,33 +32,33 @@ double least_depth(std::size_t depth_class)
 
 } // namespace
 
-FillLevel::FillLevel() : by_depth_(std::size_t{1} << (8 + depths_per_octave_bits)) {}
+WaterFilling::WaterFilling() : bins_(std::size_t{1} << (8 + depths_per_octave_bits)) {}
 
-void FillLevel::add(double importance, double lines)
+void WaterFilling::add(double importance, double lines)
 {
-    Vessels& vessels = by_depth_[depth_class(lines / importance)];
-    vessels.importance += importance;
-    vessels.lines += lines;
+    Bin& bin = bins_[depth_class(lines / importance)];
+    bin.importance += importance;
+    bin.lines += lines;
 }
 
-void FillLevel::add(const FillLevel& others)
+void WaterFilling::add(const WaterFilling& others)
 {
-    for (std::size_t k = 0; k < by_depth_.size(); ++k) {
-        by_depth_[k].importance += others.by_depth_[k].importance;
-        by_depth_[k].lines += others.by_depth_[k].lines;
+    for (std::size_t k = 0; k < bins_.size(); ++k) {
+        bins_[k].importance += others.bins_[k].importance;
+        bins_[k].lines += others.bins_[k].lines;
     }
 }
 
-double FillLevel::level(double rays) const
+double WaterFilling::level(double rays) const
 {
-    double importance = 0.0; // of the vessels that are reached
+    double importance = 0.0; // of the patches that get rays
     double lines = 0.0;
     double level = 0.0;
-    for (std::size_t k = 0; k < by_depth_.size(); ++k) {
+    for (std::size_t k = 0; k < bins_.size(); ++k) {
         if (importance > 0.0 && level <= least_depth(k))
             break;
-        importance += by_depth_[k].importance;
-        lines += by_depth_[k].lines;
+        importance += bins_[k].importance;
+        lines += bins_[k].lines;
         if (importance > 0.0)
             level = (rays + lines) / importance;
     }

@@ -7,28 +7,28 @@
 
 namespace multipath {
 
-/// Shares a number of rays among many that have had some already: like water poured into vessels of different depth,
-/// each gets what it lacks of level * importance, if anything.
-class FillLevel
+/// Water-filling (Cover and Thomas, Elements of Information Theory, section 9.4): divides rays among patches that have
+/// had some already. Patch i, of importance w_i, gets max(0, level * w_i - lines_i), with one level for all.
+class WaterFilling
 {
 public:
-    FillLevel();
+    WaterFilling();
 
-    /// One of this importance (> 0) that is as well known as by so many lines.
+    /// A patch of this importance (> 0) that is as well known as by so many lines.
     void add(double importance, double lines);
-    void add(const FillLevel& others);
+    void add(const WaterFilling& others);
 
-    /// The level to which the rays fill all vessels together, to a few percent.
+    /// The level at which the patches get so many rays together, to a few per cent.
     double level(double rays) const;
 
 private:
-    struct Vessels
+    struct Bin
     {
-        double importance = 0.0;
+        double importance = 0.0; ///< sums over the patches of the bin
         double lines = 0.0;
     };
 
-    std::vector<Vessels> by_depth_; ///< by lines / importance, the level at which they begin to fill
+    std::vector<Bin> bins_; ///< by lines / importance, the level from which a patch gets rays
 };
 
 /// Whole numbers of rays for all patches of a scene. The rays are numbered patch by patch.

@@ -67,7 +67,7 @@ struct BothKinds
 BothKinds shared_out(double budget, const BothKinds& importance, const BothKinds& had, const BothKinds& least)
 {
     const std::size_t n = importance.light.size();
-    FillLevel fill;
+    WaterFilling fill;
     double given = 0.0;
     const auto for_all = [&](const auto& take) {
         for (std::size_t i = 0; i < n; ++i) {

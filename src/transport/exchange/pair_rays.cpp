@@ -130,7 +130,7 @@ private:
     double importance(std::uint32_t i, std::uint32_t j, double spread) const;
     template <class Visit>
     void for_uncertain_pairs(std::uint32_t i, const Visit& visit) const;
-    double fill_level(std::uint64_t rays, int threads) const;
+    double water_level(std::uint64_t rays, int threads) const;
     std::vector<double> deserved_rays(std::uint32_t i) const;
 
     const ExchangeEstimate& estimate_;
@@ -181,18 +181,18 @@ void PairRayAllotment::for_uncertain_pairs(std::uint32_t i, const Visit& visit) 
         }
 }
 
-double PairRayAllotment::fill_level(std::uint64_t rays, int threads) const
+double PairRayAllotment::water_level(std::uint64_t rays, int threads) const
 {
     constexpr std::uint32_t parts = 32; // sums of each part in order: the same bits for any number of threads
     const std::uint32_t n = estimate_.exchange.size();
-    std::vector<FillLevel> levels(parts);
+    std::vector<WaterFilling> levels(parts);
     parallel_blocks(parts, threads, [&](std::uint64_t part) {
         for (auto i = static_cast<std::uint32_t>(part); i < n; i += parts)
             for_uncertain_pairs(
                 i, [&](std::uint32_t, double deserves, double lines) { levels[part].add(deserves, lines); });
     });
-    FillLevel all;
-    for (const FillLevel& level : levels)
+    WaterFilling all;
+    for (const WaterFilling& level : levels)
         all.add(level);
     return all.level(static_cast<double>(rays));
 }
@@ -208,7 +208,7 @@ std::vector<double> PairRayAllotment::deserved_rays(std::uint32_t i) const
 void PairRayAllotment::allot(std::uint64_t rays, std::uint64_t seed, int threads)
 {
     const std::uint32_t n = estimate_.exchange.size();
-    level_ = fill_level(rays, threads);
+    level_ = water_level(rays, threads);
     std::vector<double> row_sums(n);
     parallel_blocks(n, threads, [&](std::uint64_t number) {
         const auto i = static_cast<std::uint32_t>(n - 1 - number); // long rows first
