@@ -44,8 +44,9 @@ src/small    = src/check src/explain src/export src/refinement src/selftest src/
 tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
 # What no line flies through.
 cold  = $(src/commands) src/small $(src/small) $(test_units)
-# What runs once for each surface, patch or pixel.
-warm  = src/scene src/radiosity src/image
+# What runs once for each ray or patch, and once for each surface or pixel.
+warm  = src/radiosity
+tepid = src/scene src/image
 
 # Patterns of the files named or lying in the folders named.
 within = $(filter %.cpp,$1) $(patsubst %,%/%,$(filter-out %.cpp,$1))
@@ -120,7 +121,8 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
-$(warm:%=$(BUILD)/%.o): OPTIMISE = -O1
+$(warm:%=$(BUILD)/%.o): OPTIMISE = -O2
+$(tepid:%=$(BUILD)/%.o): OPTIMISE = -O1
 $(cold:%=$(BUILD)/%.o): OPTIMISE = -Og
 
 define compile

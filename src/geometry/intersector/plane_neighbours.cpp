@@ -12,10 +12,11 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t few_in_plane = 32;   ///< compared each with each
-constexpr std::size_t most_looked_at = 4096; ///< for one surface
-constexpr std::size_t most_listed = 256;     ///< of one; the tree finds those at a point sooner than a longer list
+constexpr std::uint32_t few_in_plane = 32;         ///< compared each with each
+constexpr std::size_t most_looked_at = 4096;       ///< for one surface
 constexpr std::uint32_t surfaces_at_a_time = 1024; ///< surfaces for which a thread looks at a time
+constexpr std::size_t many_listed = 131072;        ///< of so many surfaces together: afterwards,
+constexpr std::size_t long_list = 256;             ///< longer lists are not made, so that memory stays linear
 
 /// Corners in order around the surface.
 struct Outline
@@ -90,7 +91,7 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
     : first_(surfaces.size(), empty_list)
 {
     const Planes planes(plane_number);
-    const auto find = [&](std::uint32_t s, std::vector<std::uint32_t>& found) {
+    const auto find = [&](std::uint32_t s, std::size_t most_listed, std::vector<std::uint32_t>& found) {
         const auto take = [&](std::uint32_t other) {
             if (other != s && plane_number[other] == plane_number[s] && overlap(boxes[s], boxes[other]) &&
                 overlap_in_plane(surfaces[s], surfaces[other], 2.0 * frame.radius()))
@@ -124,7 +125,8 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
                         std::vector<std::uint32_t> found;
                         for (std::uint32_t s = first; s < end; ++s) {
                             found.clear();
-                            if (!find(s, found)) {
+                            const std::size_t most_listed = list.size() > many_listed ? long_list : most_looked_at;
+                            if (!find(s, most_listed, found)) {
                                 first_[s] = unlisted;
                             } else if (!found.empty()) {
                                 first_[s] = static_cast<std::uint32_t>(list.size() + 1);
