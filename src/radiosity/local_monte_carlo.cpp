@@ -67,7 +67,7 @@ ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::u
 void Particles::follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const
 {
     RayBlock& rays = paths.rays_;
-    paths.bins_.clear();
+    paths.by_depth_.clear();
     paths.particle_.clear();
     paths.first_step_.assign(items.size() + 1, 0);
     paths.going_on_.resize(items.size());
@@ -87,7 +87,7 @@ void Particles::follow(std::uint64_t first, const std::vector<Item>& items, Part
             const std::uint32_t number = paths.going_on_[k];
             const ParticleStep taken =
                 step(first + number, depth, rays.patches[k], rays.items[k], rays.receivers[k], paths.power_[k]);
-            paths.bins_.push_back(taken);
+            paths.by_depth_.push_back(taken);
             paths.particle_.push_back(number);
             ++paths.first_step_[number + 1];
             if (taken.ends())
@@ -109,9 +109,9 @@ void Particles::follow(std::uint64_t first, const std::vector<Item>& items, Part
 void ParticlePaths::sort_by_particle()
 {
     std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
-    steps.resize(bins_.size());
-    for (std::size_t k = 0; k < bins_.size(); ++k)
-        steps[first_step_[particle_[k]]++] = bins_[k];
+    steps.resize(by_depth_.size());
+    for (std::size_t k = 0; k < by_depth_.size(); ++k)
+        steps[first_step_[particle_[k]]++] = by_depth_[k];
 }
 
 std::uint64_t particles_together(const Scene& scene)

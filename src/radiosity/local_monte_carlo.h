@@ -42,7 +42,7 @@ private:
     RayBlock rays_;                       ///< of the particles that still go on, one segment each
     std::vector<std::uint32_t> going_on_; ///< which particles these are
     std::vector<Rgb> power_;              ///< [W] of each of them
-    std::vector<ParticleStep> bins_;  ///< all first segments, then all second ones, ...
+    std::vector<ParticleStep> by_depth_;  ///< all first segments, then all second ones, ...
     std::vector<std::uint32_t> particle_; ///< whose these are
     std::vector<std::size_t> first_step_; ///< of each particle
 };
