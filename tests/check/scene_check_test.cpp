@@ -87,7 +87,8 @@ TEST_CASE("emitters that light nothing are one finding, wrong if they have a sha
         m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
         for (const double x : {0.2, 0.8, 1.4})
             m.builder.rectangle({x, 2.5, 0}, {0, 0, size}, {size, 0, 0}, m.lamp);
-        const std::vector<Finding> findings = findings_of(m.builder.scene(0.5), report_on(m.builder.scene(0.5), 200000, 2));
+        const std::vector<Finding> findings =
+            findings_of(m.builder.scene(0.5), report_on(m.builder.scene(0.5), 200000, 2));
         const Finding finding = find(findings, "emitter");
         CHECK(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.kind == "emitter"; }) ==
               1);
