@@ -15,8 +15,8 @@ namespace {
 constexpr std::uint32_t few_in_plane = 32;         ///< compared each with each
 constexpr std::size_t most_looked_at = 4096;       ///< for one surface
 constexpr std::uint32_t surfaces_at_a_time = 1024; ///< surfaces for which a thread looks at a time
-constexpr std::size_t many_listed = 131072;        ///< of so many surfaces together: afterwards,
-constexpr std::size_t long_list = 256;             ///< longer lists are not made, so that memory stays linear
+constexpr std::size_t many_listed = 131072;        ///< in the lists of so many surfaces
+constexpr std::size_t long_list = 256;             ///< none is longer once many are listed, so that memory stays linear
 
 /// Corners in order around the surface.
 struct Outline
