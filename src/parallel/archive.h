@@ -11,16 +11,17 @@
 
 namespace multipath {
 
-/// What was saved is damaged or of other work. One plain line.
+/// A saved state is damaged or belongs to other work. The message is one line.
 class ArchiveError : public std::runtime_error
 {
 public:
     explicit ArchiveError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// What the arrays of an archive are made of.
+/// Element type of an array in an archive.
 enum class Scalar : std::uint8_t { bytes = 1, u32 = 4, u64 = 8, f32 = 36, f64 = 40 };
 
+/// Size of one element in bytes.
 inline std::size_t size_of(Scalar scalar)
 {
     return static_cast<std::size_t>(scalar) & 15u;
@@ -41,7 +42,7 @@ constexpr Scalar scalar_of()
         return Scalar::bytes;
 }
 
-/// A field of a record, and the name of the list of these fields of many records.
+/// A field of a record, with the name of the array that stores this field of many records.
 template <class Number, class Record, class Value>
 struct RecordField
 {
@@ -55,8 +56,8 @@ RecordField<Number, Record, Value> field(std::string_view name, Value Record::*m
     return {name, member};
 }
 
-/// Named arrays, to be written or to be read back: the same statements do both, so that they cannot disagree. A value
-/// that consists of several numbers is stored as these.
+/// Serialisation of named arrays. The same statements write and read them, so that both sides always agree. A value
+/// that consists of several numbers is stored as these numbers.
 class Archive
 {
 public:
@@ -67,21 +68,21 @@ public:
 
     bool reads() const { return reads_; }
 
-    /// Reading throws ArchiveError where there is no such array or it has other numbers.
+    /// Writes or reads one value. Reading throws ArchiveError if the array is missing or of another type or length.
     template <class Number, class Value>
     void value(std::string_view name, Value& value)
     {
         transfer<Number>(name, &value, 1);
     }
 
-    /// Read with the length that the list has already; ArchiveError for another one.
+    /// A list that must have its length before it is read; ArchiveError if the archive has another length.
     template <class Number, class List>
     void list(std::string_view name, List& values)
     {
         transfer<Number>(name, values.data(), values.size());
     }
 
-    /// Read with any length.
+    /// A list that is resized to the length in the archive when it is read.
     template <class Number, class List>
     void growing_list(std::string_view name, List& values)
     {
@@ -91,7 +92,7 @@ public:
         list<Number>(name, values);
     }
 
-    /// The same; an empty list is not written, and read where there is none.
+    /// Like growing_list, but an empty list is not written and a missing one is read as empty.
     template <class Number, class List>
     void optional_list(std::string_view name, List& values)
     {
@@ -101,7 +102,7 @@ public:
             values.clear();
     }
 
-    /// Texts without zero bytes, any number of them: one list of bytes, with a zero behind each text.
+    /// Any number of texts without zero bytes, stored as one list of bytes with a zero after each text.
     void texts(std::string_view name, std::vector<std::string>& texts)
     {
         std::string joined;
@@ -116,7 +117,8 @@ public:
         }
     }
 
-    /// Records of any number, as one list for each of the fields; texts for those that are texts.
+    /// Any number of records, stored as one list per field (texts() for strings). Reading throws ArchiveError if the
+    /// lists differ in length.
     template <class Record, class First, class... Others>
     void records(std::vector<Record>& records, const First& first, const Others&... others)
     {
@@ -124,7 +126,7 @@ public:
         (visit_field(records, others, false), ...);
     }
 
-    /// As long as one lives, names are those of a part within the present one.
+    /// Scope in which all names get the prefix `part`/. Scopes can be nested.
     class Inner
     {
     public:
@@ -144,8 +146,9 @@ public:
 protected:
     virtual void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) = 0;
     virtual void read(const std::string& name, Scalar scalar, void* data, std::size_t length) = 0;
-    virtual bool holds(const std::string& name) const = 0; ///< to be read
-    /// How many numbers an array has, to be read.
+    /// Reading: true if the archive contains the array.
+    virtual bool holds(const std::string& name) const = 0;
+    /// Reading: number of elements of an array.
     virtual std::size_t length(const std::string& name, Scalar scalar) = 0;
 
 private:

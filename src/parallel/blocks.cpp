@@ -1,3 +1,8 @@
+// Parallel loops over blocks. parallel_blocks hands out block numbers from an atomic counter. ordered_blocks is a
+// producer-consumer pipeline: all threads produce blocks, and whichever thread finds the next block in order complete
+// consumes it, one at a time. At most slot_count(threads) blocks are between start and consumption, so their states
+// live in a ring and their buffers are reused. A pause lowers the end of the run to the blocks already started.
+
 #include "parallel/blocks.h"
 
 #include "parallel/thread_pool.h"
@@ -30,7 +35,7 @@ public:
           consume_(consume),
           wants_pause_(wants_pause),
           end_(end),
-          places_(slots_),
+          ring_(slots_),
           started_(first),
           consumed_(first)
     {
@@ -38,12 +43,15 @@ public:
             free_slots_.push_back(slot);
     }
 
+    /// Loop of each thread: consumes, produces or waits until all blocks are consumed or one has failed. The thread
+    /// that consumed last is preferred as the consumer; another one consumes the first block, or if it has nothing to
+    /// produce.
     void work()
     {
         std::unique_lock<std::mutex> lock(mutex_);
         try {
             while (!failure_ && consumed_ < end_) {
-                const bool ready = !consuming_ && place(consumed_).produced;
+                const bool ready = !consuming_ && state(consumed_).produced;
                 const bool has_work = started_ < end_ && started_ < consumed_ + slots_;
                 if (ready && (consumer_ == std::this_thread::get_id() || consumed_ == first_ || !has_work))
                     consume_next(lock);
@@ -63,7 +71,7 @@ public:
         changed_.notify_all();
     }
 
-    /// The first block not done.
+    /// Returns the first block that was not done, or rethrows the failure of a block.
     std::uint64_t next() const
     {
         if (failure_)
@@ -72,25 +80,25 @@ public:
     }
 
 private:
-    /// What is known of a block that was started and is not consumed.
-    struct Place
+    /// State of a block that was started and not yet consumed.
+    struct BlockState
     {
         bool produced = false;
         int slot = 0;
     };
 
-    Place& place(std::uint64_t block) { return places_[static_cast<std::size_t>(block % slots_)]; }
+    BlockState& state(std::uint64_t block) { return ring_[static_cast<std::size_t>(block % slots_)]; }
 
     void consume_next(std::unique_lock<std::mutex>& lock)
     {
         consuming_ = true;
         consumer_ = std::this_thread::get_id();
         const std::uint64_t block = consumed_;
-        const int slot = place(block).slot;
+        const int slot = state(block).slot;
         lock.unlock();
         consume_(block, slot);
         lock.lock();
-        place(block).produced = false;
+        state(block).produced = false;
         free_slots_.push_back(slot);
         ++consumed_;
         consuming_ = false;
@@ -102,11 +110,11 @@ private:
         const std::uint64_t block = started_++;
         const int slot = free_slots_.back();
         free_slots_.pop_back();
-        place(block).slot = slot;
+        state(block).slot = slot;
         lock.unlock();
         produce_(block, slot);
         lock.lock();
-        place(block).produced = true;
+        state(block).produced = true;
         changed_.notify_all();
     }
 
@@ -116,12 +124,12 @@ private:
     const BlockFunction& consume_;
     const PauseWish& wants_pause_;
 
-    std::mutex mutex_; ///< guards all below
+    std::mutex mutex_; ///< guards all members below
     std::condition_variable changed_;
-    std::uint64_t end_; ///< comes forward to what was started where a pause is wanted
-    std::vector<Place> places_;
-    std::vector<int> free_slots_; ///< the last to become free on top: it is still in the caches
-    std::thread::id consumer_;    ///< of the last block: what consuming changes is in the caches of its processor
+    std::uint64_t end_; ///< lowered to started_ when a pause is wanted
+    std::vector<BlockState> ring_;
+    std::vector<int> free_slots_; ///< stack: the slot freed last is still in the caches
+    std::thread::id consumer_;    ///< thread of the last block: its caches contain the data that consuming changes
     std::uint64_t started_;
     std::uint64_t consumed_;
     bool consuming_ = false;
@@ -137,7 +145,8 @@ int slot_count(int threads)
 
 namespace {
 
-/// Blocks first ... end - 1, or fewer where a pause is wanted, but at least one. Returns the first not done.
+/// Runs the blocks first ... end - 1, or fewer if a pause is wanted, but at least one. Returns the first block not
+/// done.
 std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads,
                          const std::function<void(std::uint64_t, int)>& produce,
                          const std::function<void(std::uint64_t, int)>& consume, const PauseWish& wants_pause)

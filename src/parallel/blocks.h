@@ -10,11 +10,11 @@
 
 namespace multipath {
 
-/// Items 0 ... items - 1, cut into blocks.
+/// Division of the items 0 ... items - 1 into blocks.
 struct Blocks
 {
     std::uint64_t items;
-    std::uint64_t size; ///< of each block but the last
+    std::uint64_t size; ///< items per block; the last block may have fewer
 
     std::uint64_t count() const { return (items + size - 1) / size; }
     /// The first item of a block, which is the number of items in the blocks before it.
@@ -22,18 +22,18 @@ struct Blocks
     std::size_t length(std::uint64_t block) const { return static_cast<std::size_t>(first(block + 1) - first(block)); }
 };
 
-/// Runs work(block) once for each block 0 ... block_count - 1 on up to `threads` threads, in any order.
-/// The first exception that a block throws is thrown here after the other threads have stopped.
+/// Runs work(block) once for each block 0 ... block_count - 1 on up to `threads` threads, in any order. If a block
+/// throws, no further blocks are started, and the first exception is rethrown after all threads have stopped.
 void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work);
 
-/// The same for the numbers 0 ... count - 1, up to range_size successive ones at a time: work(first, end) does
+/// The same for the numbers 0 ... count - 1 in ranges of range_size (the last may be shorter): work(first, end) handles
 /// first ... end - 1.
 void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
                      const std::function<void(std::uint32_t first, std::uint32_t end)>& work);
 
-constexpr std::uint32_t numbers_at_a_time = 1024;
+constexpr std::uint32_t numbers_at_a_time = 1024; ///< range size of the two functions below
 
-/// Runs work(i) for i = 0 ... count - 1, in any order.
+/// Runs work(i) for i = 0 ... count - 1 in parallel, in any order.
 template <class Work>
 void parallel_numbers(std::uint32_t count, int threads, const Work& work)
 {
@@ -43,7 +43,7 @@ void parallel_numbers(std::uint32_t count, int threads, const Work& work)
     });
 }
 
-/// The sum of term(i): the same bits for any number of threads.
+/// Sum of term(i) for i = 0 ... count - 1, with the same bits for any number of threads.
 template <class Value, class Term>
 Value parallel_sum(std::uint32_t count, int threads, const Term& term)
 {
@@ -60,58 +60,62 @@ Value parallel_sum(std::uint32_t count, int threads, const Term& term)
     return all;
 }
 
-/// Runs produce(block, slot) on up to `threads` threads, and consume(block, slot) one block at a time in order of the
-/// block number, while later blocks are being produced. `slot` (0 ... slot_count(threads) - 1) names the buffer that
-/// the block may use until it is consumed. With one thread everything runs on the caller, in order.
+/// Runs produce(block, slot) on up to `threads` threads and consume(block, slot) one block at a time, in ascending
+/// order, while later blocks are being produced. `slot` (0 ... slot_count(threads) - 1) identifies the buffer that
+/// belongs to the block until it is consumed. With one thread everything runs on the caller. Exceptions as in
+/// parallel_blocks.
 void ordered_blocks(std::uint64_t block_count, int threads,
                     const std::function<void(std::uint64_t block, int slot)>& produce,
                     const std::function<void(std::uint64_t block, int slot)>& consume);
 
-/// As ordered_blocks, from block `next` on, which goes forward with the work. Whenever the checkpoint wants it, all
-/// that was begun is finished and there is a pause, in which `next` and what the blocks changed are whole: a part of
-/// the checkpoint must hold them. Stops short of `end` where a pause ends the work. The line counter hears of the
-/// beginning, as 0 lines.
+/// Like ordered_blocks for the blocks `next` ... `end` - 1; `next` advances with the work. Whenever the checkpoint
+/// wants a pause, the blocks in progress are finished first, so that `next` and the results of the blocks are
+/// consistent. A part of the checkpoint must save both. Returns before `end` if the pause stops the work. Calls the
+/// line counter with 0 lines at the start.
 void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
                       const std::function<void(std::uint64_t block, int slot)>& produce,
                       const std::function<void(std::uint64_t block, int slot)>& consume);
 
-/// How many buffers ordered_blocks uses with so many threads.
+/// Number of buffers that ordered_blocks uses with this number of threads.
 int slot_count(int threads);
 
-/// Which pieces of work, of all that are shared, a run does, and how far it is.
+/// The units of work (blocks or rows of a stage) that one shard does, and its progress.
 struct SharedRange
 {
-    std::uint64_t all = 0; ///< pieces of all shares together
+    std::uint64_t all = 0; ///< units of all shards together
     std::uint64_t first = 0;
-    std::uint64_t next = 0; ///< first ... next - 1 are done
+    std::uint64_t next = 0; ///< first ... next - 1 are done, next ... end - 1 are left
     std::uint64_t end = 0;
-    std::uint64_t shares = 1; ///< into which the work is cut; 1 also after they were united
+    std::uint64_t shares = 1; ///< number of shards; 1 again after they were united
 
+    /// The part of `all` units that this shard does; nothing is done yet.
     static SharedRange of(std::uint64_t all, Shard shard)
     {
         return {all, shard.begin(all), shard.begin(all), shard.end(all), shard.of};
     }
-    /// True if there is more than one shard; one of them may have all pieces, if there are few.
+    /// True if there is more than one shard. Even then one of them may have all units, if they are few.
     bool is_shard() const { return shares > 1; }
 
-    void visit(Archive& archive); ///< for a checkpoint; throws ArchiveError for what cannot be
+    /// Saves or restores the range. Throws ArchiveError for an impossible range.
+    void visit(Archive& archive);
 };
 
-/// What several shares have done together, in any order. Throws ArchiveError unless it is everything, once.
+/// The union of the ranges of at least one shard, in any order. Throws ArchiveError unless each is finished and
+/// together they cover all units exactly once.
 SharedRange united(std::vector<SharedRange> ranges);
 
-/// The blocks `range` of a stage whose result is a sum of what they find, as resumable_blocks. If other runs do the
-/// rest, this one hands in what it has when it is done, and ends.
+/// Like resumable_blocks for the units `range` of a stage whose results can be added. One of several shards hands its
+/// results in when it is done (see Checkpoint::hand_in), which stops the run.
 void shared_blocks(SharedRange& range, const RunControl& run,
                    const std::function<void(std::uint64_t block, int slot)>& produce,
                    const std::function<void(std::uint64_t block, int slot)>& consume);
 
-/// A buffer for each slot of the three functions above.
+/// One buffer for each slot of ordered_blocks, resumable_blocks or shared_blocks.
 template <class Buffer>
 class BlockBuffers
 {
 public:
-    /// Copies of `empty`.
+    /// All buffers start as copies of `empty`.
     explicit BlockBuffers(int threads, const Buffer& empty = Buffer())
         : buffers_(static_cast<std::size_t>(slot_count(threads)), empty)
     {

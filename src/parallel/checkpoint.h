@@ -8,27 +8,28 @@
 
 namespace multipath {
 
-/// Where long work can be left and taken up again, with the same bits as if it had never been left.
+/// Interrupts long work and resumes it later, with the same bits as without interruption.
 ///
-/// Work consists of parts within parts. Each says what it needs to go on from here: what it has found so far and how
-/// far it is. All that is under way at a pause is saved together. To take work up again it is simply begun again: every
-/// part that was under way finds what was saved, and skips what is done.
+/// Work consists of nested parts. Each part can save its state: its results so far and its progress. A pause saves all
+/// active parts together. To resume, the program simply starts the work again from the beginning: every part that was
+/// active at the pause reads its saved state and skips what is done.
 class Checkpoint
 {
 public:
-    /// Writes or reads what a part has.
+    /// Saves or restores the state of a part.
     using Visit = std::function<void(Archive& archive)>;
 
-    /// A part of the work, from construction to destruction. Throws ArchiveError where what is saved does not fit.
+    /// Part of the work, active from construction to destruction. The constructor restores a saved state, if there is
+    /// one, and throws ArchiveError if it does not fit.
     class Part
     {
     public:
-        Part(Checkpoint* checkpoint, std::string name, Visit visit); ///< without a checkpoint, nothing happens
+        Part(Checkpoint* checkpoint, std::string name, Visit visit); ///< does nothing if null
         ~Part();
         Part(const Part&) = delete;
         Part& operator=(const Part&) = delete;
 
-        bool resumed() const { return resumed_; } ///< has it read what was saved?
+        bool resumed() const { return resumed_; } ///< true if a saved state was read
 
     private:
         friend class Checkpoint;
@@ -43,24 +44,25 @@ public:
 
     virtual ~Checkpoint() = default;
 
-    /// Is there something to do at a pause? Asked by any thread, often.
+    /// True if pause() should be called soon. Called often, from any thread.
     virtual bool wants_pause() const = 0;
 
-    /// At a moment when every part is whole. True: the work is to end here, with what it has.
+    /// Pauses the work; call it only when the state of every part is consistent. Returns true if the work must end here
+    /// with the results it has.
     bool pause() { return stopped_ = stopped_ || pause_now(); }
     bool stopped() const { return stopped_; }
 
-    /// The share of this run is done: what it has found is saved for those who add it to that of others, and it ends.
+    /// Ends the run of a shard that is done: saves its results, which `merge` adds to those of the other shards.
     void hand_in()
     {
         hand_in_now();
         stopped_ = true;
     }
 
-    /// All is done: what the parts hold now is the end.
+    /// Ends complete work: the active parts hold its final state.
     void finish() { finish_now(); }
 
-    /// The names of the parts under way, the outermost first.
+    /// Names of the active parts, outermost first.
     std::vector<std::string> parts() const;
 
 protected:
@@ -68,14 +70,16 @@ protected:
     virtual void hand_in_now() = 0;
     virtual void finish_now() = 0;
 
+    /// Writes the state of all active parts.
     void save(Archive& archive) const;
-    /// From now on the parts of these names, each within the one before, read what was saved of them.
+    /// The parts constructed next must have these names, each nested in the one before, and restore their states from
+    /// the archive, which must live that long.
     void resume_from(Archive& archive, std::vector<std::string> parts);
 
 private:
     std::vector<const Part*> under_way_;
-    std::vector<std::string> expected_; ///< parts that are to read what was saved
-    Archive* saved_ = nullptr;
+    std::vector<std::string> expected_; ///< names of the parts to be restored; empty when all are
+    Archive* saved_ = nullptr;          ///< where expected parts restore their states from
     bool stopped_ = false;
 };
 

@@ -16,7 +16,7 @@ namespace {
 struct NamedSet
 {
     std::string_view name;
-    bool (*of_processor)();
+    bool (*is_supported)(); ///< by this processor
 };
 
 constexpr bool always()
@@ -24,7 +24,7 @@ constexpr bool always()
     return true;
 }
 
-// The fastest first.
+// Fastest first.
 constexpr NamedSet all_sets[] = {
 #if defined(__x86_64__)
     {"avx512", [] { return __builtin_cpu_supports("avx512f") != 0; }},
@@ -44,7 +44,7 @@ const NamedSet* set_named(std::string_view name)
     return found == std::end(all_sets) ? nullptr : found;
 }
 
-/// The fastest that may be used.
+/// The fastest instruction set that MULTIPATH_KERNELS allows.
 const NamedSet* limit()
 {
     const char* name = std::getenv("MULTIPATH_KERNELS");
@@ -57,10 +57,10 @@ const NamedSet* limit()
 bool usable(std::string_view instruction_set)
 {
 #if defined(__x86_64__)
-    __builtin_cpu_init(); // kernels may be chosen before main
+    __builtin_cpu_init(); // needed if kernels are chosen before main
 #endif
     const NamedSet* named = set_named(instruction_set);
-    return named != nullptr && named >= limit() && named->of_processor();
+    return named != nullptr && named >= limit() && named->is_supported();
 }
 
 std::vector<std::string> instruction_sets()

@@ -7,15 +7,15 @@
 
 namespace multipath {
 
-// What the innermost loops are compiled for (parallel/lanes): on x86-64 avx512, avx2 (with FMA) and sse2, on 64-bit ARM
-// neon, on POWER vsx where the compiler may use it; plain C++ everywhere.
+// Instruction sets for which the innermost loops are compiled (parallel/lanes): avx512, avx2 (with FMA) and sse2 on
+// x86-64, neon on 64-bit ARM, vsx on POWER if the compiler may use it, and plain C++ everywhere.
 
-/// May loops for this instruction set run? The processor must have it, and the environment variable MULTIPATH_KERNELS,
-/// if it names an instruction set, allows none faster than that. So what slower processors compute can be tested on
-/// fast ones.
+/// True if loops compiled for this instruction set may run: the processor has it, and it is not faster than the one
+/// that the environment variable MULTIPATH_KERNELS names, if any. The variable lets fast processors test the code of
+/// slower ones.
 bool usable(std::string_view instruction_set);
 
-/// Of kernels that do the same, each compiled for the instruction set of its name, those that may run, in this order.
+/// The usable ones among equivalent kernels, in the given order. Each is named after its instruction set.
 template <class Kernel>
 std::vector<const Kernel*> usable_kernels(std::initializer_list<const Kernel*> kernels)
 {
@@ -26,10 +26,10 @@ std::vector<const Kernel*> usable_kernels(std::initializer_list<const Kernel*> k
     return result;
 }
 
-/// The names of all that this program was compiled for, the fastest first.
+/// Names of all instruction sets that this program was compiled for, fastest first.
 std::vector<std::string> instruction_sets();
 
-/// Is MULTIPATH_KERNELS, if it is set, the name of one of them? All that the processor has are usable otherwise.
+/// True if MULTIPATH_KERNELS is unset or the name of one of them. Any other value is ignored.
 bool kernel_limit_is_known();
 
 } // namespace multipath

@@ -16,8 +16,9 @@ void ask_for_huge_pages(void* memory, std::size_t bytes)
     constexpr std::size_t page = 4096;
     if (bytes < 2 * huge_page)
         return;
-    const std::size_t beside = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
-    madvise(static_cast<char*>(memory) + beside, (bytes - beside) / page * page, MADV_HUGEPAGE); // may be refused
+    const std::size_t skipped = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+    madvise(static_cast<char*>(memory) + skipped, (bytes - skipped) / page * page,
+            MADV_HUGEPAGE); // may be refused
 }
 
 #else

@@ -10,7 +10,7 @@
 
 namespace multipath {
 
-/// Fetches the cache line of this address ahead of its use, where the compiler has an instruction for it.
+/// Prefetches the cache line of this address, if the compiler supports it.
 inline void prefetch(const void* address)
 {
 #if defined(__GNUC__)
@@ -20,27 +20,27 @@ inline void prefetch(const void* address)
 #endif
 }
 
-/// The same for all that something occupies.
-template <class Thing>
-void prefetch_all(const Thing& thing)
+/// Prefetches all cache lines of an object.
+template <class Object>
+void prefetch_all(const Object& object)
 {
     constexpr std::size_t cache_line = 64;
-    for (std::size_t byte = 0; byte < sizeof(Thing); byte += cache_line)
-        prefetch(reinterpret_cast<const char*>(&thing) + byte);
+    for (std::size_t byte = 0; byte < sizeof(Object); byte += cache_line)
+        prefetch(reinterpret_cast<const char*>(&object) + byte);
 }
 
-/// Asks the system for pages of 2 MB for this memory, if it is larger than 4 MB: fewer page faults when it is first
-/// touched, fewer TLB misses afterwards. Its contents stay.
+/// Asks the system for pages of 2 MB for this memory, if it is 4 MB or more: fewer page faults when it is first
+/// touched, fewer TLB misses afterwards. The contents do not change.
 void ask_for_huge_pages(void* memory, std::size_t bytes);
 
-/// Contents of the elements that resize(count) adds to a LargeVector.
+/// Initial contents of the elements that a constructor or resize(count) adds to a vector with LargeAllocator.
 enum class NewElements {
-    constructed, ///< as in any vector
-    unset,       ///< anything: the memory is first touched by the threads that write the elements
-    zero         ///< all bits zero, as the system hands out the memory; for a vector that is made once with its size
+    constructed, ///< value-initialised, as in std::vector
+    unset,       ///< undefined, so that the threads that write the elements touch the memory first
+    zero         ///< all bits zero, from calloc; only for vectors that keep the size they are constructed with
 };
 
-/// Allocator of large arrays, in huge pages where the system grants them.
+/// Allocator for large arrays, in huge pages if the system grants them.
 template <class Value, NewElements new_elements>
 struct LargeAllocator : std::allocator<Value>
 {
@@ -73,17 +73,17 @@ struct LargeAllocator : std::allocator<Value>
     }
 
     template <class Other>
-    void construct(Other* place)
+    void construct(Other* memory)
     {
         if constexpr (new_elements == NewElements::constructed)
-            ::new (static_cast<void*>(place)) Other();
+            ::new (static_cast<void*>(memory)) Other();
         else if constexpr (new_elements == NewElements::unset)
-            ::new (static_cast<void*>(place)) Other;
+            ::new (static_cast<void*>(memory)) Other;
     }
     template <class Other, class... Arguments>
-    void construct(Other* place, Arguments&&... arguments)
+    void construct(Other* memory, Arguments&&... arguments)
     {
-        ::new (static_cast<void*>(place)) Other(std::forward<Arguments>(arguments)...);
+        ::new (static_cast<void*>(memory)) Other(std::forward<Arguments>(arguments)...);
     }
 
 private:
@@ -108,7 +108,7 @@ using UnsetVector = std::vector<Value, LargeAllocator<Value, NewElements::unset>
 template <class Value>
 using ZeroedVector = std::vector<Value, LargeAllocator<Value, NewElements::zero>>;
 
-/// An empty vector with room for so many elements in huge pages: for large results, whose type is a plain vector.
+/// Empty vector with capacity for `count` elements in huge pages: for large results whose type is std::vector.
 template <class Value>
 std::vector<Value> with_room(std::size_t count)
 {
@@ -118,7 +118,7 @@ std::vector<Value> with_room(std::size_t count)
     return room;
 }
 
-/// So many new elements in huge pages.
+/// Vector of `count` value-initialised elements in huge pages.
 template <class Value>
 std::vector<Value> large_vector(std::size_t count)
 {

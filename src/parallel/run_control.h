@@ -7,31 +7,31 @@
 
 namespace multipath {
 
-/// Called now and then with the number of lines done since the last call.
+/// Progress callback, called now and then with the number of lines done since the last call.
 using LineCounter = std::function<void(std::uint64_t lines)>;
 
-/// The part of the work that this run does of what several runs do together.
+/// One shard of work that is split over several runs, usually on several computers.
 struct Shard
 {
     std::uint64_t number = 0; ///< 0 ... of - 1
     std::uint64_t of = 1;
 
-    /// This run does begin ... end - 1 of so many pieces; all shards together do each of them once.
-    std::uint64_t begin(std::uint64_t pieces) const { return before(number, pieces); }
-    std::uint64_t end(std::uint64_t pieces) const { return before(number + 1, pieces); }
+    /// This shard does the units begin ... end - 1 of `units`; all shards together do each unit once.
+    std::uint64_t begin(std::uint64_t units) const { return before(number, units); }
+    std::uint64_t end(std::uint64_t units) const { return before(number + 1, units); }
 
 private:
-    /// pieces * n / of without overflow.
-    std::uint64_t before(std::uint64_t n, std::uint64_t pieces) const { return pieces / of * n + pieces % of * n / of; }
+    /// units * n / of without overflow.
+    std::uint64_t before(std::uint64_t n, std::uint64_t units) const { return units / of * n + units % of * n / of; }
 };
 
-/// How work is carried out; the result does not depend on it.
+/// Settings of how work is carried out. The result does not depend on them.
 struct RunControl
 {
     int threads = 1;
     LineCounter line_counter{};
-    Checkpoint* checkpoint = nullptr; ///< empty: the work is done in one go
-    Shard shard{};                    ///< of the stages whose results can be added; less than all needs a checkpoint
+    Checkpoint* checkpoint = nullptr; ///< null: the work runs without pauses
+    Shard shard{};                    ///< for stages whose results can be added; several shards need a checkpoint
 
     void count_lines(std::uint64_t lines) const
     {

@@ -34,12 +34,12 @@ void ThreadPool::run(int threads, const std::function<void()>& work)
 
 void ThreadPool::add_workers(std::size_t count)
 {
-    workers_.reserve(count); // a thread that runs must be joined, so that nothing else may fail
+    workers_.reserve(count); // so that only the start of a thread can fail below, nothing after it
     try {
         while (workers_.size() < count)
             workers_.emplace_back([this] { worker_loop(); });
     } catch (const std::system_error&) {
-        // The system grants no more threads: those that run do all the work.
+        // The system grants no more threads; the existing ones do all the work.
     }
 }
 
@@ -69,7 +69,7 @@ void run_on_threads(int threads, const std::function<void()>& work)
     }
     thread_local ThreadPool pool;
     thread_local bool is_busy = false;
-    if (is_busy) { // nested work
+    if (is_busy) { // nested call
         ThreadPool().run(threads, work);
         return;
     }

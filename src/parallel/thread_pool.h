@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// Worker threads that are kept from one task to the next, because starting them takes as long as some tasks.
+/// Worker threads that are reused from task to task, because starting a thread takes as long as some tasks.
 class ThreadPool
 {
 public:
@@ -17,9 +17,9 @@ public:
     ThreadPool& operator=(const ThreadPool&) = delete;
     ~ThreadPool();
 
-    /// Runs `work` on up to `threads` threads at once, the caller among them. `work` must drain a shared queue: workers
-    /// that start after the caller has returned from it are turned away. The system may grant fewer threads; the caller
-    /// always works. `work` must not throw.
+    /// Runs `work` on up to `threads` threads at once, including the caller, and waits for all of them. `work` must
+    /// drain a shared queue: workers that wake up after the caller has finished do not run it. The system may grant
+    /// fewer threads, but the caller always works. `work` must not throw.
     void run(int threads, const std::function<void()>& work);
 
 private:
@@ -27,16 +27,16 @@ private:
     void worker_loop();
 
     std::vector<std::thread> workers_;
-    std::mutex mutex_; ///< guards all below
+    std::mutex mutex_; ///< guards all members below
     std::condition_variable wake_;
     std::condition_variable idle_;
     const std::function<void()>* work_ = nullptr;
-    int open_slots_ = 0; ///< workers that may still join the present work
-    int working_ = 0;
+    int open_slots_ = 0; ///< workers that may still join the current work
+    int working_ = 0;    ///< workers that run it
     bool stopping_ = false;
 };
 
-/// Runs `work` as ThreadPool does, on a pool that belongs to the calling thread.
+/// ThreadPool::run on a pool that belongs to the calling thread. Calls can be nested.
 void run_on_threads(int threads, const std::function<void()>& work);
 
 } // namespace multipath

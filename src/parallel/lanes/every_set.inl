@@ -1,6 +1,6 @@
-// Compiles kernels for every instruction set of the processor's family: one source, KERNELS, included once for each, in a
-// namespace of its own, after the types of lanes (plain.inl, or vector.inl for LANE_BYTES side by side). Each defines
-// `table`; EVERY_TABLE lists their addresses, the fastest first.
+// Compiles the kernels in the file KERNELS once for every instruction set of the processor family. Each copy has its
+// own namespace and follows the lane types: plain.inl, or vector.inl for vectors of LANE_BYTES. Each copy defines
+// `table`; EVERY_TABLE lists the addresses of all tables, fastest first.
 
 #include <cmath>
 #include <cstddef>
@@ -41,7 +41,7 @@
 
 #define EVERY_TABLE &avx512::table, &avx2::table, &sse2::table, &plain::table
 
-#elif defined(__aarch64__) // every processor of the family has it
+#elif defined(__aarch64__) // every processor of the family has NEON
 
 #define LANE_SET neon
 #define LANE_SET_NAME "neon"
@@ -51,7 +51,7 @@
 
 #define EVERY_TABLE &neon::table, &plain::table
 
-#elif defined(__VSX__) // the compiler's default for processors of the order of bytes that Linux has there
+#elif defined(__VSX__) // the default of compilers for little-endian POWER, which Linux uses
 
 #define LANE_SET vsx
 #define LANE_SET_NAME "vsx"

@@ -1,5 +1,6 @@
-// For every_set.inl. All is static, so that no code for a special processor can be taken for that of the rest of the
-// program. KERNEL_CODE is what functions must carry that are expanded in place, KERNEL_ENTRY those that are called.
+// One instruction set for every_set.inl. All functions have internal linkage, so that the linker cannot use code for a
+// newer processor in the rest of the program. KERNEL_CODE marks functions that must be inlined, KERNEL_ENTRY those that
+// are called through the table.
 
 #define KERNEL_ENTRY LANE_TARGET
 #if LANE_BYTES == 0

@@ -1,17 +1,19 @@
-// One number at a time in plain C++, for any processor; what the functions of lanes do is said here.
+// Lane types with a single lane, in plain C++ for any processor. Their functions are documented here for all lane
+// types.
 
 namespace multipath {
 namespace LANE_SET {
 namespace {
 
-/// Single precision numbers side by side. Multiplies may be fused with adds where a function says so.
+/// Vector of single-precision numbers. Only functions that say so may fuse a multiplication with an addition.
 struct Lanes
 {
     static constexpr unsigned width = 1;
-    static constexpr float reciprocal_error = 0x1p-23f;
+    static constexpr float reciprocal_error = 0x1p-23f; ///< relative error of reciprocal()
     float x;
 
-    static Lanes load(const float* from) { return {*from}; } ///< aligned to the size of all lanes, as in store()
+    /// Addresses in load() and store() must be aligned to the size of the vector.
+    static Lanes load(const float* from) { return {*from}; }
     static Lanes all(float value) { return {value}; }
     void store(float* to) const { *to = x; }
 };
@@ -28,12 +30,12 @@ KERNEL_CODE Lanes operator*(Lanes a, Lanes b)
 {
     return {a.x * b.x};
 }
-/// a b + c, rounded once or twice.
+/// a b + c, with one rounding or two.
 KERNEL_CODE Lanes multiply_add(Lanes a, Lanes b, Lanes c)
 {
     return {a.x * b.x + c.x};
 }
-/// c - a b, rounded once or twice.
+/// c - a b, with one rounding or two.
 KERNEL_CODE Lanes less_product(Lanes c, Lanes a, Lanes b)
 {
     return {c.x - a.x * b.x};
@@ -50,7 +52,7 @@ KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
 {
     return {a.x < b.x ? a.x : b.x};
 }
-/// -a where the sign is negative.
+/// -a where `sign` is negative, else a; either of them where `sign` is -0.
 KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
     return {sign.x < 0.0f ? -a.x : a.x};
@@ -59,53 +61,55 @@ KERNEL_CODE Lanes quotient(Lanes a, Lanes b)
 {
     return {a.x / b.x};
 }
-/// About 1 / a, for 1e-30 <= a <= 1e30, wrong by no more than the share Lanes::reciprocal_error.
+/// Approximation of 1 / a for 1e-30 <= a <= 1e30, with a relative error of at most Lanes::reciprocal_error.
 KERNEL_CODE Lanes reciprocal(Lanes a)
 {
     return {1.0f / a.x};
 }
 
-/// A truth in each lane.
+/// Truth value of each lane.
 struct LaneMask
 {
     bool x;
 };
 
+/// a <= b, false for NaN.
 KERNEL_CODE LaneMask not_above(Lanes a, Lanes b)
 {
     return {a.x <= b.x};
 }
-/// What `so_far` says, and a <= b.
+/// so_far && a <= b
 KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
 {
     return {(static_cast<unsigned>(so_far.x) & static_cast<unsigned>(a.x <= b.x)) != 0};
 }
-/// What `so_far` says, and a != b.
+/// so_far && a != b
 KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
 {
     return {(static_cast<unsigned>(so_far.x) & static_cast<unsigned>(a.x != b.x)) != 0};
 }
+/// mask ? yes : no
 KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
 {
     return mask.x ? yes : no;
 }
-/// Bit i: what is true in lane i.
+/// Bit i is set if lane i is true.
 KERNEL_CODE unsigned bits(LaneMask mask)
 {
     return mask.x ? 1u : 0u;
 }
 
-/// 32 marks in each lane.
+/// 32 bits in each lane.
 struct LaneMarks
 {
     std::uint32_t x = 0;
 
-    /// Sets a mark (one bit) where the mask says so.
+    /// Sets `bit` in the lanes where the mask is true.
     void mark(LaneMask mask, std::uint32_t bit) { x |= mask.x ? bit : 0u; }
     void store(std::uint32_t* to) const { *to = x; }
 };
 
-/// Double precision numbers side by side. No multiply is fused with an add, which would round differently.
+/// Vector of double-precision numbers. Multiplications are never fused with additions, which would round differently.
 struct DoubleLanes
 {
     static constexpr std::size_t width = 1;
@@ -144,18 +148,18 @@ KERNEL_CODE std::uint64_t bits_of(DoubleLanes a)
     std::memcpy(&bits, &a.x, sizeof bits);
     return bits;
 }
-/// -0 where this bit of the number's representation is set, else 0.
+/// -0 where this bit of the binary representation is set, else 0.
 template <int bit>
 KERNEL_CODE DoubleLanes sign_from_bit(DoubleLanes a)
 {
     return {(bits_of(a) >> bit & 1) != 0 ? -0.0 : 0.0};
 }
-/// yes where the sign is negative, also that of -0.
+/// `yes` where the sign bit is set (-0 counts as negative), else `no`.
 KERNEL_CODE DoubleLanes choose_by_sign(DoubleLanes sign, DoubleLanes yes, DoubleLanes no)
 {
     return std::signbit(sign.x) ? yes : no;
 }
-/// -a where the sign is negative.
+/// -a where the sign bit of `sign` is set, else a.
 KERNEL_CODE DoubleLanes with_sign(DoubleLanes sign, DoubleLanes a)
 {
     return {std::signbit(sign.x) ? -a.x : a.x};

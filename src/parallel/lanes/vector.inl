@@ -1,5 +1,5 @@
-// Numbers side by side, LANE_BYTES of them, by the vector extensions of GCC and clang; what the functions do is said in
-// plain.inl. Intrinsics stand only for what those extensions cannot say, or where compilers made more of it.
+// Lane types of LANE_BYTES, with the vector extensions of GCC and clang. plain.inl documents the functions. Intrinsics
+// are used only for operations that the extensions lack or that compilers translate into better code.
 
 namespace multipath {
 namespace LANE_SET {
@@ -11,7 +11,7 @@ typedef double DoubleVector __attribute__((vector_size(LANE_BYTES)));
 typedef std::int32_t IntVector __attribute__((vector_size(LANE_BYTES)));
 typedef std::int64_t LongVector __attribute__((vector_size(LANE_BYTES)));
 
-/// The same bits as numbers of another type.
+/// Reinterprets the bits as another type.
 template <class To, class From>
 KERNEL_CODE To bits_as(From from)
 {
@@ -87,7 +87,7 @@ KERNEL_CODE Lanes absolute(Lanes a)
 }
 KERNEL_CODE Lanes larger(Lanes a, Lanes b)
 {
-#if LANE_BYTES == 64 // of absolute values g++ 12 makes a comparison and a choice
+#if LANE_BYTES == 64 // for absolute values g++ 12 generates a comparison and a blend otherwise
     return {_mm512_maskz_max_ps(0xffff, a.x, b.x)};
 #else
     return {a.x > b.x ? a.x : b.x};
@@ -119,7 +119,7 @@ KERNEL_CODE Lanes reciprocal(Lanes a)
 #endif
 }
 
-#if LANE_BYTES == 64 // registers of truths, which vectors would only be made from
+#if LANE_BYTES == 64 // mask registers; a vector of truth values would only be converted from them
 
 struct LaneMask
 {
@@ -146,6 +146,7 @@ KERNEL_CODE unsigned bits(LaneMask mask)
 {
     return mask.x;
 }
+/// `bit` where the mask is true, else 0.
 KERNEL_CODE IntVector where(LaneMask mask, std::uint32_t bit)
 {
     return bits_as<IntVector>(_mm512_maskz_set1_epi32(mask.x, static_cast<int>(bit)));
@@ -153,7 +154,7 @@ KERNEL_CODE IntVector where(LaneMask mask, std::uint32_t bit)
 
 #else
 
-/// -1 where it is true, else 0.
+/// -1 in true lanes, else 0.
 struct LaneMask
 {
     IntVector x;
@@ -259,7 +260,7 @@ KERNEL_CODE DoubleLanes sign_from_bit(DoubleLanes a)
 }
 KERNEL_CODE DoubleLanes choose_by_sign(DoubleLanes sign, DoubleLanes yes, DoubleLanes no)
 {
-    const LongVector negative = bits_as<LongVector>(sign.x) >> 63; // all bits or none
+    const LongVector negative = bits_as<LongVector>(sign.x) >> 63; // all bits set or none
     return {bits_as<DoubleVector>((bits_as<LongVector>(yes.x) & negative) | (bits_as<LongVector>(no.x) & ~negative))};
 }
 KERNEL_CODE DoubleLanes with_sign(DoubleLanes sign, DoubleLanes a)
