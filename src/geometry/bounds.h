@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-/// Axis-aligned box; starts empty and grows. An empty box has low > high.
+/// Axis-aligned bounding box. A new box is empty, with low > high; include() makes it grow.
 struct Bounds
 {
     Vec3 low = {infinity, infinity, infinity};
@@ -29,14 +29,14 @@ struct Bounds
     Vec3 size() const { return high - low; }
     Vec3 centre() const { return 0.5 * (low + high); }
     double diagonal() const { return length(size()); }
-    double area() const ///< of its six sides
+    double area() const ///< surface area: the sum of the six sides
     {
         const Vec3 s = size();
         return 2.0 * (s.x * s.y + s.y * s.z + s.z * s.x);
     }
 };
 
-/// True also if they only touch.
+/// True if the boxes have a point in common; boxes that only touch overlap.
 inline bool overlap(const Bounds& a, const Bounds& b)
 {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&

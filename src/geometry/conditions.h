@@ -2,15 +2,17 @@
 
 namespace multipath {
 
-// Several conditions at once, all of them evaluated: without the branches of && and ||, where their outcome is hard to
-// predict or a loop is to be vectorised.
+// Logical AND and OR of several conditions, all of which are evaluated. They avoid the branches of && and ||, which
+// cost time where the outcome is hard to predict and prevent loops from being vectorised.
 
+/// True if all conditions hold.
 template <class... Conditions>
 constexpr bool every(Conditions... conditions)
 {
     return (static_cast<unsigned>(conditions) & ...) != 0;
 }
 
+/// True if at least one condition holds.
 template <class... Conditions>
 constexpr bool any(Conditions... conditions)
 {

@@ -10,10 +10,10 @@ struct SinCos
     double cos;
 };
 
-/// Sine and cosine of 2 pi * turns for 0 <= turns <= 1, error below 2e-16.
+/// Sine and cosine of the angle 2 pi * turns for 0 <= turns <= 1, with an error below 2e-16.
 inline SinCos sin_cos_of_turns(double turns)
 {
-    // turns = quarter / 4 + rest with |rest| <= 1/8; both steps are exact.
+    // Range reduction: turns = quarter / 4 + rest with |rest| <= 1/8. Both steps are exact.
     const int quarter = static_cast<int>(4.0 * turns + 0.5);
     const double rest = turns - 0.25 * quarter;
     const double x = 2.0 * pi * rest;
@@ -38,20 +38,22 @@ inline SinCos sin_cos_of_turns(double turns)
     return {(quarter & 2) != 0 ? -sine : sine, ((quarter + 1) & 2) != 0 ? -cosine : cosine};
 }
 
-/// The elementary functions, from operations that IEEE 754 rounds exactly: C libraries differ in the last bits, also by
-/// the processor on which they run, and results must not depend on the machine. Relative errors are below
-/// 4.4e-16 unless said otherwise; special values are those of the C library. Angles are in radians and not large.
+/// Elementary functions made of operations that IEEE 754 rounds correctly, so that results do not depend on the
+/// machine: C libraries differ in the last bits, even from one processor to the next. Relative errors are below 4.4e-16
+/// unless noted; special values are those of the C library. Angles are in radians and should not be large.
 namespace elementary {
 
 double exp(double x);
-double exp2(double x); ///< exact for whole x
+double exp2(double x); ///< exact for integers x
 double log(double x);
-double log2(double x);          ///< exact for powers of 2
-double log10(double x);         ///< exact for powers of 10
-double pow(double x, double y); ///< x >= 0 or y whole; exact like products for small whole y >= 0, else 1e-15 |y ln x|
-double sin(double x);           ///< error below 4e-16 for |x| <= 2 pi, also relative for |x| <= 1
-double cos(double x);           ///< likewise
-double tan(double x);           ///< 1.8e-15 for |x| <= 1.4
+double log2(double x);  ///< 6.6e-16; exact for powers of 2
+double log10(double x); ///< 6.6e-16; exact for powers of 10 from 1e-22 to 1e22
+/// For x >= 0 any y; for x < 0 integers |y| <= 1024, else NaN. These integer powers are computed by repeated squaring:
+/// exact where the products are. Other powers have a relative error below 4.4e-16 + 1e-15 |y ln x|.
+double pow(double x, double y);
+double sin(double x); ///< absolute error below 4e-16 for |x| <= 2 pi; also relative for |x| <= 1
+double cos(double x); ///< likewise
+double tan(double x); ///< 1.8e-15 for |x| <= 1.4
 double atan(double x);
 double atan2(double y, double x);
 double asin(double x);  ///< 9e-16

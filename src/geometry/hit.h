@@ -6,24 +6,24 @@
 
 namespace multipath {
 
-/// One meeting of a line with a surface.
+/// Intersection of a line with a surface.
 struct Hit
 {
-    double t = 0.0;            ///< parameter of the line
-    std::uint32_t surface = 0; ///< number of the surface
-    double u = 0.0;            ///< position on the surface, 0 ... 1
+    double t = 0.0;            ///< line parameter
+    std::uint32_t surface = 0; ///< index of the surface
+    double u = 0.0;            ///< surface coordinates, 0 ... 1
     double v = 0.0;
-    bool front = false; ///< the line arrives at the front; otherwise it comes from behind and leaves through the front
+    bool front = false; ///< arrival: the line meets the front; else departure: from the back, out through the front
 };
 
-/// True if two faces that a line meets at one place seem to have the same corners.
+/// True if two faces that a line meets at the same point seem to have the same corners, judged by (u, v) alone.
 bool have_same_outline(const Hit& a, const Hit& b);
 
-/// Puts hits of equal t, already sorted by t, in the order in which a line passes coincident surfaces: departures
-/// (leaving through a front) and arrivals (meeting a front) alternate, as they do in every sound scene. Of several
-/// arrivals the first in the list is met first, of several departures the last one, so that a line and its reverse see
-/// the same. `starts_in_solid`: what the beginning of the line is taken for when nothing along it tells; two faces with
-/// the same outline are the sides of a thin sheet then.
+/// Reorders groups of hits with equal t, in hits sorted by t, as the line passes the coincident surfaces: arrivals
+/// (meeting a front) and departures (leaving through a front) alternate, as they do in every sound scene. Several
+/// arrivals keep their order in the list and several departures reverse it, so that a line and its reverse agree.
+/// `starts_in_solid` is the assumption about the start of the line if no hit decides. Even then a first group that is
+/// all the line meets, or that consists of two faces with the same outline, is a thin sheet.
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
 
 inline void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)

@@ -6,8 +6,8 @@
 
 namespace multipath {
 
-/// The points origin + t * direction with 0 <= t <= t_max. A chord has t_max = 1; a ray has t_max = infinity.
-/// A direction of length zero is allowed and meets nothing.
+/// The points origin + t * direction with 0 <= t <= t_max: t_max = 1 for a chord, infinity for a ray. A direction of
+/// length zero is allowed; such a line meets nothing.
 struct Line
 {
     Vec3 origin;
@@ -17,6 +17,7 @@ struct Line
     Vec3 at(double t) const { return origin + t * direction; }
 };
 
+/// The segment between two points.
 inline Line chord(Vec3 from, Vec3 to)
 {
     return {from, to - from, 1.0};

@@ -8,8 +8,8 @@ namespace multipath {
 
 enum class Shape { parallelogram, triangle };
 
-/// An undivided flat piece of the scene: the points origin + u * edge_u + v * edge_v with 0 <= u, v <= 1
-/// (and u + v <= 1 for a triangle). Its front is the side from which edge_u, edge_v turn counter-clockwise.
+/// Planar surface of the scene, not subdivided: the points origin + u * edge_u + v * edge_v with 0 <= u, v <= 1 (and u
+/// + v <= 1 for a triangle). Its front is the side from which edge_u, edge_v turn counter-clockwise.
 struct Surface
 {
     Shape shape = Shape::parallelogram;
@@ -18,9 +18,9 @@ struct Surface
     Vec3 edge_v;
 
     Vec3 at(double u, double v) const { return origin + u * edge_u + v * edge_v; }
-    /// Unit normal on the front; the surface must have area.
+    /// Unit normal on the front side; the area must not be zero.
     Vec3 normal() const { return normalized(cross(edge_u, edge_v)); }
-    /// [square of the scene unit]
+    /// Area [square of the scene unit].
     double area() const { return (shape == Shape::triangle ? 0.5 : 1.0) * length(cross(edge_u, edge_v)); }
     Vec3 centre() const { return shape == Shape::triangle ? at(1.0 / 3.0, 1.0 / 3.0) : at(0.5, 0.5); }
     Bounds bounds() const
@@ -40,7 +40,7 @@ inline bool operator==(const Surface& a, const Surface& b)
     return a.shape == b.shape && a.origin == b.origin && a.edge_u == b.edge_u && a.edge_v == b.edge_v;
 }
 
-/// The surfaces of a scene, often a million.
+/// The surfaces of a scene, up to millions of them.
 using SurfaceList = LargeVector<Surface>;
 
 } // namespace multipath

@@ -4,10 +4,10 @@
 
 namespace multipath {
 
-/// 1 / (2 pi) times the integral of ln r dx.dy around both polygons [m^2]: by Stokes' theorem the exchange area A F of
-/// polygons in front of each other's planes, and the overlap of two in one plane that face opposite ways.
-/// Relative error about 1e-8 of pieces near each other; the absolute error is at least 1e-16 times the squared
-/// distance, so that of specks far away nothing is left.
+/// Double contour integral of ln r dx.dy around both polygons, divided by 2 pi [m^2]. By Stokes' theorem it is the
+/// exchange area A F of two polygons that lie in front of each other's planes, and the area of the overlap of two
+/// polygons in one plane that face opposite ways. The relative error is about 1e-8 for polygons near each other. The
+/// absolute error is at least 1e-16 times the squared distance, so no digit is right for tiny polygons far apart.
 double contour_integral(const FlatPolygon& a, const FlatPolygon& b);
 
 } // namespace multipath

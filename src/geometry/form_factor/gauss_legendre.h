@@ -5,22 +5,22 @@
 
 namespace multipath {
 
-// Gauss-Legendre rules: n nodes are exact for polynomials of degree 2 n - 1 (Abramowitz and Stegun, table 25.4).
+// Gauss-Legendre quadrature: n nodes are exact for polynomials of degree 2 n - 1 (Abramowitz and Stegun, table 25.4).
 
 struct GaussNode
 {
-    double place;
+    double place; ///< abscissa
     double weight;
 };
 
 template <std::size_t n>
 using GaussRule = std::array<GaussNode, n>;
 
-/// On [0, 1], with weights in whole numbers: +-1/sqrt(3), and 0, +-sqrt(3/5), on [-1, 1].
+/// Rules on [0, 1] with integer weights, not normalised; on [-1, 1] the nodes are +-1/sqrt(3) and 0, +-sqrt(3/5).
 constexpr GaussRule<2> gauss_2 = {{{0.2113248654051871, 1.0}, {1.0 - 0.2113248654051871, 1.0}}};
 constexpr GaussRule<3> gauss_3 = {{{0.1127016653792583, 5.0}, {0.5, 8.0}, {1.0 - 0.1127016653792583, 5.0}}};
 
-/// The positive half of the ten symmetric nodes on [-1, 1].
+/// The positive five of the ten symmetric nodes on [-1, 1].
 constexpr GaussRule<5> half_gauss_10 = {{{0.1488743389816312, 0.2955242247147529},
                                          {0.4333953941292472, 0.2692667193099963},
                                          {0.6794095682990244, 0.2190863625159820},

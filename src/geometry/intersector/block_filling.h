@@ -10,30 +10,29 @@
 
 namespace multipath {
 
-/// A block none of whose lanes lets a line pass.
+/// Block with empty lanes only: no line passes any of its tests.
 SurfaceBlock empty_block();
 
-/// Puts a surface, given by its row, into a lane of a block. Triangles must be put before parallelograms.
+/// Stores the surface of a row in one lane of a block. Triangles must come in lanes before those of parallelograms.
 void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame);
 
-/// A leaf of the hierarchy with these surfaces, not more than LeafBlock::lanes.
+/// Leaf of the hierarchy with `count` surfaces, at most LeafBlock::lanes.
 LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame);
 
-/// How far the row may be met beside the surface it was made from, as a share of the scene's box: farther than this and
-/// neither the filter's slack nor the boxes around surfaces can be relied on. Only slivers with an angle near the
-/// rounding error of double precision fail.
+/// True if a line can hit the row only so close to the surface it was made from that the filter's slack and the boxes
+/// around surfaces cover the error. False only for slivers with an angle near the rounding error of double precision.
 bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const FilterFrame& frame);
 
-/// Rectangles ordered by the directions of their edges: the walls and the furniture of a room have few of these.
+/// Rectangles grouped by the directions of their edges. Walls and furniture of a room share few directions.
 struct FramedRectangles
 {
     std::vector<RectangleFrame> frames;
     std::vector<FrameRectangle> rectangles;
-    std::vector<std::uint32_t> surfaces; ///< which surfaces the rectangles are
-    std::vector<std::uint32_t> others;   ///< surfaces that are no rectangles
+    std::vector<std::uint32_t> surfaces; ///< surface index of each rectangle
+    std::vector<std::uint32_t> others;   ///< surfaces that are not rectangles
 };
 
-/// For few surfaces: the time grows with their square.
+/// Sorts the surfaces into rectangles and others. Takes quadratic time, so it is meant for few surfaces.
 FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<std::uint32_t>& surfaces,
                                  const FilterFrame& frame);
 

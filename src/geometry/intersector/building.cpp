@@ -131,7 +131,7 @@ void Intersector::Core::fill_blocks()
 
 void Intersector::Core::fill_leaves(int threads)
 {
-    const LargeVector<std::uint32_t>& surfaces = tree_.things();
+    const LargeVector<std::uint32_t>& surfaces = tree_.primitives();
     leaves_.resize(surfaces.size() / LeafBlock::lanes);
     const auto count = static_cast<std::uint32_t>(leaves_.size());
     parallel_ranges(count, prepared_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {

@@ -22,7 +22,7 @@
 
 namespace multipath {
 
-/// What a line of a batch may meet. Reuses its memory.
+/// Candidates of the lines of a batch. The buffer is reused.
 struct CandidateList
 {
     UnsetVector<LineCandidate> elements; ///< may hold more than `count`
@@ -35,26 +35,26 @@ struct CandidateList
     }
 };
 
-/// Work space of a search for candidates in the hierarchy.
+/// Buffers of a search for candidates in the hierarchy.
 struct CandidateScratch
 {
     UnsetVector<TreeLine> lines;
     UnsetVector<LineNode> pending;
-    CandidateList found; ///< in the order in which the search came upon them
+    CandidateList found; ///< in the order of the search
 };
 
-/// Work space of Intersector::all_hits, for a part of the lines: what passes from one phase to the next.
+/// Buffers of Intersector::all_hits for one batch of lines: the data that one phase hands to the next.
 struct HitLists::Scratch
 {
     LineBatch batch{};
-    bool all_whole = true;              ///< see FilterLine
-    std::vector<std::uint32_t> passing; ///< numbers in the batch
+    bool all_whole = true;              ///< FilterLine::whole of all lines that pass
+    std::vector<std::uint32_t> passing; ///< batch indices of the lines that pass through the box
     FlatMarks marks{};
     CandidateScratch in_tree;
-    CandidateList candidates; ///< line after line
+    CandidateList candidates; ///< sorted by line
 };
 
-/// Work space of a search for first hits in the hierarchy.
+/// Buffers of a search for first hits in the hierarchy.
 struct FirstHitScratch
 {
     std::vector<SearchedRay> rays;
@@ -62,17 +62,17 @@ struct FirstHitScratch
     UnsetVector<std::uint64_t> stacks;
 };
 
-/// Work space of Intersector::closest_hits_from.
+/// Buffers of Intersector::closest_hits_from.
 struct FirstHits::Scratch
 {
     LineBatch batch{};
     FirstHitScratch in_tree;
-    std::vector<std::uint32_t> covered; ///< rays that start below another surface
-    std::vector<Line> whole_lines;      ///< along these
-    HitLists along;
+    std::vector<std::uint32_t> covered; ///< rays that start at a point which another surface covers
+    std::vector<Line> whole_lines;      ///< the covered rays, extended backwards
+    HitLists along;                     ///< all hits along these lines
 };
 
-/// The tables of an Intersector and the steps of the search in them.
+/// Data structures of an Intersector and the steps of its searches.
 class Intersector::Core
 {
 public:
@@ -98,7 +98,7 @@ private:
     static constexpr std::uint32_t no_plane = 0xffffffffu;
     std::uint32_t plane_of(std::uint32_t from) const { return from == no_surface ? no_plane : plane_[from]; }
     double reach_of(const Line& ray) const;
-    Line whole_line(const Line& ray) const; ///< the ray and what lies behind its start
+    Line whole_line(const Line& ray) const; ///< the ray, extended backwards out of the scene
     std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;
     template <class Visit>
     void for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const;
@@ -138,16 +138,16 @@ private:
     FilterFrame frame_;
     WideTree tree_;                          ///< empty for few surfaces
     UnsetVector<LeafBlock> leaves_;          ///< of the tree
-    std::vector<std::uint32_t> lane_number_; ///< without a tree: surface in each lane of the blocks
+    std::vector<std::uint32_t> lane_number_; ///< without a tree: surface of each lane of the blocks
     std::vector<float> flat_number_;         ///< lane_number_
-    std::vector<float> flat_plane_;          ///< plane numbers of the same
-    unsigned flat_triangles_ = 0;            ///< the first lanes
-    FramedRectangles framed_;                ///< the last lanes
+    std::vector<float> flat_plane_;          ///< plane number of each lane
+    unsigned flat_triangles_ = 0;            ///< number of triangles, which have the first lanes
+    FramedRectangles framed_;                ///< its rectangles have the last lanes
     std::vector<SurfaceBlock> blocks_;
-    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, which every line must be decided against
-    bool outside_is_solid_;                 ///< the surfaces are the inside of a room rather than the outside of things
+    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, tested in double precision against every line
+    bool outside_is_solid_;                 ///< see form_a_room
     std::vector<std::uint32_t> plane_;      ///< plane number of each surface
-    std::vector<std::uint32_t> size_rank_;  ///< of each surface: 0 for the smallest; what is smaller lies on top
+    std::vector<std::uint32_t> size_rank_;  ///< rank of each surface by size, 0 for the smallest, which lies on top
     PlaneNeighbours neighbours_;
 };
 

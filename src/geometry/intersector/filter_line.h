@@ -12,30 +12,31 @@
 
 namespace multipath {
 
-/// A line as the filters see it: in single precision, in coordinates in which the scene's box has its centre at 0 and
-/// its half diagonal is 1, by its Plücker coordinates (direction and moment) and by the part of it near the scene.
-/// Parameters keep their scale: `middle` + t * `direction` with -half_length <= t <= half_length.
+/// Single-precision form of a line for the filters, in coordinates in which the scene's box is centred at 0 with half
+/// diagonal 1: Plücker coordinates (direction and moment) and the segment near the scene, which is `middle` + t *
+/// `direction` with -half_length <= t <= half_length. The parameter t has the scale of the original line.
 struct FilterLine
 {
     float direction[3];
-    float moment[3]; ///< cross(p, direction), the same for all points p of the line
+    float moment[3]; ///< cross(p, direction) for any point p of the line
     float middle[3];
     float half_length;
-    float scale;     ///< |x| + |y| + |z| of the direction: not less than its length
-    bool whole;      ///< neither end lies inside the box, so that the ends need no test
-    double middle_t; ///< parameter of `middle` on the line itself
+    float scale;     ///< |x| + |y| + |z| of the direction, an upper bound of its length
+    bool whole;      ///< neither end lies inside the box, so tests of t are unnecessary
+    double middle_t; ///< parameter of `middle` on the original line
 };
 
+/// How a line runs with respect to the scene's box.
 enum class LineCourse : std::uint32_t {
-    misses = 0, ///< the scene's box: it meets nothing
-    passes = 1, ///< through the box; the filters can tell what it meets
-    unfit = 2   ///< too far away or of a length that single precision cannot hold: only double precision can tell
+    misses = 0, ///< misses the box and therefore all surfaces
+    passes = 1, ///< passes through the box and can be filtered
+    unfit = 2   ///< too far away, too long or too short for single precision; must be decided in double precision
 };
 
-/// Many placed lines, member by member, so that a compiler can place several at once.
+/// Batch of lines as a structure of arrays, so that compilers can vectorise loops over lines.
 struct LineBatch
 {
-    static constexpr std::size_t most = 256; ///< so that a batch stays in the first cache
+    static constexpr std::size_t most = 256; ///< capacity: a batch fits into the first-level cache
 
     alignas(64) float direction[3][most];
     float moment[3][most];
@@ -72,39 +73,40 @@ struct LineBatch
     }
 };
 
-/// What each line of a batch may meet.
+/// Surfaces that each line of a batch may meet, as bits.
 struct FlatMarks
 {
     alignas(64) std::uint32_t word[FlatSurfaces::most / 32][LineBatch::most]; ///< bit s % 32 of word[s / 32]: surface s
 };
 
-/// What each line of a batch may meet first.
+/// The surface that each line of a batch may meet first.
 struct NearestCandidates
 {
-    alignas(64) float first[LineBatch::most]; ///< at the earliest, from the line's middle on; FlatSurfaces::never
-    float second[LineBatch::most];            ///< the same of any other surface
-    float number[LineBatch::most];            ///< FlatSurfaces::number of the first surface
+    alignas(64) float first[LineBatch::most]; ///< lower bound of its t, from the line's middle, or FlatSurfaces::never
+    float second[LineBatch::most];            ///< lower bound of t of all other surfaces
+    float number[LineBatch::most];            ///< FlatSurfaces::number of this surface
 };
 
-/// The coordinates of FilterLine for a scene.
+/// Coordinate system of FilterLine for a scene. Coordinates in it are said to be "in the frame".
 class FilterFrame
 {
 public:
     FilterFrame() = default;
-    /// `box` holds everything that could be met, with room for rounding (see SurfaceBlock).
+    /// `box` must contain all surfaces, with a margin for rounding (see box_around).
     explicit FilterFrame(const Bounds& box);
 
-    /// Writes `placed` whatever the course is.
+    /// Transforms a line into the frame and returns its course. Writes `placed` in every case, even if it is useless.
     LineCourse place(const Line& line, FilterLine& placed) const;
 
     Vec3 to_frame(Vec3 p) const { return scale_ * (p - centre_); }
     Vec3 centre() const { return centre_; }
     double radius() const { return radius_; }
     double scale() const { return scale_; } ///< 1 / radius
-    double reach() const { return reach_; } ///< [radius] how far from the origin and from the box a line may begin
+    double reach() const { return reach_; } ///< [radius] lines must start with |start|^2 + |centre|^2 < reach^2
 
 private:
-    /// Surfaces on the very border count as inside, points there do not.
+    /// True if a point of the frame lies well inside the box. Points on its border count as outside: there is hardly
+    /// anything to meet beyond them.
     bool is_inside(Vec3 q) const
     {
         constexpr double border = 0.9999;
@@ -116,25 +118,26 @@ private:
     double radius_ = 1.0;
     double scale_ = 1.0;
     double reach_ = 0.0;
-    double centre_square_ = 0.0; ///< of the centre's distance from the origin, in the frame
-    Vec3 half_size_;             ///< of the box, in the frame
+    double centre_square_ = 0.0; ///< squared distance of the centre from the world's origin, in the frame
+    Vec3 half_size_;             ///< half the size of the box, in the frame
 };
 
-// No branches: whether a random chord meets the box is hard to predict.
+// Branch-free: whether a random chord meets the box is hard to predict.
 inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
 {
     const Vec3 o = to_frame(line.origin);
     const Vec3 d = scale_ * line.direction;
     const double square = dot(d, d);
 
-    // The separating axes of a line and a box are the cross products of the direction and the axes.
+    // Separating axis test: the axes that can separate a line from a box are the cross products of the direction and
+    // the coordinate axes.
     const Vec3 m = cross(o, d);
     const Vec3 size = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
     const bool apart = any(std::abs(m.x) > half_size_.y * size.z + half_size_.z * size.y,
                            std::abs(m.y) > half_size_.z * size.x + half_size_.x * size.z,
                            std::abs(m.z) > half_size_.x * size.y + half_size_.y * size.x);
 
-    // The part inside a sphere around the box.
+    // The segment inside a sphere around the box.
     const double inverse_square = 1.0 / square;
     const double nearest = -dot(o, d) * inverse_square;
     const double half_chord = 1.01 * std::sqrt(inverse_square);

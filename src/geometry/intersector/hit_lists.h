@@ -10,11 +10,11 @@
 
 namespace multipath {
 
-/// The hits of several lines, line after line in one array; what Intersector::all_hits fills. Reuses its memory.
+/// The hits of several lines, concatenated in one array: the result of Intersector::all_hits. Buffers are reused.
 class HitLists
 {
 public:
-    /// The hits of one line, in order.
+    /// View of the hits of one line, in order.
     struct List
     {
         const Hit* first;
@@ -31,7 +31,7 @@ public:
     };
 
     HitLists();
-    HitLists(const HitLists& other); ///< without the work space
+    HitLists(const HitLists& other); ///< does not copy the buffers
     HitLists& operator=(const HitLists& other);
     ~HitLists();
 
@@ -47,24 +47,23 @@ private:
 
     struct Scratch;
 
-    std::vector<Hit> hits_; ///< may hold more than the lines need
-    std::vector<std::size_t> end_;
+    std::vector<Hit> hits_;        ///< may be longer than the lists need
+    std::vector<std::size_t> end_; ///< end of each line's list in hits_
     std::unique_ptr<Scratch> scratch_;
 };
 
-/// For each of many rays the first surface that it meets, or none; what Intersector::closest_hits_from fills. Reuses
-/// its memory.
+/// The first hit, if any, of each of several rays: the result of Intersector::closest_hits_from. Buffers are reused.
 class FirstHits
 {
 public:
     FirstHits();
-    FirstHits(const FirstHits& other); ///< without the work space
+    FirstHits(const FirstHits& other); ///< does not copy the buffers
     FirstHits& operator=(const FirstHits& other);
     ~FirstHits();
 
     std::size_t size() const { return is_hit_.size(); } ///< number of rays
     bool is_hit(std::size_t ray) const { return is_hit_[ray] != 0; }
-    const Hit& operator[](std::size_t ray) const { return hits_[ray]; } ///< of a ray that has one
+    const Hit& operator[](std::size_t ray) const { return hits_[ray]; } ///< requires is_hit(ray)
 
 private:
     friend class Intersector;

@@ -12,25 +12,25 @@
 
 namespace multipath {
 
-/// For each surface the others in the same plane that overlap it, listed in advance: usually none. Surfaces that only
-/// touch along their borders, as the triangles of a mesh do, do not overlap.
+/// Precomputed lists, for each surface, of the surfaces in the same plane that overlap it; most lists are empty.
+/// Surfaces that only touch along their borders, like the triangles of a mesh, do not overlap.
 class PlaneNeighbours
 {
 public:
     PlaneNeighbours() = default;
-    /// `boxes`: of the surfaces, with room for rounding. `tree`: over these boxes; where it is empty, or a plane has
-    /// few surfaces, each is compared with each.
+    /// `boxes`: bounds of the surfaces with a margin for rounding. `tree`: hierarchy over these boxes. If it is empty
+    /// or a plane has few surfaces, all pairs in the plane are compared.
     PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<Bounds>& boxes,
                     const std::vector<std::uint32_t>& plane_number, const WideTree& tree, const FilterFrame& frame,
                     int threads);
 
-    /// False where so many surfaces lie together that looking for all of them would take too long.
+    /// False if the surface has no list because too many surfaces lie near it.
     bool is_listed(std::uint32_t surface) const { return first_[surface] != unlisted; }
 
-    /// False if the surface is listed and has none.
+    /// False if the surface certainly has no neighbour: its list exists and is empty.
     bool may_have_some(std::uint32_t surface) const { return first_[surface] != empty_list; }
 
-    /// Calls visit(other) for the neighbours of a listed surface whose boxes hold the point, in ascending order.
+    /// Calls visit(other) for the neighbours of a listed surface whose boxes contain the point, in ascending order.
     template <class Visit>
     void for_each_around(std::uint32_t surface, Vec3 point_in_frame, const Visit& visit) const
     {
@@ -51,11 +51,11 @@ private:
     struct Neighbour
     {
         std::uint32_t surface;
-        float low[3], high[3]; ///< of its box, in the coordinates of the frame
+        float low[3], high[3]; ///< bounds, in the frame
     };
 
-    std::vector<std::uint32_t> first_;                            ///< per surface: place of its list
-    std::vector<Neighbour> neighbours_ = {{end_of_list, {}, {}}}; ///< all lists; the one at 0 is empty
+    std::vector<std::uint32_t> first_;                            ///< per surface: offset of its list in neighbours_
+    std::vector<Neighbour> neighbours_ = {{end_of_list, {}, {}}}; ///< all lists; the list at 0 is empty
 };
 
 } // namespace multipath

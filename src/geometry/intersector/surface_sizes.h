@@ -8,24 +8,25 @@
 
 namespace multipath {
 
-/// The box around all surfaces; empty without any.
+/// Bounding box of all surfaces; empty if there are none.
 Bounds bounds_of(const SurfaceList& surfaces);
 
-/// Around all surfaces, with room for how far beside it a surface may be met: on a plane that it shares with others
-/// (see coplanar_distance) and by rounding.
+/// Bounding box of all surfaces with a margin, because hits may lie slightly off a surface: on a plane that it shares
+/// with others (see coplanar_distance) and by rounding.
 Bounds box_around(const SurfaceList& surfaces);
 
-/// Around each surface, with the same room.
+/// Bounding box of each surface, with the same margin.
 LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces);
 
-/// The numbers of the surfaces, the largest first; of equal ones the earlier.
+/// Indices of the surfaces by descending area; equal ones in ascending order.
 std::vector<std::uint32_t> from_large_to_small(const SurfaceList& surfaces);
 
-/// The place of each surface by size, the smallest first; of equal ones the later. `order`: from large to small.
+/// Rank of each surface by area, 0 for the smallest; of equal ones the later ranks lower. `order`: the result of
+/// from_large_to_small.
 std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order);
 
-/// Whether the surfaces are the inside of a room rather than the outside of things: the volume that their fronts bound
-/// from outside is negative (divergence theorem). A room without one wall still counts as a room.
+/// True if the surfaces are the inside of a room rather than the outside of objects: the volume that they enclose with
+/// their fronts outwards, by the divergence theorem, is negative. A room without one wall still counts as a room.
 bool form_a_room(const SurfaceList& surfaces);
 
 } // namespace multipath

@@ -13,21 +13,22 @@
 
 namespace multipath {
 
-/// A surface in the form in which lines are decided against it: a plane for t and two affine functions for (u, v), in
-/// columns, so that the three are evaluated side by side; two cache lines in all.
+/// Double-precision form of a surface for intersection tests: a plane, which gives t, and two affine functions of the
+/// point, which give u and v. They are stored in columns so that the three are evaluated side by side. Two cache lines
+/// in total.
 struct alignas(64) SurfaceRow
 {
-    using Column = std::array<double, 4>; ///< of the normal, of u, of v; the fourth only fills
+    using Column = std::array<double, 4>; ///< entries for the plane, u and v; the fourth is padding
 
-    Column x, y, z; ///< normal, to_u, to_v; x[3]: number of the plane, which serves no evaluation
+    Column x, y, z; ///< components of normal, to_u, to_v; x[3] stores the plane number
     Column offset;  ///< dot(normal, p) = offset[0] in the plane; u = dot(to_u, p) + offset[1]; v likewise
                     ///< offset[3]: 1 for a triangle (u + v <= 1), 0 for a parallelogram (u <= 1, v <= 1)
 
-    double plane() const { return x[3]; } ///< surfaces of one plane have the same number
+    double plane() const { return x[3]; } ///< plane number: the same for all surfaces in one plane
     Vec3 vector(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// Decides in double precision which surfaces a line meets.
+/// Double-precision intersection tests, which define the surfaces that a line meets.
 class SurfaceTable
 {
 public:
@@ -37,11 +38,11 @@ public:
     const SurfaceRow& row(std::uint32_t surface) const { return rows_[surface]; }
     bool is_triangle(std::uint32_t surface) const { return rows_[surface].offset[3] > 0.0; }
 
-    /// Whether the line meets one surface, borders included, and the hit if it does; else `hit` holds anything, since
-    /// there is no branch. The definition that all faster code must reproduce.
+    /// Returns true and writes `hit` if the line meets the surface, borders included. Otherwise `hit` is meaningless:
+    /// it is written without a branch. This is the definition that all faster code must reproduce bit for bit.
     bool decide(const Line& line, std::uint32_t surface, Hit& hit) const;
 
-    /// Whether a point of the plane of the surface lies on it, borders included.
+    /// True if a point in the plane of the surface lies on the surface, borders included.
     bool holds(Vec3 point, std::uint32_t surface) const;
 
 private:

@@ -11,33 +11,35 @@
 
 namespace multipath {
 
-/// Hierarchy of boxes around numbered things, 16 to a node, split by the surface area heuristic. Its leaves are blocks
-/// of up to 16 things.
+/// Bounding volume hierarchy over numbered primitives with up to 16 children per node and up to 16 primitives per leaf,
+/// built with the surface area heuristic.
 class WideTree
 {
 public:
     static constexpr std::uint32_t nothing = 0xffffffffu;
 
     WideTree() = default;
-    /// A tree over the things `numbers`, whose boxes are boxes[number]; for less than 2^26 things.
+    /// Builds a tree over the primitives `numbers` with bounds boxes[number], in world coordinates. There must be fewer
+    /// than 2^26 of them.
     WideTree(const LargeVector<Bounds>& boxes, const std::vector<std::uint32_t>& numbers, const FilterFrame& frame);
 
     bool empty() const { return nodes_.empty(); }
     const WideNode* nodes() const { return nodes_.data(); }
 
-    /// What lies in the lanes of the blocks, 16 to a block; `nothing` in empty lanes.
-    const LargeVector<std::uint32_t>& things() const { return things_; }
+    /// The primitives in the lanes of the leaves, 16 lanes to a leaf; `nothing` in empty lanes.
+    const LargeVector<std::uint32_t>& primitives() const { return primitives_; }
 
-    /// How many children a search may have put aside at a time, if it takes up the last one first.
+    /// Largest number of children on the stack of a depth-first search.
     unsigned most_pending() const { return most_pending_; }
 
-    /// Calls visit(number) for all things whose boxes hold the point, and for others, until it returns false.
+    /// Calls visit(number) for all primitives whose boxes contain the point, and perhaps for more, until it returns
+    /// false.
     template <class Visit>
     void for_each_around(Vec3 point_in_frame, const Visit& visit) const
     {
         for_each_near({point_in_frame, point_in_frame}, visit);
     }
-    /// The same for all things whose boxes meet a box.
+    /// The same for all primitives whose boxes overlap a box.
     template <class Visit>
     void for_each_near(const Bounds& box_in_frame, const Visit& visit) const;
 
@@ -46,7 +48,7 @@ private:
     bool visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const;
 
     LargeVector<WideNode> nodes_;
-    LargeVector<std::uint32_t> things_;
+    LargeVector<std::uint32_t> primitives_;
     unsigned most_pending_ = 0;
 };
 
@@ -64,8 +66,8 @@ bool WideTree::visit_child(std::uint32_t child, const float (&low)[3], const flo
 {
     if ((child & WideNode::leaf_flag) != 0) {
         const std::size_t first = std::size_t{WideNode::lanes} * (child - WideNode::leaf_flag);
-        for (std::size_t i = first; i < first + WideNode::lanes && things_[i] != nothing; ++i)
-            if (!visit(things_[i]))
+        for (std::size_t i = first; i < first + WideNode::lanes && primitives_[i] != nothing; ++i)
+            if (!visit(primitives_[i]))
                 return false;
         return true;
     }

@@ -11,49 +11,50 @@
 
 namespace multipath {
 
-/// A hierarchy of surfaces as its searches see it.
+/// View of the hierarchy for the search kernels.
 struct TreeView
 {
-    const WideNode* nodes; ///< the first one is the root
+    const WideNode* nodes; ///< nodes[0] is the root
     const LeafBlock* leaves;
-    bool is_large; ///< so that leaves are fetched ahead from memory; where caches hold them, that takes time
+    bool is_large; ///< larger than the caches, so that prefetching leaves pays
 };
 
-/// What the searches need of a line: where it meets the planes x = c is c * inverse + at_zero, from its middle on.
+/// Line in the form that the search uses for slab tests: along each axis it meets the plane at coordinate c at t = c *
+/// inverse + at_zero, measured from its middle.
 struct TreeLine
 {
     float inverse[3];
     float at_zero[3];
-    std::uint32_t near_plane[3]; ///< place of the planes through which it enters boxes
-    std::uint32_t far_plane[3];  ///< and through which it leaves them
+    std::uint32_t near_plane[3]; ///< offset in WideNode::plane of the planes through which it enters boxes
+    std::uint32_t far_plane[3];  ///< likewise of those through which it leaves
     float direction[3];
     float backwards[3]; ///< -middle
     float scale;
-    float first; ///< the part that is searched
+    float first; ///< interval of t that is searched
     float last;
-    std::uint32_t number; ///< in the batch
+    std::uint32_t number; ///< index in the batch
 };
 
 /// A surface that a line may meet.
 struct LineCandidate
 {
-    std::uint32_t line; ///< number in the batch
+    std::uint32_t line; ///< index in the batch
     std::uint32_t surface;
 };
 
-/// A part of the hierarchy where a line has still to be searched.
+/// A subtree that a line has still to visit.
 struct LineNode
 {
-    std::uint32_t line; ///< place in the list of lines
-    std::uint32_t child;
+    std::uint32_t line;  ///< index in the list of lines
+    std::uint32_t child; ///< as in WideNode
 };
 
-/// The search for all that some lines may meet, in any order. It goes on until nothing is pending or less than
-/// `least_room` places are left for either list.
+/// State of a search for all surfaces that some lines may meet, in any order. The kernel proceeds until nothing is
+/// pending or one of the two lists has room for fewer than `least_room` more elements.
 struct CandidateSearch
 {
-    static constexpr std::size_t at_once = 32;                               ///< children taken up together
-    static constexpr std::size_t least_room = WideNode::lanes * at_once + 2; ///< what these can touch of a list
+    static constexpr std::size_t at_once = 32;                               ///< children taken from the list per round
+    static constexpr std::size_t least_room = WideNode::lanes * at_once + 2; ///< slots that a round may write
 
     const TreeLine* lines;
     LineNode* pending;
@@ -69,40 +70,40 @@ struct CandidateSearch
     }
 };
 
-/// The first hit of a ray, as far as it has been searched.
+/// The first hit of a ray among the surfaces tested so far.
 struct NearestHit
 {
-    Hit best = {std::numeric_limits<double>::infinity(), 0, 0.0, 0.0, false}; ///< infinite t: none
-    Hit back = {};         ///< the first that is met from behind where the best is met, from the front
-    bool has_back = false; ///< there is one
+    Hit best = {std::numeric_limits<double>::infinity(), 0, 0.0, 0.0, false}; ///< infinite t: no hit
+    Hit back = {};         ///< first hit on a back at the same t, if `best` is on a front
+    bool has_back = false; ///< `back` is valid
 
     bool is_hit() const { return best.t < std::numeric_limits<double>::infinity(); }
 };
 
-/// A ray of a batch whose first hit is searched; the numbers of several grow.
+/// A ray of a batch whose first hit is sought. Lists of them have ascending numbers.
 struct SearchedRay
 {
-    std::uint32_t number;  ///< in the batch
-    double excluded_plane; ///< SurfaceRow::plane of what it does not meet; no_plane: none
+    std::uint32_t number;  ///< index in the batch
+    double excluded_plane; ///< SurfaceRow::plane of surfaces to ignore, or no_plane
 
     static constexpr double no_plane = -1.0;
 };
 
-/// The search for the first hits of some rays.
+/// Search for the first hits of some rays.
 struct FirstHitSearch
 {
-    static constexpr unsigned at_once = 64; ///< rays that are on their way together
+    static constexpr unsigned at_once = 64; ///< rays that are traced together
 
     const LineBatch& batch;
-    const Line* lines; ///< of the batch
+    const Line* lines; ///< the lines of the batch
     const SearchedRay* rays;
     std::size_t ray_count;
-    NearestHit* nearest;   ///< of the batch; what is nearer than what it holds is looked for
-    bool any;              ///< whatever is nearer ends the search of a ray
-    std::uint64_t* stacks; ///< at_once of them, or as many as there are rays
+    NearestHit* nearest;   ///< in and out, per line of the batch: only hits that are not farther are sought
+    bool any;              ///< any nearer hit ends the search of a ray
+    std::uint64_t* stacks; ///< min(at_once, ray_count) stacks
     std::uint32_t stack_size;
 
-    /// Takes a hit at the same place as the best one.
+    /// Called for a hit at the same t as the best one.
     void (*take_coincident)(const void* context, NearestHit& nearest, const Hit& hit);
     const void* context;
 };
