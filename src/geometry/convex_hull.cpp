@@ -1,7 +1,10 @@
-// Quickhull (Barber, Dobkin, Huhdanpaa 1996): every face keeps the points outside of it; the farthest of them becomes a
-// corner of the hull, the faces that it sees are replaced by a cone over their rim. They hang together, so they are
-// found from neighbour to neighbour. Points less than a tolerance outside are ignored, which keeps nearly coplanar
-// faces harmless.
+// Quickhull (Barber, Dobkin, Huhdanpaa 1996). Every face keeps a list of points outside of it. The farthest of them
+// becomes a corner of the hull, and the faces that it sees are replaced by a cone from this apex over the horizon, the
+// border of the visible region. The visible faces are connected, so they are found from neighbour to neighbour. Points
+// outside by less than a tolerance are ignored, which makes nearly coplanar faces harmless.
+//
+// Nearly flat sets are first stretched to thickness 1 (see thicken), so that the tolerance applies to their thickness.
+// Points in one plane have a polygon as their hull, found by the monotone chain algorithm (Andrew 1979).
 
 #include "geometry/convex_hull.h"
 
@@ -24,31 +27,31 @@ using Corner = std::uint32_t;
 
 struct Face
 {
-    std::array<Corner, 3> corners; ///< counter-clockwise seen from outside
-    Vec3 normal;                   ///< unit, like the offset of the thickened points
-    double offset;
-    std::array<std::size_t, 3> neighbours = {}; ///< across the edge from corner i to the next
-    std::vector<Corner> outside;                ///< points in front of this face, each in the list of one face only
+    std::array<Corner, 3> corners;              ///< counter-clockwise as seen from outside
+    Vec3 normal;                                ///< unit normal, of the thickened points
+    double offset;                              ///< likewise: dot(normal, p) in the plane of the face
+    std::array<std::size_t, 3> neighbours = {}; ///< face i is across the edge from corner i to the next one
+    std::vector<Corner> outside;                ///< points in front of this face; each point is in one list only
     bool alive = true;
 };
 
-/// An edge between what a new corner sees of the hull and what it does not.
-struct RimEdge
+/// An edge of the horizon: between a face that the apex sees and one that it does not see.
+struct HorizonEdge
 {
-    Corner from, to;    ///< as the seen face has them
-    std::size_t beyond; ///< the face that is not seen
+    Corner from, to;    ///< in the direction of the visible face
+    std::size_t beyond; ///< the invisible face
 };
 
 using PlanePoint = std::pair<double, double>;
 
-/// Twice the area of the triangle, positive if it is counter-clockwise.
+/// Twice the signed area of the triangle, positive if it is counter-clockwise.
 double turn(PlanePoint a, PlanePoint b, PlanePoint c)
 {
     return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
 }
 
-/// Twice the area between the first point and the half of the hull that turns left from it to the last one; the points
-/// are sorted either way.
+/// Twice the area between the straight line from the first to the last point and the half of the hull to the right of
+/// it, which turns left (monotone chain). The points must be sorted in either direction.
 template <class Iterator>
 double chain_area(Iterator first, Iterator last)
 {
@@ -72,10 +75,10 @@ Vec3 unit_or_zero(Vec3 v)
 class HullBuilder
 {
 public:
-    /// `tolerance`: as a share of the extent of the points.
+    /// `tolerance`: distance below which points count as in a plane, as a share of the extent of the points.
     HullBuilder(const LargeVector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
-    /// Triangles that cover the hull; none when all points lie in one plane.
+    /// The triangles of the hull; none if all points lie in one plane.
     std::vector<Face> faces()
     {
         if (!start())
@@ -90,7 +93,7 @@ public:
         return result;
     }
 
-    /// All points in one plane: their hull is a polygon, found in the plane by a monotone chain (Andrew 1979).
+    /// Area of both sides of the hull if all points lie in one plane. Call faces() first.
     double flat_area() const
     {
         if (points_.size() < 3)
@@ -109,6 +112,7 @@ public:
     }
 
 private:
+    /// Signed distance of a thickened point from the plane of a face, positive outside.
     double distance(const Face& face, Corner p) const { return dot(face.normal, thick_[p]) - face.offset; }
 
     Face make_face(Corner a, Corner b, Corner c) const
@@ -117,6 +121,7 @@ private:
         return {{a, b, c}, normal, dot(normal, thick_[a]), {}, {}, true};
     }
 
+    /// The point with the largest measure(p).
     template <class Measure>
     Corner argmax(const Measure& measure) const
     {
@@ -127,7 +132,7 @@ private:
         return best;
     }
 
-    /// The first tetrahedron; false when all points lie in one plane.
+    /// Builds the first tetrahedron. Returns false if all points lie in one plane.
     bool start()
     {
         if (points_.size() < 3)
@@ -158,7 +163,7 @@ private:
         return true;
     }
 
-    /// The points in coordinates in which the widest triangle and the height above it measure about 1.
+    /// Transforms the points affinely to coordinates in which the widest triangle and the height above it have size 1.
     void thicken(Vec3 origin, Vec3 axis, Vec3 across, Vec3 height)
     {
         const double width = dot(across, points_[c_] - origin);
@@ -170,7 +175,8 @@ private:
         }
     }
 
-    /// Gives each point to the first face from `first_face` on that has it outside; points inside all are dropped.
+    /// Adds each point to the list of the first face, from `first_face` on, that has it outside. Points inside of all
+    /// of them are dropped.
     void distribute(const std::vector<Corner>& points, std::size_t first_face)
     {
         for (const Corner p : points)
@@ -181,75 +187,77 @@ private:
                 }
     }
 
+    /// The point of a face's list that is farthest outside.
     Corner farthest(const Face& face) const
     {
         return *std::max_element(face.outside.begin(), face.outside.end(),
                                  [&](Corner p, Corner q) { return distance(face, p) < distance(face, q); });
     }
 
-    /// Replaces the faces that the apex sees, `seen_first` among them.
-    void add_corner(Corner apex, std::size_t seen_first)
+    /// Replaces the faces that the apex sees, one of which is `first_visible`, by a cone over the horizon.
+    void add_corner(Corner apex, std::size_t first_visible)
     {
-        std::vector<RimEdge> rim;
-        const std::vector<std::size_t> seen = take_away_seen(apex, seen_first, rim);
+        std::vector<HorizonEdge> horizon;
+        const std::vector<std::size_t> visible = remove_visible(apex, first_visible, horizon);
         const std::size_t first_new = faces_.size();
-        for (const RimEdge& edge : rim)
+        for (const HorizonEdge& edge : horizon)
             faces_.push_back(make_face(edge.from, edge.to, apex));
-        join_cone(rim, first_new);
+        link_cone(horizon, first_new);
         std::vector<Corner> orphans;
-        for (const std::size_t f : seen) {
+        for (const std::size_t f : visible) {
             orphans.insert(orphans.end(), faces_[f].outside.begin(), faces_[f].outside.end());
             faces_[f].outside = {};
         }
         distribute(orphans, first_new);
     }
 
-    /// The faces that the apex sees, by number; they are no longer alive. Both lists are sorted, so that what is built
-    /// on them does not depend on the way through the neighbours.
-    std::vector<std::size_t> take_away_seen(Corner apex, std::size_t first, std::vector<RimEdge>& rim)
+    /// Marks the faces that the apex sees as dead; returns their indices and stores the horizon. Both lists are sorted,
+    /// so that the result does not depend on the order of the search through the neighbours.
+    std::vector<std::size_t> remove_visible(Corner apex, std::size_t first, std::vector<HorizonEdge>& horizon)
     {
-        std::vector<std::size_t> seen = {first};
+        std::vector<std::size_t> visible = {first};
         faces_[first].alive = false;
-        for (std::size_t k = 0; k < seen.size(); ++k)
-            for (const std::size_t neighbour : faces_[seen[k]].neighbours)
+        for (std::size_t k = 0; k < visible.size(); ++k)
+            for (const std::size_t neighbour : faces_[visible[k]].neighbours)
                 if (faces_[neighbour].alive && distance(faces_[neighbour], apex) > tolerance_) {
                     faces_[neighbour].alive = false;
-                    seen.push_back(neighbour);
+                    visible.push_back(neighbour);
                 }
-        for (const std::size_t f : seen)
+        for (const std::size_t f : visible)
             for (std::size_t i = 0; i < 3; ++i)
                 if (faces_[faces_[f].neighbours[i]].alive)
-                    rim.push_back({faces_[f].corners[i], faces_[f].corners[(i + 1) % 3], faces_[f].neighbours[i]});
-        std::sort(seen.begin(), seen.end());
-        std::sort(rim.begin(), rim.end(),
-                  [](const RimEdge& a, const RimEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
-        return seen;
+                    horizon.push_back({faces_[f].corners[i], faces_[f].corners[(i + 1) % 3], faces_[f].neighbours[i]});
+        std::sort(visible.begin(), visible.end());
+        std::sort(horizon.begin(), horizon.end(), [](const HorizonEdge& a, const HorizonEdge& b) {
+            return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+        });
+        return visible;
     }
 
-    /// Makes the new faces, over the edges of the rim in order, neighbours of each other and of what lies beyond.
-    void join_cone(const std::vector<RimEdge>& rim, std::size_t first_new)
+    /// Links the new faces, one for each edge of the horizon in order, with each other and with the faces beyond.
+    void link_cone(const std::vector<HorizonEdge>& horizon, std::size_t first_new)
     {
-        std::vector<std::size_t> by_end(rim.size());
+        std::vector<std::size_t> by_end(horizon.size());
         std::iota(by_end.begin(), by_end.end(), std::size_t{0});
         std::sort(by_end.begin(), by_end.end(), [&](std::size_t k, std::size_t l) {
-            return std::tie(rim[k].to, rim[k].from) < std::tie(rim[l].to, rim[l].from);
+            return std::tie(horizon[k].to, horizon[k].from) < std::tie(horizon[l].to, horizon[l].from);
         });
-        for (std::size_t next = 0; next < rim.size(); ++next) { // where one edge ends another one begins
+        for (std::size_t next = 0; next < horizon.size(); ++next) { // by_end[next] ends where `next` begins
             faces_[first_new + by_end[next]].neighbours[1] = first_new + next;
             faces_[first_new + next].neighbours[2] = first_new + by_end[next];
         }
-        for (std::size_t k = 0; k < rim.size(); ++k) {
-            faces_[first_new + k].neighbours[0] = rim[k].beyond;
-            Face& beyond = faces_[rim[k].beyond];
+        for (std::size_t k = 0; k < horizon.size(); ++k) {
+            faces_[first_new + k].neighbours[0] = horizon[k].beyond;
+            Face& beyond = faces_[horizon[k].beyond];
             for (std::size_t i = 0; i < 3; ++i)
-                if (beyond.corners[i] == rim[k].to && beyond.corners[(i + 1) % 3] == rim[k].from)
+                if (beyond.corners[i] == horizon[k].to && beyond.corners[(i + 1) % 3] == horizon[k].from)
                     beyond.neighbours[i] = first_new + k;
         }
     }
 
     const LargeVector<Vec3>& points_;
     double tolerance_;
-    LargeVector<Vec3> thick_;
+    LargeVector<Vec3> thick_; ///< the points, thickened
     std::vector<Face> faces_;
     Corner a_ = 0, b_ = 0, c_ = 0; ///< the widest triangle found at the start
 };
@@ -305,13 +313,14 @@ bool ConvexHull::is_beside(const std::vector<Vec3>& points, double overlap) cons
     });
 }
 
-// Of a million surfaces hardly any reaches the hull. The corners that lie farthest out in a few directions span a body
-// that almost fills it; what lies inside of that body cannot be a corner of the hull.
+// Hardly any of a million surfaces reaches the hull of a scene. The corners that lie farthest out in a few directions
+// span a polyhedron that almost fills the hull. Points inside of it cannot be corners of the hull and are skipped.
 
 namespace {
 
-constexpr std::size_t few = 4096; ///< surfaces; fewer are not worth a selection
+constexpr std::size_t few = 4096; ///< up to this number of surfaces, all corners are used
 
+/// Calls visit(corner) for all corners of all surfaces.
 template <class Visit>
 void for_each_corner(const SurfaceList& surfaces, const Visit& visit)
 {
@@ -324,27 +333,27 @@ void for_each_corner(const SurfaceList& surfaces, const Visit& visit)
     }
 }
 
-/// The corners farthest out along the axes and the diagonals of a cube, both ways.
+/// The corners farthest out in both directions along the axes and the diagonals of a cube.
 LargeVector<Vec3> extreme_corners(const SurfaceList& surfaces)
 {
     constexpr std::size_t directions = 7;
-    const auto places_along = [](Vec3 p) {
+    const auto coordinates_along = [](Vec3 p) {
         return std::array<double, directions>{
             p.x, p.y, p.z, p.x + p.y + p.z, p.x + p.y - p.z, p.x - p.y + p.z, p.y + p.z - p.x};
     };
     const Vec3 any = surfaces.front().origin;
-    std::array<double, directions> low = places_along(any);
+    std::array<double, directions> low = coordinates_along(any);
     std::array<double, directions> high = low;
     LargeVector<Vec3> extremes(2 * directions, any);
     for_each_corner(surfaces, [&](Vec3 p) {
-        const std::array<double, directions> place = places_along(p);
+        const std::array<double, directions> coordinate = coordinates_along(p);
         for (std::size_t k = 0; k < directions; ++k) {
-            if (place[k] < low[k]) {
-                low[k] = place[k];
+            if (coordinate[k] < low[k]) {
+                low[k] = coordinate[k];
                 extremes[k] = p;
             }
-            if (place[k] > high[k]) {
-                high[k] = place[k];
+            if (coordinate[k] > high[k]) {
+                high[k] = coordinate[k];
                 extremes[directions + k] = p;
             }
         }

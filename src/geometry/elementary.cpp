@@ -1,3 +1,7 @@
+// Each function reduces its argument to a small interval, evaluates a truncated Taylor series there and puts the result
+// together again. Only operations that IEEE 754 rounds correctly are used, besides those that are exact (ldexp, frexp,
+// floor), so that the results are the same on every machine.
+
 #include "geometry/elementary.h"
 
 #include <algorithm>
@@ -13,13 +17,13 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// ln 2 in two parts: a whole number times the first is exact.
+// ln 2 as a sum of two parts: the product of an exponent and the first part is exact.
 constexpr double ln2_high = 0x1.62e42feep-1;
 constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 constexpr double ln2 = 0x1.62e42fefa39efp-1;
 constexpr double ln10 = 0x1.26bb1bbb55516p+1;
 
-/// c[0] + c[1] x + ..., its even and odd terms side by side.
+/// c[0] + c[1] x + ... by two Horner schemes, for the even and the odd terms, which run in parallel.
 template <std::size_t count>
 double polynomial(const double (&c)[count], double x)
 {
@@ -34,7 +38,7 @@ double polynomial(const double (&c)[count], double x)
     return even + x * odd;
 }
 
-/// e^r 2^k for |r| <= 0.35: the Taylor series; what is left out is below r^14 / 14! = 5e-18.
+/// e^r 2^k for |r| <= 0.35 by the Taylor series, whose remainder is below r^14 / 14! = 5e-18.
 double scaled_exp(double r, int k)
 {
     constexpr double terms[] = {1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,
@@ -43,7 +47,7 @@ double scaled_exp(double r, int k)
     return std::ldexp(1.0 + (r + r * r * polynomial(terms, r)), k);
 }
 
-/// x^n for n >= 0, by squares.
+/// x^n for n >= 0 by repeated squaring.
 double whole_power(double x, int n)
 {
     double result = 1.0;
@@ -52,7 +56,7 @@ double whole_power(double x, int n)
     return result;
 }
 
-/// The Taylor series of the arctangent for |t| <= 1/16; what is left out is below the share t^14 / 15 = 1e-18.
+/// Arctangent for |t| <= 1/16 by the Taylor series, whose relative remainder is below t^14 / 15 = 1e-18.
 double series_of_atan(double t)
 {
     constexpr double terms[] = {-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13};
@@ -60,7 +64,7 @@ double series_of_atan(double t)
     return t + t * z * polynomial(terms, z);
 }
 
-/// For 0 <= x <= 1.
+/// Arctangent for 0 <= x <= 1: atan x = atan a + atan((x - a) / (1 + x a)) with a the nearest multiple of 1/8.
 double atan_up_to_one(double x)
 {
     constexpr double atan_of_eighths[] = {0.0,
@@ -77,7 +81,7 @@ double atan_up_to_one(double x)
     return atan_of_eighths[k] + series_of_atan((x - near) / (1.0 + x * near));
 }
 
-/// x = 2^exponent * mantissa, which lies between sqrt(1/2) and sqrt(2).
+/// x = 2^exponent * mantissa with sqrt(1/2) <= mantissa < sqrt(2).
 struct Parts
 {
     double mantissa;
@@ -130,7 +134,7 @@ double exp2(double x)
     return scaled_exp((x - k) * ln2, static_cast<int>(k));
 }
 
-/// ln m = 2 artanh((m - 1) / (m + 1)) by its series.
+/// ln x = exponent ln 2 + ln m, with ln m = 2 artanh((m - 1) / (m + 1)) by its Taylor series.
 double log(double x)
 {
     if (!(x > 0.0 && x < infinity))
@@ -139,10 +143,10 @@ double log(double x)
     const double e = parts.exponent;
     const double f = parts.mantissa - 1.0;
     const double s = f / (2.0 + f);
-    const double z = s * s; // <= 0.0295, so that what is left out is below the share z^11 / 23 = 6e-19
+    const double z = s * s; // <= 0.0295, so that the relative remainder is below z^11 / 23 = 6e-19
     constexpr double terms[] = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11,
                                 2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
-    // 2 s = f - s f, so that the first summand has no error.
+    // 2 s = f - s f, so that the first summand f is exact.
     return e * ln2_high + (f - (s * (f - z * polynomial(terms, z)) - e * ln2_low));
 }
 
@@ -218,9 +222,9 @@ double asin(double x)
 double asinh(double x)
 {
     const double a = std::abs(x);
-    if (!(a < 1e150)) // its square would be endless
+    if (!(a < 1e150)) // the square would overflow
         return x + x == x ? x : std::copysign(log(a) + ln2, x);
-    // ln(1 + u) = ln(w) u / (w - 1), w the rounded 1 + u: what rounding does to w cancels (W. Kahan).
+    // ln(1 + u) = ln(w) u / (w - 1) with w the rounded 1 + u: the rounding error of w cancels (Kahan).
     const double u = a + a * a / (1.0 + std::sqrt(1.0 + a * a));
     const double w = 1.0 + u;
     return std::copysign(w == 1.0 ? u : log(w) * (u / (w - 1.0)), x);
@@ -229,7 +233,7 @@ double asinh(double x)
 double hypot(double x, double y)
 {
     const double larger = std::max(std::abs(x), std::abs(y));
-    if (!(larger > 1e-150 && larger < 1e150)) { // squares would leave the range of numbers
+    if (!(larger > 1e-150 && larger < 1e150)) { // squares would overflow or underflow
         const double smaller = std::min(std::abs(x), std::abs(y));
         const double ratio = smaller / larger;
         return larger == 0.0 || larger == infinity ? larger : larger * std::sqrt(1.0 + ratio * ratio);

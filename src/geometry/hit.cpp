@@ -1,12 +1,17 @@
-// Coincident faces that look at each other are either a gap of no width (a box standing on a floor: departure, then
-// arrival) or the two sides of a thin sheet (arrival, then departure). Which it is depends on where the line comes
-// from: out of a solid, whose inside it left or will leave by a departure, or out of the open, which ends with an
-// arrival. A line that starts with coincident faces is judged by the first hit that is not ambiguous: a gap as well as
-// a sheet leave it where it was before. Where no hit tells, two faces of the same outline are a sheet, and so is what a
-// line meets that meets nothing else: through a gap it would pass from one solid to another without ever having been
-// outside. A line out of the open that will leave a solid passes two faces of unlike outline as a gap, too: the ground
-// below a house is a sheet that nobody modelled from below. Of the rest the kind of scene decides: from wall to wall of
-// a room through a cupboard that fills a niche.
+// Order of hits at the same t. Two coincident faces of opposite orientation are either a gap of width zero (a box that
+// stands on a floor: departure, then arrival) or the two sides of a thin sheet (arrival, then departure). Which of the
+// two depends on the medium the line comes from: inside a solid its next hit is a departure, in the open an arrival.
+// The previous hit shows the medium. At the start of the line these rules apply, in this order:
+//
+// 1. The first group of hits with unequal numbers of arrivals and departures decides, because neither a gap nor a sheet
+//    changes the medium.
+// 2. Otherwise two faces of the same outline are a sheet, and so is a group that is all the line meets: through a gap
+//    the line would pass from one solid to another without ever being outside.
+// 3. Otherwise the kind of scene decides (`starts_in_solid`): in a room the line may pass from wall to wall through a
+//    cupboard that fills a niche.
+//
+// One exception after the start: a line in the open that meets two faces of different outline and leaves a solid later
+// passes a gap. The ground below a house is a floor without an underside.
 
 #include "geometry/hit.h"
 
@@ -20,6 +25,7 @@ namespace multipath {
 
 namespace {
 
+/// End of the group of hits with equal t that begins at `first`.
 std::size_t end_of_group(const Hit* hits, std::size_t count, std::size_t first)
 {
     std::size_t last = first + 1;
@@ -28,23 +34,24 @@ std::size_t end_of_group(const Hit* hits, std::size_t count, std::size_t first)
     return last;
 }
 
-/// Distances of a point of a parallelogram from the nearer end of each edge; those of a face with the same corners are
-/// the same, in whichever order it names them.
-std::array<double, 2> places_on_parallelogram(const Hit& hit)
+/// Coordinates on a parallelogram that do not depend on the order of its corners: the distances to the nearer of each
+/// pair of opposite sides, sorted.
+std::array<double, 2> invariant_on_parallelogram(const Hit& hit)
 {
     const double a = std::min(hit.u, 1.0 - hit.u);
     const double b = std::min(hit.v, 1.0 - hit.v);
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// Barycentric coordinates on a triangle, from small to large: likewise.
-std::array<double, 3> places_on_triangle(const Hit& hit)
+/// Coordinates on a triangle that do not depend on the order of its corners: the barycentric coordinates, sorted.
+std::array<double, 3> invariant_on_triangle(const Hit& hit)
 {
-    std::array<double, 3> places = {hit.u, hit.v, 1.0 - hit.u - hit.v};
-    std::sort(places.begin(), places.end());
-    return places;
+    std::array<double, 3> barycentric = {hit.u, hit.v, 1.0 - hit.u - hit.v};
+    std::sort(barycentric.begin(), barycentric.end());
+    return barycentric;
 }
 
+/// True if the coordinates are equal up to rounding.
 template <std::size_t n>
 bool agree(const std::array<double, n>& a, const std::array<double, n>& b)
 {
@@ -52,7 +59,7 @@ bool agree(const std::array<double, n>& a, const std::array<double, n>& b)
     return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::abs(x - y) < rounding; });
 }
 
-/// By how many the arrivals outnumber the departures in the first group where they are not as many; 0 without one.
+/// Arrivals minus departures in the first group, from hit `first` on, where they differ in number; 0 if there is none.
 std::ptrdiff_t next_balance(const Hit* hits, std::size_t count, std::size_t first)
 {
     std::ptrdiff_t arrivals_too_many = 0;
@@ -62,6 +69,7 @@ std::ptrdiff_t next_balance(const Hit* hits, std::size_t count, std::size_t firs
     return arrivals_too_many;
 }
 
+/// True if the first group of hits of a line begins with an arrival: rules 1 to 3 above.
 bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
 {
     if (const std::ptrdiff_t balance = next_balance(hits, count, 0); balance != 0)
@@ -70,18 +78,18 @@ bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
     return !starts_in_solid || first_place == count || (first_place == 2 && have_same_outline(hits[0], hits[1]));
 }
 
-/// Comes a line out of the open to a floor that is seen from below, and to the bottom of a solid that stands on it? The
-/// back of the floor belongs to no solid, but behind both the line leaves one.
+/// True if a line in the open comes from below to a floor and the bottom of a solid that stands on it: the exception
+/// above. The back of the floor belongs to no solid, but farther along the line leaves one.
 bool is_floor_from_below(const Hit* hits, std::size_t count, std::size_t first, std::size_t last)
 {
     return last - first == 2 && hits[first].front != hits[first + 1].front && !hits[first - 1].front &&
            !have_same_outline(hits[first], hits[first + 1]) && next_balance(hits, count, last) < 0;
 }
 
-/// Orders the hits first ... last, all of one t.
+/// Orders the hits first ... last - 1, all with the same t.
 void order_group(Hit* first, Hit* last, bool arrival_expected)
 {
-    if (last - first == 2) { // nearly always; nothing but a swap
+    if (last - first == 2) { // nearly always
         if (first->front == last[-1].front ? !first->front : first->front != arrival_expected)
             std::swap(*first, last[-1]);
         return;
@@ -94,9 +102,9 @@ void order_group(Hit* first, Hit* last, bool arrival_expected)
 
     auto arrival = arrivals.begin();
     auto departure = departures.begin();
-    for (Hit* place = first; place != last; ++place) {
+    for (Hit* next = first; next != last; ++next) {
         const bool take_arrival = departure == departures.end() || (arrival_expected && arrival != arrivals.end());
-        *place = take_arrival ? *arrival++ : *departure++;
+        *next = take_arrival ? *arrival++ : *departure++;
         arrival_expected = !take_arrival;
     }
 }
@@ -105,8 +113,8 @@ void order_group(Hit* first, Hit* last, bool arrival_expected)
 
 bool have_same_outline(const Hit& a, const Hit& b)
 {
-    return agree(places_on_parallelogram(a), places_on_parallelogram(b)) ||
-           agree(places_on_triangle(a), places_on_triangle(b));
+    return agree(invariant_on_parallelogram(a), invariant_on_parallelogram(b)) ||
+           agree(invariant_on_triangle(a), invariant_on_triangle(b));
 }
 
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)

@@ -47,7 +47,7 @@ FlatPolygon part_in_front(const FlatPolygon& polygon, Vec3 point, Vec3 normal, d
         const double there = dot(to - point, normal);
         if (here >= -touching)
             part.add(from);
-        // An edge that only dips below the plane by less than `touching` is not cut.
+        // An edge that dips below the plane by no more than `touching` is not cut.
         if ((here > touching && there < -touching) || (here < -touching && there > touching))
             part.add(from + (here / (here - there)) * (to - from));
     }
@@ -64,12 +64,13 @@ FlatPolygon projected(FlatPolygon polygon, Vec3 point, Vec3 normal)
 FlatPolygon part_above_horizon(const Surface& surface, Vec3 point, Vec3 normal)
 {
     const FlatPolygon whole = polygon_of(surface);
-    const double play = 1e-10 * (length(surface.edge_u) + length(surface.edge_v) + length(surface.origin - point));
-    return heights(whole, point, normal).high > play ? part_in_front(whole, point, normal, play) : FlatPolygon{};
+    const double slack = 1e-10 * (length(surface.edge_u) + length(surface.edge_v) + length(surface.origin - point));
+    return heights(whole, point, normal).high > slack ? part_in_front(whole, point, normal, slack) : FlatPolygon{};
 }
 
 namespace {
 
+/// A normal of the polygon, not of unit length.
 Vec3 upward(const FlatPolygon& polygon)
 {
     return cross(polygon.corners[1] - polygon.corners[0], polygon.corners[2] - polygon.corners[0]);
@@ -88,7 +89,7 @@ bool contains(const FlatPolygon& polygon, Vec3 point)
 
 double distance(Vec3 point, const FlatPolygon& polygon)
 {
-    if (contains(polygon, point)) { // or above it, which the test does not tell apart
+    if (contains(polygon, point)) { // or the projection of the point onto its plane
         const Vec3 up = upward(polygon);
         return std::abs(dot(up, point - polygon.corners[0])) / length(up);
     }
@@ -105,9 +106,9 @@ double distance(Vec3 point, const FlatPolygon& polygon)
 
 double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 normal)
 {
-    // Each edge adds the angle under which it is seen times the cosine between the normal and the normal of the plane
-    // through edge and point. Edges run counter-clockwise as seen from the point, so that the cross products of their
-    // ends point away from the polygon: hence the sign.
+    // Each edge contributes the angle that it subtends times the cosine between `normal` and the normal of the plane
+    // through the edge and the point. The edges run counter-clockwise as seen from the front, so the cross product of
+    // the ends of an edge points away from the polygon: hence the minus sign.
     double sum = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
         const Vec3 a = corners[k] - point;

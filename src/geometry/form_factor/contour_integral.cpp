@@ -1,12 +1,15 @@
-// One pair of edges contributes cos(alpha) times the integral of ln r over both, s along the one and t along the other.
-// Measured from the feet of the common perpendicular (of length h), r^2 = h^2 + s^2 + t^2 - 2 s t cos(alpha), and
+// A pair of edges at the angle alpha contributes cos(alpha) times the double integral of ln r over s along the first
+// edge and t along the second. With s and t measured from the feet of the common perpendicular, whose length is h,
+//     r^2 = h^2 + s^2 + t^2 - 2 s t cos(alpha),
 //     d(s ln r)/ds + d(t ln r)/dt = 2 ln r + 1 - h^2 / r^2.
-// So Gauss' theorem in the rectangle of (s, t) leaves integrals of ln r from a corner to an edge, which are
-// elementary, and the integral of h^2 / r^2. The latter is not, but it vanishes where edges meet, where ln r is
-// singular; with s = h sinh(x) / sin(alpha) it becomes an integral over x of the angle that an edge subtends, which is
-// smooth. Parallel edges are elementary altogether, perpendicular ones contribute nothing. Of edges that are nearly
-// parallel, as rounded coordinates make them, the feet are too far away to keep the digits: there the integrals of ln r
-// from the points of one edge to the other are summed up by Gauss' rule.
+// The divergence theorem in the rectangle of (s, t) therefore leaves two kinds of integrals: those of ln r from a
+// corner to an edge, which are elementary, and that of h^2 / r^2. The latter is not elementary, but it vanishes if the
+// edges meet, where ln r is singular. The substitution s = h sinh(x) / sin(alpha) turns it into an integral over x of
+// the angle that the second edge subtends, which is smooth and left to Gauss-Legendre quadrature.
+//
+// For parallel edges everything is elementary; perpendicular edges contribute nothing. For nearly parallel edges, which
+// rounded coordinates produce, the feet are so far away that digits cancel: there the integral of ln r from a point of
+// the first edge to the second edge is integrated by Gauss-Legendre quadrature.
 
 #include "geometry/form_factor/contour_integral.h"
 
@@ -30,7 +33,7 @@ struct Edge
 
 struct Edges
 {
-    std::array<Edge, 5> edges; ///< the first `size` count
+    std::array<Edge, 5> edges; ///< only the first `size` are used
     std::size_t size;
 };
 
@@ -45,7 +48,7 @@ Edges edges_of(const FlatPolygon& polygon)
     return result;
 }
 
-/// ln r, or 0 at r = 0: there it is multiplied by a length that vanishes faster.
+/// ln r, or 0 at r = 0, where its factor is a length that vanishes.
 double log_distance(double squared_distance)
 {
     return squared_distance > 0.0 ? 0.5 * elementary::log(squared_distance) : 0.0;
@@ -64,7 +67,7 @@ double point_to_edge(Vec3 point, const Edge& edge)
            w * elementary::atan2(w * edge.length, w2 + begin * end);
 }
 
-/// The second integral of ln r over the distance u along two parallel lines h apart.
+/// Second antiderivative in u of ln r, with r^2 = u^2 + h^2: for two parallel lines at distance h.
 double parallel_term(double u, double h)
 {
     return 0.5 * (u * u - h * h) * log_distance(u * u + h * h) - 0.75 * u * u + h * u * elementary::atan2(u, h);
@@ -83,16 +86,16 @@ double parallel_edges(const Edge& a, const Edge& b, double cosine, double)
     return std::copysign(1.0, cosine) * sum;
 }
 
-/// Two lines that are not parallel, with s and t measured from the feet of their common perpendicular.
+/// Two edges that are not parallel, with s and t measured from the feet of the common perpendicular of their lines.
 struct SkewEdges
 {
     double s_begin, s_end;
     double t_begin, t_end;
-    double h; ///< shortest distance of the lines
+    double h; ///< distance of the lines
     double sine, cosine;
 };
 
-/// The angle under which the foot of s = h sinh(x) / sin(alpha) on the second line's plane sees the second edge.
+/// The angle that the second edge subtends at the point s = h sinh(x) / sin(alpha) of the first line.
 double subtended_angle(const SkewEdges& e, double x)
 {
     const double up = elementary::exp(x);
@@ -103,8 +106,8 @@ double subtended_angle(const SkewEdges& e, double x)
                              distance * distance + (e.t_end - foot) * (e.t_begin - foot));
 }
 
-/// Do ten nodes suffice for this interval? The angle, as a function of a complex x, is singular where r = 0 at an end
-/// of the second edge: above and below asinh(t sin(alpha) / h) by the acute angle of the edges.
+/// True if ten nodes suffice for this interval. As a function of a complex x the angle is singular where r = 0 at an
+/// end of the second edge: at asinh(t sin(alpha) / h) plus or minus i times the acute angle of the edges.
 bool is_smooth(const SkewEdges& e, double begin, double end)
 {
     const double half = 0.5 * (end - begin);
@@ -113,14 +116,15 @@ bool is_smooth(const SkewEdges& e, double begin, double end)
         return true;
     const double height = elementary::asin(std::min(e.sine, 1.0));
     for (const double t : {e.t_begin, e.t_end}) {
-        const double place = elementary::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
-        const double gap = std::max({0.0, begin - place, place - end});
+        const double position = elementary::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
+        const double gap = std::max({0.0, begin - position, position - end});
         if (gap * gap + height * height < half * half)
             return false;
     }
     return true;
 }
 
+/// Integral of subtended_angle over x by Gauss-Legendre quadrature, with bisection until the interval is smooth.
 double integral_of_angle(const SkewEdges& e, double begin, double end)
 {
     const double middle = 0.5 * (begin + end);
@@ -164,30 +168,33 @@ double skew_edges(const Edge& a, const Edge& b, double cosine, double squared_si
     return 0.5 * (border - a.length * b.length + apart_term(e));
 }
 
-/// Where on the line of an edge, at a complex place, the integral of ln r to another edge is singular.
+/// Complex position along the line of an edge where the integral of ln r to another edge is singular.
 struct Singularity
 {
-    double place; ///< from the beginning of the edge
-    double height;
+    double position; ///< real part, from the beginning of the edge
+    double height;   ///< imaginary part
 };
 
 using Singularities = std::array<Singularity, 3>;
 
+/// Singularity because of a point: where the distance to it is 0.
 Singularity singularity_at(Vec3 point, const Edge& edge)
 {
     const Vec3 to = point - edge.from;
-    const double place = dot(to, edge.direction);
-    return {place, length(to - place * edge.direction)};
+    const double position = dot(to, edge.direction);
+    return {position, length(to - position * edge.direction)};
 }
 
+/// Integral of point_to_edge(., b) over the interval of edge a by Gauss-Legendre quadrature, with bisection near
+/// singularities.
 double integral_to_edge(const Edge& a, double begin, double end, const Edge& b, const Singularities& singularities)
 {
     const double middle = 0.5 * (begin + end);
     const double half = 0.5 * (end - begin);
     constexpr double negligible = 1e-10;
-    constexpr double away = 2.0; // half intervals: ten nodes err by 1e-11
+    constexpr double away = 2.0; // in half intervals; then the error of ten nodes is 1e-11
     for (const Singularity& at : singularities)
-        if (half > negligible * a.length && elementary::hypot(at.place - middle, at.height) < away * half)
+        if (half > negligible * a.length && elementary::hypot(at.position - middle, at.height) < away * half)
             return integral_to_edge(a, begin, middle, b, singularities) +
                    integral_to_edge(a, middle, end, b, singularities);
     double sum = 0.0;

@@ -1,3 +1,12 @@
+// The exchange area of two planar surfaces is computed by the cheapest method that is accurate at their distance. From
+// far to near:
+// 1. the kernel cos cos' / (pi r^2) between the centres with its second-order expansion (exchange_of_far),
+// 2. a quadrature rule on each surface (exchange_by_points),
+// 3. Lambert's formula at the points of the smaller surface, or of its quarters (exchange_by_views),
+// 4. the double contour integral, which is exact (contour_integral).
+// Surfaces that cross the plane of the other are clipped to its front first. Faces that lie in one plane and face each
+// other exchange light through the area of their overlap.
+
 #include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/form_factor/contour_integral.h"
@@ -19,13 +28,13 @@ namespace {
 
 constexpr double inverse_pi = 1.0 / pi;
 
-/// A F [m^2] of pieces far apart, each wholly in front of the other's plane: the kernel cos cos' / (pi r^2) between the
-/// centres and its curvature. The relative error falls with the fourth power of distance / size; at 18 radii of the
-/// larger piece it is about 2e-5.
+/// A F [m^2] of distant pieces that lie wholly in front of each other's planes: the kernel cos cos' / (pi r^2) between
+/// the centres plus its second-order term. The relative error falls with the fourth power of distance / size and is
+/// about 2e-5 at 18 radii of the larger piece.
 double exchange_of_far(const FlatPiece& a, const FlatPiece& b)
 {
-    // The kernel is p q / (pi r^4) with heights p = d.n_a, q = -d.n_b. Along an edge e of a, d -> d - t e leaves p as
-    // it is, and the coefficient of t^2, whose mean is 1/12 for -1/2 < t < 1/2, is
+    // The kernel is p q / (pi r^4) with the heights p = d.n_a and q = -d.n_b. A step t along an edge e of a changes d
+    // to d - t e and leaves p as it is. The mean of t^2 is 1/12 for -1/2 < t < 1/2; its coefficient is
     //     p / r^4 (q (12 (d.e)^2 / r^4 - 2 e.e / r^2) + 4 (n_b.e) (d.e) / r^2).
     const Vec3 d = b.centre - a.centre;
     const double r2 = dot(d, d);
@@ -45,7 +54,7 @@ double exchange_of_far(const FlatPiece& a, const FlatPiece& b)
     return a.area * b.area * inverse_pi * (inverse_r2 * inverse_r2) * (p * q + curvature * inverse_r2);
 }
 
-/// A rule on the unit square, or on the triangle u, v >= 0, u + v <= 1; weights sum to 1.
+/// Point of a quadrature rule on the unit square, or on the triangle u, v >= 0, u + v <= 1. The weights sum to 1.
 struct RulePoint
 {
     double u;
@@ -53,7 +62,7 @@ struct RulePoint
     double weight;
 };
 
-/// The rule in u times the same in v.
+/// Product of a rule in u and the same rule in v.
 template <std::size_t n>
 constexpr std::array<RulePoint, n * n> square_rule(const GaussRule<n>& rule)
 {
@@ -67,14 +76,14 @@ constexpr std::array<RulePoint, n * n> square_rule(const GaussRule<n>& rule)
     return points;
 }
 
-constexpr std::array<RulePoint, 4> coarse_square_rule = square_rule(gauss_2); // exact to degree 3 in u and in v
-constexpr std::array<RulePoint, 9> fine_square_rule = square_rule(gauss_3);   // to degree 5
+constexpr std::array<RulePoint, 4> coarse_square_rule = square_rule(gauss_2); // exact up to degree 3 in u and in v
+constexpr std::array<RulePoint, 9> fine_square_rule = square_rule(gauss_3);   // up to degree 5
 
-/// Exact to degree 3 on the triangle.
+/// Four points on the triangle, exact up to degree 3.
 constexpr std::array<RulePoint, 4> coarse_triangle_rule = {
     {{1.0 / 3, 1.0 / 3, -27.0 / 48}, {0.2, 0.2, 25.0 / 48}, {0.6, 0.2, 25.0 / 48}, {0.2, 0.6, 25.0 / 48}}};
 
-/// Radon's seven points: exact to degree 5.
+/// Radon's seven points on the triangle, exact up to degree 5.
 constexpr double radon_a = 0.1012865073234563;        // (6 - sqrt 15) / 21
 constexpr double radon_b = 0.4701420641051151;        // (6 + sqrt 15) / 21
 constexpr double radon_weight_a = 0.1259391805448271; // (155 - sqrt 15) / 1200
@@ -89,7 +98,7 @@ constexpr std::array<RulePoint, 7> fine_triangle_rule = {{{1.0 / 3, 1.0 / 3, 9.0
 
 constexpr std::size_t most_points = 9;
 
-/// Points of a piece, coordinate by coordinate so that compilers can take several at once.
+/// Quadrature points of a piece as a structure of arrays, so that compilers can vectorise loops over them.
 struct PiecePoints
 {
     std::size_t size = 0;
@@ -111,7 +120,7 @@ PiecePoints points_by_rule(const FlatPiece& piece, const std::array<RulePoint, n
     return points;
 }
 
-/// Enough points to look at the piece from a distance.
+/// Quadrature points of the piece, fewer if the other piece is distant.
 PiecePoints points_of(const FlatPiece& piece, double squared_distance)
 {
     constexpr double coarse_radii = 12.0;
@@ -121,7 +130,7 @@ PiecePoints points_of(const FlatPiece& piece, double squared_distance)
     return coarse ? points_by_rule(piece, coarse_square_rule) : points_by_rule(piece, fine_square_rule);
 }
 
-/// Weighted sum of p q / r^4 between a point of a and all points of b.
+/// Weighted sum of p q / r^4 between one point of a and all points of b.
 double sum_over_points(Vec3 from, Vec3 a_normal, Vec3 b_normal, const PiecePoints& b)
 {
     std::array<double, most_points> kernel;
@@ -140,7 +149,7 @@ double sum_over_points(Vec3 from, Vec3 a_normal, Vec3 b_normal, const PiecePoint
     return sum;
 }
 
-/// The same as a sum of the kernel over points of both; at 4.5 radii the relative error is about 1e-5.
+/// The same by quadrature over both pieces; the relative error is about 1e-5 at 4.5 radii of the larger one.
 double exchange_by_points(const FlatPiece& a, const FlatPiece& b)
 {
     const Vec3 d = b.centre - a.centre;
@@ -171,7 +180,7 @@ FlatPiece piece_of(const Surface& surface)
         piece.spread_v = v;
     } else {
         piece.radius = std::max({length(u + v), length(2.0 * u - v), length(2.0 * v - u)}) / 3.0;
-        // Covariance (u u^T + v v^T + (u - v)(u - v)^T) / 36, as a sum of two squares.
+        // The covariance (u u^T + v v^T + (u - v)(u - v)^T) / 36 as a sum of two squares.
         piece.spread_u = (1.0 / std::sqrt(6.0)) * (u + v);
         piece.spread_v = (1.0 / std::sqrt(2.0)) * (u - v);
     }
@@ -181,13 +190,15 @@ FlatPiece piece_of(const Surface& surface)
 
 namespace {
 
-// Distances of the centres, in radii of the larger piece, from which on a rule errs by less than 1e-5 (root mean square
-// over the pairs of a furnished room): nearest the contour integral, then points, then the expansion about the centres.
-// Each costs five to ten times as much as the next. Points of the smaller piece alone do from fewer of its radii on.
+// Smallest distances of the centres, in radii of the larger piece, at which a method has an error below 1e-5 (root mean
+// square over the pairs of a furnished room). The contour integral, quadrature and the expansion about the centres each
+// cost five to ten times as much as the next. For Lambert's formula at points of the smaller piece, the limit is the
+// distance from the other polygon in radii of the smaller one.
 constexpr double far_radii = 18.0;
 constexpr double points_radii = 4.5;
 constexpr double views_radii = 3.0;
 
+/// True if the centres are more than so many radii of the larger piece apart.
 bool apart_by(double radii, const FlatPiece& a, const FlatPiece& b)
 {
     const Vec3 d = b.centre - a.centre;
@@ -195,7 +206,7 @@ bool apart_by(double radii, const FlatPiece& a, const FlatPiece& b)
     return dot(d, d) > distance * distance;
 }
 
-/// Four of half the size that make up the surface.
+/// Divides the surface into four similar ones of half the size.
 std::array<Surface, 4> quarters(const Surface& s)
 {
     const Vec3 u = 0.5 * s.edge_u;
@@ -211,8 +222,8 @@ std::array<Surface, 4> quarters(const Surface& s)
              {s.shape, s.origin + u + v, u, v}}};
 }
 
-/// Of a surface that sees all of a polygon which is so far away that points of it, or of its quarters, will do:
-/// Lambert's formula at these. Nothing if the polygon is nearer.
+/// Exchange area of a surface and a polygon that its front sees wholly, by Lambert's formula at quadrature points of
+/// the surface or of its quarters. std::nullopt if the polygon is too near.
 std::optional<double> exchange_by_views(const Surface& small, const FlatPolygon& seen, bool may_cut = true)
 {
     const FlatPiece piece = piece_of(small);
@@ -236,7 +247,7 @@ std::optional<double> exchange_by_views(const Surface& small, const FlatPolygon&
     return sum;
 }
 
-/// An order of pieces, so that a pair is computed one way round whichever is named first.
+/// Arbitrary but fixed order of pieces: (a, b) and (b, a) are computed in the same order and give the same bits.
 bool before(const FlatPiece& a, const FlatPiece& b)
 {
     const auto key = [](const Surface& s) {
@@ -246,17 +257,17 @@ bool before(const FlatPiece& a, const FlatPiece& b)
     return key(a.surface) < key(b.surface);
 }
 
-/// Of two pieces in one plane, face to face across a gap of no width.
+/// Area of the overlap of two pieces that lie in one plane and face each other.
 double overlap(const FlatPiece& a, const FlatPolygon& a_polygon, const FlatPiece& b, const FlatPolygon& b_polygon)
 {
     if (length(b.centre - a.centre) > a.radius + b.radius)
         return 0.0;
     const double area = contour_integral(a_polygon, projected(b_polygon, a.centre, a.normal));
-    constexpr double rounding = 1e-9; // of the smaller: what is left where they only share an edge
+    constexpr double rounding = 1e-9; // share of the smaller area: residue of pieces that only share an edge
     return area > rounding * std::min(a.area, b.area) ? area : 0.0;
 }
 
-/// The triangles between the first corner of a polygon and its edges; those without an area are left out.
+/// Calls visit(triangle) for a triangle fan from the first corner of the polygon, leaving out triangles of area zero.
 template <class Visit>
 void for_triangles(const FlatPolygon& polygon, const Visit& visit)
 {
@@ -269,7 +280,7 @@ void for_triangles(const FlatPolygon& polygon, const Visit& visit)
     }
 }
 
-/// By points on the triangles that make up both.
+/// Exchange area by quadrature over the triangles of both polygons.
 double exchange_by_triangles(const FlatPolygon& a, const FlatPolygon& b)
 {
     double sum = 0.0;
@@ -279,7 +290,7 @@ double exchange_by_triangles(const FlatPolygon& a, const FlatPolygon& b)
     return sum;
 }
 
-/// The part of a piece in front of a plane.
+/// The part of a piece in front of a plane; `whole` if that is all of it.
 struct PartInFront
 {
     const FlatPiece& piece;
@@ -287,7 +298,7 @@ struct PartInFront
     bool whole;
 };
 
-/// Of two such parts, the smaller piece first.
+/// The same for two such parts, that of the smaller piece first.
 std::optional<double> exchange_by_views(const PartInFront& small, const PartInFront& other)
 {
     if (small.whole)
@@ -300,7 +311,7 @@ std::optional<double> exchange_by_views(const PartInFront& small, const PartInFr
     return sum;
 }
 
-/// Of pieces whose circumscribed circles the planes may cut, or that are near each other.
+/// Exchange area of pieces that are near each other or may cross each other's planes.
 double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
 {
     const FlatPolygon a_polygon = polygon_of(a.surface);
@@ -317,7 +328,7 @@ double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
         return exchange_of_far(a, b);
     if (wholly && apart_by(points_radii, a, b))
         return exchange_by_points(a, b);
-    // The plane of each is the horizon of all points of the other, so one cut is enough.
+    // The plane of each piece is the horizon of all its points, so clipping the other one once is enough.
     const PartInFront a_part = {a, part_in_front(a_polygon, b.centre, b.normal, touching), a_heights.low >= -touching};
     const PartInFront b_part = {b, part_in_front(b_polygon, a.centre, a.normal, touching), b_heights.low >= -touching};
     if (a_part.polygon.size == 0 || b_part.polygon.size == 0)
@@ -341,7 +352,7 @@ double exchange_area(const FlatPiece& a, const FlatPiece& b, double touching)
     if (b_height > b.radius && a_height > a.radius && apart_by(far_radii, a, b))
         return exchange_of_far(a, b);
     const double exchange = before(a, b) ? exchange_of_near(a, b, touching) : exchange_of_near(b, a, touching);
-    return std::max(0.0, exchange); // the contour integral of a pair that sees next to nothing may round below
+    return std::max(0.0, exchange); // rounding may make a tiny contour integral negative
 }
 
 double exchange_area(const Surface& a, const Surface& b, double touching)
