@@ -1,5 +1,8 @@
-// All hits of many lines, in phases: all lines are placed, then all filtered, then all candidates decided, then all
-// hits put in order. A processor guesses ahead well within a phase, and badly where each line takes another course.
+// Queries for many lines, in batches of LineBatch::most. A batch goes through phases: all lines are transformed into
+// the frame, then all are filtered in single precision, then all candidates are decided in double precision, then all
+// hits are sorted. Branches are predictable within a phase; they would not be if each line went through all steps
+// alone. Batches with a line that does not fit into single precision, and scenes with unfiltered surfaces, take the
+// slow path: one line at a time.
 
 #include "geometry/intersector/core.h"
 
@@ -54,7 +57,8 @@ void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists
     }
 }
 
-/// False if a line can only be decided in double precision.
+/// First phase: transforms the lines into the frame and lists those that pass through the box. Returns false if a line
+/// must be decided in double precision only.
 bool Intersector::Core::place_lines(const Line* lines, std::size_t count, HitLists::Scratch& work) const
 {
     kernel_->place_lines(frame_, lines, count, work.batch);
@@ -98,7 +102,7 @@ void Intersector::Core::find_among_few(HitLists::Scratch& work) const
     work.candidates.count = found;
 }
 
-/// Finds what the lines of this number of a batch may meet, in any order.
+/// Finds the candidates of the lines with these indices in the batch by a search in the hierarchy, in any order.
 void Intersector::Core::search_tree(const LineBatch& batch, const std::uint32_t* lines, std::size_t count,
                                     CandidateScratch& work) const
 {
@@ -126,14 +130,14 @@ void Intersector::Core::find_in_tree(HitLists::Scratch& work) const
 {
     search_tree(work.batch, work.passing.data(), work.passing.size(), work.in_tree);
     const CandidateList& found = work.in_tree.found;
-    std::array<std::size_t, LineBatch::most + 1> place{}; // of the next candidate of each line
+    std::array<std::size_t, LineBatch::most + 1> offset{}; // counting sort by line: slot of its next candidate
     for (std::size_t i = 0; i < found.count; ++i)
-        ++place[found.elements[i].line + 1];
-    std::partial_sum(place.begin(), place.end(), place.begin());
+        ++offset[found.elements[i].line + 1];
+    std::partial_sum(offset.begin(), offset.end(), offset.begin());
     work.candidates.reserve(found.count);
     work.candidates.count = found.count;
     for (std::size_t i = 0; i < found.count; ++i)
-        work.candidates.elements[place[found.elements[i].line]++] = found.elements[i];
+        work.candidates.elements[offset[found.elements[i].line]++] = found.elements[i];
 }
 
 void Intersector::Core::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
@@ -166,9 +170,10 @@ void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::s
     }
 }
 
-// The first hits of many rays, in phases like all hits of many lines. Of every ray the surface that may come first is
-// decided; it does come first if no other can be met before it. Where that is in doubt, which is rare, and where the
-// start of a ray is covered, more is looked at.
+// First hits of many rays, in the same phases. In a small scene the filter finds, for every ray, the surface that may
+// come first and a lower bound of t for all others. Only this surface is decided: it is the first hit if its t is below
+// the bound. The rare other rays are searched one by one. In a large scene the hierarchy is searched in order of
+// distance. Rays whose start is covered by another surface are repeated at the end along the whole line.
 
 void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
                                     FirstHits& found) const
@@ -235,10 +240,11 @@ SearchedRay Intersector::Core::searched_ray(std::uint32_t number, std::uint32_t 
     return {number, excluded_plane == no_plane ? SearchedRay::no_plane : static_cast<double>(excluded_plane)};
 }
 
-/// Finds the first hits of work.rays, nearer than those in work.nearest. `lines`: those of the batch.
+/// Finds the first hits of work.rays, starting from those already in work.nearest. `lines`: the lines of the batch.
+/// `any`: any nearer hit ends the search of a ray.
 void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, bool any, FirstHitScratch& work) const
 {
-    const std::uint32_t stack_size = tree_.most_pending() + 2; // two are written at a time
+    const std::uint32_t stack_size = tree_.most_pending() + 2; // writes above the top are unconditional
     const std::size_t together = std::min<std::size_t>(work.rays.size(), FirstHitSearch::at_once);
     work.stacks.resize(std::max(work.stacks.size(), together * stack_size));
     const auto take_coincident_hit = [](const void* core, NearestHit& nearest, const Hit& hit) {
@@ -249,7 +255,8 @@ void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, 
                          stack_size, take_coincident_hit, this});
 }
 
-/// With targets: of rays that meet their targets first.
+/// First hits by a search in the hierarchy. With targets, only rays that meet their targets are searched, and only up
+/// to them.
 void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
                                            std::size_t first, std::size_t count, FirstHits& found) const
 {
@@ -278,7 +285,7 @@ void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const std:
     }
 }
 
-/// Overwrites what was found for rays that start where another surface lies: closest_hit_from for each of them.
+/// Overwrites the results of rays whose start is covered by another surface, as closest_hit_from does for one ray.
 void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count,
                                         FirstHits& found) const
 {
@@ -290,7 +297,7 @@ void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* r
             found.scratch_->covered.push_back(static_cast<std::uint32_t>(i));
             found.scratch_->whole_lines.push_back(core_->whole_line(rays[i]));
         }
-    // In parts, since each of the lines may meet thousands of surfaces.
+    // In parts of limited memory, because each line may meet thousands of surfaces.
     constexpr std::size_t most_hits = 1u << 15;
     std::size_t part = 16;
     for (std::size_t first = 0; first < found.scratch_->covered.size();) {

@@ -1,26 +1,30 @@
-// How much slack the tests of SurfaceBlock need. They must pass every line that SurfaceTable::decide, in double
-// precision, lets pass. Let e = 2^-24 be the rounding error of single precision, r = 1 the half diagonal of the box, L
-// the length of the line's direction D, M its moment, n the unit normal, U = 2 r to_u the gradient of u (from -1 to 1)
-// and m = max(|U|, |V|). All surfaces and the part of the line near them lie in the unit sphere, so
+// Fills the single-precision blocks of surfaces and derives the slack of their tests: a filter must pass every line
+// that SurfaceTable::decide accepts in double precision. This first note is about SurfaceBlock. Notes on LeafBlock and
+// RectangleFrame follow below.
+//
+// Let e = 2^-24 be the rounding error of single precision, r = 1 the half diagonal of the box, L the length of the
+// line's direction D, M its moment, n the unit normal, U = 2 r to_u the gradient of u (from -1 to 1), V that of v and
+// m = max(|U|, |V|). All surfaces and the segment of the line near them lie in the unit sphere, so
 //     |M| <= L,  |u_moment| = |U x n| <= m,  |u_direction| = |u_0 n + offset U| <= 2 m,  |offset| <= 1,
 // since u vanishes in the sphere (|u_0| <= m).
 //
-// 1. u a is a sum of six products of rounded factors: 2 e for the factors of each, at most 7 e for the product and the
-//    additions it takes part in, fused or not: 9 e (m L + 2 m L) = 27 m e L. The approach a: 6 e L. |a| + slack L: e L.
+// 1. u a is a sum of six products of rounded factors. Each has an error of 2 e from its factors and at most 7 e from
+//    the product and the additions, fused or not: 9 e (m L + 2 m L) = 27 m e L. The approach a has 6 e L, |a| + slack L
+//    has e L.
 // 2. Double precision: the line begins at most 10^7 r from the origin and the box (FilterFrame::reach), where u, the
-//    plane's distance and the moment lose less than 10^-8 (m + 1) L < e/4 (m + 1) L each, the four together e (m + 1)
-//    L. Nothing is said of the sign of a, which rounding can turn when a line lies in the plane: |u a| <= |a| needs
-//    none. In all |u a| exceeds |a| by at most 28 m e L + 8 e L < 32 (m + 1) e L: the slack.
-// 3. The diagonal of a triangle: (u a + v a) sign(a) is wrong by twice that when the sign is right. When it is wrong, a
-//    is mere rounding, |a| < 8 e L, and |u a|, |v a| passed by double precision are no larger than it: again twice the
-//    slack is enough.
-// 4. The distance h = offset - dot(n, middle), |middle| < 1.5: (2 + 4) e (1 + 1.5) = 15 e, and |a| half_length, at most
-//    1.01, 10 e: below 32 e. The double precision result passes |h| <= |a| half_length: what it meets lies in the box,
-//    and the line was cut outside of it.
+//    distance of the plane and the moment lose less than 10^-8 (m + 1) L < e/4 (m + 1) L each, the four together e
+//    (m + 1) L. Rounding can flip the sign of a if a line lies in the plane, but |u a| <= |a| does not depend on it. In
+//    total |u a| exceeds |a| by at most 28 m e L + 8 e L < 32 (m + 1) e L: the slack.
+// 3. The diagonal of a triangle: (u a + v a) sign(a) has twice this error if the sign is right. If it is wrong, a is
+//    nothing but rounding error, |a| < 8 e L, and |u a|, |v a| accepted by double precision do not exceed it: twice the
+//    slack is enough again.
+// 4. The distance h = offset - dot(n, middle) with |middle| < 1.5 has an error of (2 + 4) e (1 + 1.5) = 15 e, and |a|
+//    half_length, which is at most 1.01, one of 10 e: below 32 e. Hits accepted in double precision satisfy |h| <= |a|
+//    half_length, because they lie in the box and the line was clipped outside of it.
 //
-// Where the row itself describes the surface badly (slivers), what passes may lie beside the surface: that is what
-// can_be_filtered excludes. Boxes around surfaces have 2 coplanar_distance of the diagonal to spare, that is 2e-5 r;
-// the row takes 1.4e-5 r of it, 1e-5 r for surfaces moved to a shared plane, and the boxes' own rounding 2e-6 r.
+// If the row itself describes the surface badly (slivers), hits may lie off the surface. can_be_filtered excludes such
+// surfaces. Boxes around surfaces have a margin of 2 coplanar_distance times the diagonal, which is 2e-5 r. The row
+// uses up 1.4e-5 r of it, of which 1e-5 r for surfaces moved to a shared plane, and the rounding of the boxes 2e-6 r.
 
 #include "geometry/intersector/block_filling.h"
 
@@ -36,9 +40,10 @@ namespace multipath {
 namespace {
 
 constexpr double slack_per_gradient = 32.0 * 0x1p-24;
-constexpr double displacement_limit = 1.4e-5; // [r]
-constexpr double gradient_limit = 1e12;       // [1/r] keeps products of single precision finite
+constexpr double displacement_limit = 1.4e-5; // [r], see the note above
+constexpr double gradient_limit = 1e12;       // [1/r] keeps products in single precision finite
 
+/// Stores a vector in one lane.
 void put(float (&vector)[3][SurfaceBlock::lanes], unsigned lane, Vec3 value)
 {
     vector[0][lane] = static_cast<float>(value.x);
@@ -78,21 +83,21 @@ void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const 
     block.diagonal[lane] = is_triangle ? static_cast<float>(2.0 * slack) : SurfaceBlock::no_diagonal;
 }
 
-// The tests of LeafBlock, in the terms of the first note, with edges U and V, m = max(|U|, |V|) <= 2 and
-// n = cross(U, V), |n| <= |U| |V| <= 2 m. The way c from the line's middle to the corner is at most 2.5 long and wrong
-// by 5 e: 1 and 1.5 for its ends, 2.5 for the subtraction. A cross product is wrong by 2 sqrt(2) e times the lengths of
-// its factors for its own arithmetic, by e for each rounded factor; a sum of three products by 3 e times theirs.
+// Slack of the tests of LeafBlock, in the terms of the first note, with the edges U and V, m = max(|U|, |V|) <= 2 and
+// n = cross(U, V), |n| <= |U| |V| <= 2 m. The vector c from the line's middle to the corner is at most 2.5 long and has
+// an error of 5 e: 1 and 1.5 for its ends, 2.5 for the subtraction. The arithmetic of a cross product has an error of 2
+// sqrt(2) e times the lengths of its factors, each rounded factor adds e; a sum of three products has 3 e times theirs.
 // 1. n: 6 e |U| |V|. a: 6 + 1 + 3 = 10 e |U| |V| L, at most 20 e m L. cross(c, D): 5 + 2.5 + 7.1 < 15 e L; u a and v a:
 //    15 + 2.5 + 7.5 = 25 e m L.
 // 2. Double precision loses less than e (|gradient of u| + 1) L |n| <= e (2 m + 2 m) L = 4 e m L, see 2. above.
 // 3. u a <= |a|: 25 + 20, and 3 for the sum |a| + slack L. (u + v) a <= |a|: 50 + 20 + 4 + 3, with 4 for the sum, and
-// twice
-//    the 4 of double precision: 85 e m L. Where the sign of a is wrong, |a| <= 20 e m L, and so are u a and v a, whose
-//    sum is then wrong by no more than 20 + 50 + 4 e m L either way. So 96 e m L.
-// 4. t a = dot(n, c): 15 + 5 + 7.5 = 27.5 e |U| |V|, and |a| times the ends of the part, at most 1.01 / L: 10 e |U| |V|
+//    twice the 4 of double precision: 85 e m L. If the sign of a is wrong, |a| <= 20 e m L, and so are u a and v a,
+//    whose sum then has an error of at most 20 + 50 + 4 e m L either way. So 96 e m L.
+// 4. t a = dot(n, c): 15 + 5 + 7.5 = 27.5 e |U| |V|. |a| times the ends of the segment, at most 1.01 / L: 10 e |U| |V|
 //    for a, 4 for the ends and the multiplication, 1 for double precision: less than 48 e |U| |V| <= 96 e m.
-// Corner and edges are those of the row, the basis dual to its three gradients, so that what SurfaceTable::decide meets
-// is what the filter looks for. Where can_be_filtered holds, double precision loses much less than e with them.
+// Corner and edges are computed from the row, as the basis dual to its three gradients, and not from the surface, so
+// that the filter tests the same figure as SurfaceTable::decide. If can_be_filtered is true, double precision loses
+// much less than e with them.
 LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame)
 {
     constexpr double slack_per_edge = 96.0 * 0x1p-24;
@@ -120,8 +125,9 @@ LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsi
     return leaf;
 }
 
-// The point where the row has given plane distance, u and v solves three linear equations; its distance from the corner
-// that should be there, by Cramer's rule, once for the rounding of the row and once for that of its use.
+// Bounds the displacement of three corners. The point with given plane distance, u and v solves three linear equations
+// with the coefficients of the row. Cramer's rule turns their residuals at the true corner, plus the rounding errors
+// when the row is used, into a distance.
 bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const FilterFrame& frame)
 {
     const Vec3 normal = row.vector(0);
@@ -144,32 +150,34 @@ bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const Filter
            displacement(0.0, 1.0) < limit;
 }
 
-// How much slack the tests of RectangleFrame need, in the terms of the first note: e = 2^-24, L the length of the
-// direction, everything in the unit sphere. A rectangle is taken into a frame when its normal and its edges differ from
-// the axes by no more than the tolerance T = 1e-5.
+// Slack of the tests of RectangleFrame, in the terms of the first note: e = 2^-24, L the length of the direction,
+// everything in the unit sphere. A rectangle is accepted into a frame if its normal and its edges differ from the axes
+// by no more than the tolerance T = 1e-5.
 //
-// First as if nothing was divided by a: u a = (m - centre) a + h d, which must not exceed half |a|.
-// 1. Rounding: a component of the direction is wrong by at most 6 e L, one of the middle (|m| < 1.5) by 9 e, h by 13 e,
-//    m - centre (at most 2.5) by 13 e; so (m - centre) a + h d by 2 (2.5 * 6 + 13) e L: 56 e L; the limit by 8 e L.
-// 2. Tolerance: a and d differ by T L, h and m by 1.5 T: 2 (2.5 + 1.5) T L = 8 T L; the limit by T L.
-//    In all 64 e L + 9 T L < 10 T L.
-// 3. |h| <= |a| half_length, and h = a t for the true place t: 13 e + 10 e + 1.5 T + 1.01 T < 4 T.
-// A sign of a that rounding turned matters to none of these.
+// First without division by a: u a = (m - centre) a + h d must not exceed half |a|.
+// 1. Rounding: a component of the direction has an error of at most 6 e L, one of the middle (|m| < 1.5) 9 e, h 13 e,
+//    m - centre (at most 2.5) 13 e; so (m - centre) a + h d has 2 (2.5 * 6 + 13) e L = 56 e L; the limit has 8 e L.
+// 2. Tolerance: a and d differ by T L, h and m by 1.5 T: 2 (2.5 + 1.5) T L = 8 T L; the limit differs by T L. In total
+//    64 e L + 9 T L < 10 T L.
+// 3. |h| <= |a| half_length, and h = a t for the exact t: 13 e + 10 e + 1.5 T + 1.01 T < 4 T.
+// None of these depends on the sign of a, which rounding may flip.
 //
-// Then divided by |a|, for |a| not less than least_approach, A = 1e-6 S, S = FilterLine::scale between L and 2 L.
-// 4. The reciprocal is wrong by its share R <= 2^-11. t = h / a, |h| < 2.6, is wrong by 2.6 R / |a| and 3 e / |a| for
-//    its operations, in all with 3. by less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the distance slack.
-// 5. So t d adds 2.6 R L / |a| to 10 T L / |a|; the operations add 10 e L / |a|; together less than (1.1e-4 + 3 R) L /
-//    |a|: the slack.
-// 6. Where |a| < A, A stands for it. What double precision passes has |h| <= |a| half_length + 4 T < 1.01 A / L + 4 T.
-//    So |t| exceeds neither half_length + 4 T / A, nor the true place by more than 2 half_length + 4 T / A, 2.02 A / L
-//    being below 4.1e-6; and |u| < 2.5 + (1.01 A / L + 4 T) L / A < 44, less than the slack of 1.1e-4 S / A > 100.
+// Then divided by |a|, if |a| is at least A = 1e-6 S (least_approach), with S = FilterLine::scale between L and 2 L.
+// 4. The reciprocal has the relative error R <= 2^-11. t = h / a with |h| < 2.6 has the errors 2.6 R / |a| and, from
+//    its operations, 3 e / |a|; in total, with 3., less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the
+//    distance slack.
+// 5. So t d adds 2.6 R L / |a| to 10 T L / |a|, and the operations add 10 e L / |a|: together less than (1.1e-4 + 3 R)
+//    L / |a|: the slack.
+// 6. If |a| < A, A replaces |a|. Hits accepted in double precision have |h| <= |a| half_length + 4 T, below 1.01
+//    A / L + 4 T. So |t| is at most half_length + 4 T / A and exceeds the exact t by at most 2 half_length + 4 T / A,
+//    2.02 A / L being below 4.1e-6. And |u| < 2.5 + (1.01 A / L + 4 T) L / A < 44 is less than the slack of 1.1e-4
+//    S / A > 100.
 
 namespace {
 
 constexpr double tolerance = 1e-5;
 
-/// A coordinate along an edge: dot(along, q) - centre runs from -half to half.
+/// Coordinate along an edge: dot(along, q) - centre runs from -half to half.
 struct EdgeCoordinate
 {
     Vec3 along; ///< unit vector
@@ -177,7 +185,7 @@ struct EdgeCoordinate
     double half;
 };
 
-/// A parallelogram in the coordinates of the filter.
+/// A parallelogram in the coordinates of FilterFrame.
 struct PlacedParallelogram
 {
     Vec3 normal;
@@ -185,6 +193,7 @@ struct PlacedParallelogram
     std::array<EdgeCoordinate, 2> edges;
 };
 
+/// Edge coordinate from u (or v) as an affine function: its gradient, and its value at the centre of the frame.
 EdgeCoordinate edge_coordinate(Vec3 gradient, double at_centre)
 {
     const double steepness = length(gradient);
@@ -199,7 +208,7 @@ PlacedParallelogram placed(const SurfaceRow& row, const FilterFrame& frame)
     return {row.vector(0), frame.scale() * (row.offset[0] - dot(row.vector(0), frame.centre())), {edge(1), edge(2)}};
 }
 
-/// 1 or -1 if the vectors are equal up to this sign and the tolerance.
+/// The sign, 1 or -1, up to which the vectors are equal within the tolerance; std::nullopt if they are not.
 std::optional<double> equal_up_to_sign(Vec3 a, Vec3 b)
 {
     const double sign = dot(a, b) < 0.0 ? -1.0 : 1.0;
@@ -208,16 +217,17 @@ std::optional<double> equal_up_to_sign(Vec3 a, Vec3 b)
 
 using Axes = std::array<Vec3, 3>;
 
-struct Place
+/// A rectangle that fits into a frame.
+struct FittedRectangle
 {
     std::size_t frame;
-    std::size_t axis;
+    std::size_t axis; ///< of its normal
     FrameRectangle rectangle;
     std::uint32_t surface;
 };
 
-/// The rectangle in terms of the axes, if they are those of its normal and edges.
-std::optional<Place> place_in(const Axes& axes, const PlacedParallelogram& p)
+/// The rectangle in terms of the axes, if its normal and edges are parallel to them; `frame` and `surface` are left 0.
+std::optional<FittedRectangle> fit_to(const Axes& axes, const PlacedParallelogram& p)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::optional<double> normal_sign = equal_up_to_sign(p.normal, axes[k]);
@@ -229,18 +239,18 @@ std::optional<Place> place_in(const Axes& axes, const PlacedParallelogram& p)
             const std::optional<double> u_sign = equal_up_to_sign(u.along, axes[(k + 1) % 3]);
             const std::optional<double> v_sign = equal_up_to_sign(v.along, axes[(k + 2) % 3]);
             if (u_sign && v_sign)
-                return Place{0,
-                             k,
-                             {static_cast<float>(*normal_sign * p.offset), static_cast<float>(*u_sign * u.centre),
-                              static_cast<float>(*v_sign * v.centre), static_cast<float>(u.half),
-                              static_cast<float>(v.half)},
-                             0};
+                return FittedRectangle{0,
+                                       k,
+                                       {static_cast<float>(*normal_sign * p.offset),
+                                        static_cast<float>(*u_sign * u.centre), static_cast<float>(*v_sign * v.centre),
+                                        static_cast<float>(u.half), static_cast<float>(v.half)},
+                                       0};
         }
     }
     return std::nullopt;
 }
 
-/// Axes along the normal and the edges; the last one fits only if the edges are perpendicular.
+/// Orthogonal axes along the normal and the first edge; the third fits the second edge only of a rectangle.
 Axes axes_of(const PlacedParallelogram& p)
 {
     return {p.normal, p.edges[0].along, cross(p.normal, p.edges[0].along)};
@@ -264,39 +274,40 @@ FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<st
 {
     FramedRectangles result;
     std::vector<Axes> frames;
-    std::vector<Place> places;
+    std::vector<FittedRectangle> fitted_rectangles;
     for (const std::uint32_t surface : surfaces) {
         if (table.is_triangle(surface)) {
             result.others.push_back(surface);
             continue;
         }
         const PlacedParallelogram p = placed(table.row(surface), filter_frame);
-        std::optional<Place> place;
+        std::optional<FittedRectangle> fitted;
         std::size_t frame = 0;
-        for (; frame < frames.size() && !place; ++frame)
-            place = place_in(frames[frame], p);
-        if (!place) {
+        for (; frame < frames.size() && !fitted; ++frame)
+            fitted = fit_to(frames[frame], p);
+        if (!fitted) {
             const Axes own = axes_of(p);
-            place = place_in(own, p);
-            if (!place) {
+            fitted = fit_to(own, p);
+            if (!fitted) {
                 result.others.push_back(surface);
                 continue;
             }
             frames.push_back(own);
             frame = frames.size();
         }
-        places.push_back({frame - 1, place->axis, place->rectangle, surface});
+        fitted_rectangles.push_back({frame - 1, fitted->axis, fitted->rectangle, surface});
     }
-    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-        return a.frame != b.frame ? a.frame < b.frame : a.axis < b.axis;
-    });
+    std::stable_sort(fitted_rectangles.begin(), fitted_rectangles.end(),
+                     [](const FittedRectangle& a, const FittedRectangle& b) {
+                         return a.frame != b.frame ? a.frame < b.frame : a.axis < b.axis;
+                     });
     for (const Axes& axes : frames)
         result.frames.push_back(frame_with(axes));
-    for (const Place& place : places) {
-        result.rectangles.push_back(place.rectangle);
-        result.surfaces.push_back(place.surface);
-        for (std::size_t k = place.axis; k < 3; ++k)
-            result.frames[place.frame].end[k] = static_cast<std::uint32_t>(result.rectangles.size());
+    for (const FittedRectangle& entry : fitted_rectangles) {
+        result.rectangles.push_back(entry.rectangle);
+        result.surfaces.push_back(entry.surface);
+        for (std::size_t k = entry.axis; k < 3; ++k)
+            result.frames[entry.frame].end[k] = static_cast<std::uint32_t>(result.rectangles.size());
     }
     return result;
 }

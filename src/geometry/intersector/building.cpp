@@ -1,4 +1,6 @@
-// What an intersector is made of: shared planes, then few surfaces side by side, or a hierarchy of many.
+// Construction of an intersector. Coplanar surfaces get a common plane first. Then a small scene gets blocks of
+// surfaces, which are all tested against every line, and a large scene a hierarchy. Surfaces that single precision
+// cannot describe (see can_be_filtered) stay out of both and are tested in double precision.
 
 #include "geometry/intersector/core.h"
 
@@ -14,10 +16,10 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t prepared_at_a_time = 1024; ///< surfaces, or blocks of them, that a thread prepares at a time
+constexpr std::uint32_t prepared_at_a_time = 1024; ///< surfaces or leaves per range of the parallel loops
 
-/// Whether testing all surfaces is faster than a hierarchy. The costs are measured: of a rectangle, of what a frame has
-/// once for all of its own, of any other surface.
+/// True if testing all surfaces is faster than a hierarchy. The measured relative costs are those of a rectangle, of a
+/// frame, paid once for all of its rectangles, and of any other surface.
 bool is_few(const FramedRectangles& framed)
 {
     const std::size_t surfaces = framed.rectangles.size() + framed.others.size();
@@ -27,7 +29,7 @@ bool is_few(const FramedRectangles& framed)
 
 } // namespace
 
-/// What is made of the surfaces first: planes and the hierarchy take about as long, and go side by side.
+/// The data structures built first. Planes and hierarchy take about the same time and are built in parallel.
 struct Intersector::Core::Groundwork
 {
     FilterFrame frame;
@@ -35,7 +37,7 @@ struct Intersector::Core::Groundwork
     SharedPlanes planes;
     std::vector<std::uint32_t> size_rank;
     PlaneNeighbours neighbours;
-    WideTree tree; ///< of all surfaces, if they are many
+    WideTree tree; ///< over all surfaces, if they are many
 
     static Groundwork of(const SurfaceList& surfaces, int threads)
     {
@@ -102,7 +104,7 @@ Intersector::Core::Core(const SurfaceList& surfaces, Groundwork groundwork, cons
         fill_leaves(threads);
 }
 
-/// Returns the others.
+/// Stores the surfaces that cannot be filtered in unfiltered_ and returns the others.
 std::vector<std::uint32_t> Intersector::Core::sort_out_unfiltered(const SurfaceList& surfaces, int threads)
 {
     std::vector<unsigned char> fits(surfaces.size());

@@ -1,6 +1,11 @@
-// Lines are filtered in single precision, 16 surfaces at a time, and the few surfaces left are decided in double
-// precision by SurfaceTable, so that the results are those of deciding all surfaces, to the last bit. Few surfaces are
-// all filtered; many are found through a hierarchy, whose leaves are filtered.
+// Queries for one line. Filters in single precision test 16 surfaces at a time and leave a few candidates, which
+// SurfaceTable decides in double precision. So the results are, to the last bit, those of testing all surfaces in
+// double precision. In a small scene all surfaces are filtered; a large scene has a hierarchy, whose leaves are
+// filtered.
+//
+// Rays that start on a surface ignore its plane. Only if another surface covers the start does the order of coincident
+// faces matter: then the ray is extended backwards to the whole line, whose hits are found and ordered, and the hit
+// after the ray's own surface is taken.
 
 #include "geometry/intersector/core.h"
 
@@ -28,7 +33,7 @@ FlatSurfaces Intersector::Core::flat_surfaces() const
             framed_.rectangles.data()};
 }
 
-/// Makes a batch of one line.
+/// Fills a batch with one line.
 LineCourse Intersector::Core::place_one(const Line& line, LineBatch& batch) const
 {
     FilterLine placed;
@@ -37,7 +42,7 @@ LineCourse Intersector::Core::place_one(const Line& line, LineBatch& batch) cons
     return course;
 }
 
-/// Calls visit(surface) for every surface that the line may meet: all that it does and hardly any other.
+/// Calls visit(surface) for every surface that the line may meet: a small superset of those that it meets.
 template <class Visit>
 void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit) const
 {
@@ -50,10 +55,10 @@ void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit)
     }
     for (const std::uint32_t surface : unfiltered_)
         visit(surface);
-    if (course == LineCourse::misses) // as a third of the chords of the scene's sphere do
+    if (course == LineCourse::misses) // a third of the chords of the scene's sphere
         return;
     if (!tree_.empty()) {
-        thread_local CandidateScratch work; // for its memory
+        thread_local CandidateScratch work; // keeps its buffers
         constexpr std::uint32_t only = 0;
         search_tree(batch, &only, 1, work);
         for (std::size_t i = 0; i < work.found.count; ++i)
@@ -83,14 +88,14 @@ void Intersector::Core::all_hits(const Line& line, std::vector<Hit>& hits) const
     put_in_order(hits.data(), hits.size());
 }
 
-/// As comes_before, with the keys side by side: ranks are far apart in memory.
+/// Sorts many hits by comes_before, with the keys copied into one array because the ranks are scattered in memory.
 void Intersector::Core::sort_many(Hit* hits, std::size_t count) const
 {
     struct Key
     {
         double t;
         std::uint32_t rank;
-        std::uint32_t place;
+        std::uint32_t index;
     };
     std::vector<Key> keys(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -99,10 +104,10 @@ void Intersector::Core::sort_many(Hit* hits, std::size_t count) const
               [](const Key& a, const Key& b) { return a.t < b.t || (a.t == b.t && a.rank < b.rank); });
     const std::vector<Hit> unsorted(hits, hits + count);
     for (std::size_t i = 0; i < count; ++i)
-        hits[i] = unsorted[keys[i].place];
+        hits[i] = unsorted[keys[i].index];
 }
 
-/// Insertion sort, since most lines meet a handful of surfaces.
+/// Sorts the hits of a line, including coincident ones. Most lines have a handful of hits: insertion sort.
 void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
 {
     constexpr std::size_t handful = 64;
@@ -114,12 +119,12 @@ void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
     bool coincide = false;
     for (std::size_t i = 1; i < count; ++i) {
         const Hit moving = hits[i];
-        std::size_t place = i;
-        for (; place > 0 && comes_before(moving, hits[place - 1]); --place)
-            hits[place] = hits[place - 1];
-        hits[place] = moving;
-        coincide |= place > 0 && hits[place - 1].t == moving.t;
-        coincide |= place < i && hits[place + 1].t == moving.t;
+        std::size_t slot = i;
+        for (; slot > 0 && comes_before(moving, hits[slot - 1]); --slot)
+            hits[slot] = hits[slot - 1];
+        hits[slot] = moving;
+        coincide |= slot > 0 && hits[slot - 1].t == moving.t;
+        coincide |= slot < i && hits[slot + 1].t == moving.t;
     }
     if (coincide)
         order_coincident_hits(hits, count, outside_is_solid_);
@@ -132,7 +137,7 @@ std::optional<Hit> Intersector::closest_hit(const Line& line) const
 
 std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
 {
-    // Where another face lies on the start, the order of coincident faces decides whether the ray meets it.
+    // If another face covers the start, the order of coincident faces decides whether the ray meets it.
     if (!core_->is_covered(from, ray.origin))
         return core_->nearest(ray, core_->plane_[from]);
     std::vector<Hit> along;
@@ -140,6 +145,7 @@ std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line&
     return core_->next_along(along, from, ray);
 }
 
+/// True if another surface in the plane of `from` contains the point.
 bool Intersector::Core::is_covered(std::uint32_t from, Vec3 point) const
 {
     bool covered = false;
@@ -147,7 +153,7 @@ bool Intersector::Core::is_covered(std::uint32_t from, Vec3 point) const
     return covered;
 }
 
-/// Keeps the first of the hits it is shown.
+/// Updates `nearest` with a hit.
 void Intersector::Core::take(const Hit& hit, NearestHit& nearest) const
 {
     if (hit.t < nearest.best.t) {
@@ -158,24 +164,26 @@ void Intersector::Core::take(const Hit& hit, NearestHit& nearest) const
     }
 }
 
+/// Updates `nearest` with a hit at the same t as nearest.best.
 void Intersector::Core::take_coincident(const Hit& hit, NearestHit& nearest) const
 {
     if (hit.front == nearest.best.front) {
         nearest.best = comes_before(hit, nearest.best) ? hit : nearest.best;
         return;
     }
-    const Hit& behind = hit.front ? nearest.best : hit;
-    nearest.back = nearest.has_back && comes_before(nearest.back, behind) ? nearest.back : behind;
+    const Hit& back = hit.front ? nearest.best : hit;
+    nearest.back = nearest.has_back && comes_before(nearest.back, back) ? nearest.back : back;
     nearest.has_back = true;
     nearest.best = hit.front ? hit : nearest.best;
 }
 
+/// First hit of a line, ignoring the surfaces in one plane.
 std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t excluded_plane) const
 {
     NearestHit nearest;
     LineBatch batch;
     if (!tree_.empty() && unfiltered_.empty() && place_one(line, batch) == LineCourse::passes) {
-        thread_local FirstHitScratch work; // for its memory
+        thread_local FirstHitScratch work; // keeps its buffers
         work.rays.assign(1, searched_ray(0, excluded_plane));
         work.nearest.assign(1, nearest);
         search_first(batch, &line, false, work);
@@ -190,8 +198,9 @@ std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t ex
     return first_of(nearest, line, excluded_plane);
 }
 
-/// At one place a front is met before a back. Where a ray meets faces of unlike outline, as from below a floor on which
-/// something stands, the order along the whole line decides, as it does for lines.
+/// Chooses between the front and the back that a ray meets at the same t: the front, unless the two have different
+/// outlines (a floor seen from below with an object on it). Then the order along the whole line decides, as in
+/// all_hits.
 std::optional<Hit> Intersector::Core::first_of(const NearestHit& nearest, const Line& line,
                                                std::uint32_t excluded_plane) const
 {
@@ -212,7 +221,7 @@ std::optional<Hit> Intersector::Core::first_of(const NearestHit& nearest, const 
     return nearest.best;
 }
 
-/// Calls visit(surface) for all that may share the plane of a surface and hold a point of it.
+/// Calls visit(surface) for all surfaces that may lie in the plane of a surface and contain a point of it.
 template <class Visit>
 void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const
 {
@@ -232,7 +241,7 @@ void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visi
     });
 }
 
-/// Calls visit(surface) for what coincident_surfaces lists.
+/// Calls visit(surface) for the surfaces that coincident_surfaces returns.
 template <class Visit>
 void Intersector::Core::for_each_coincident(std::uint32_t of, Vec3 point, const Visit& visit) const
 {
@@ -260,7 +269,7 @@ std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bound
 {
     if (core_->tree_.empty())
         return std::nullopt;
-    constexpr double rounding = 1e-6; // of the frame's coordinates, in single precision
+    constexpr double rounding = 1e-6; // of coordinates in the frame, in single precision
     const Vec3 margin = {rounding, rounding, rounding};
     std::vector<std::uint32_t> found = core_->unfiltered_;
     core_->tree_.for_each_near({core_->frame_.to_frame(box.low) - margin, core_->frame_.to_frame(box.high) + margin},
@@ -271,6 +280,7 @@ std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bound
     return found;
 }
 
+/// A value of t at which the ray, followed forwards or backwards, has left the scene.
 double Intersector::Core::reach_of(const Line& ray) const
 {
     return (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
@@ -281,11 +291,12 @@ Line Intersector::Core::whole_line(const Line& ray) const
     return {ray.at(-reach_of(ray)), ray.direction};
 }
 
+/// The hit after surface `from` along the whole line of a ray, as a hit of the ray.
 std::optional<Hit> Intersector::Core::next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const
 {
     const auto own =
         std::find_if(whole_line.begin(), whole_line.end(), [&](const Hit& hit) { return hit.surface == from; });
-    if (own == whole_line.end()) // rounding put the start beyond the border
+    if (own == whole_line.end()) // by rounding the start lies outside of its surface
         return nearest(ray, plane_[from]);
     const auto next = own + 1;
     if (next == whole_line.end())

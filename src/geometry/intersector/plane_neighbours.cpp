@@ -1,3 +1,7 @@
+// A thread makes the lists for a block of 1024 surfaces at a time; all lists are concatenated at the end. Candidates
+// come from the plane, if it has few surfaces, else from the hierarchy. Limits keep time and memory linear: a surface
+// for which they are exceeded stays unlisted, and queries search the hierarchy for it.
+
 #include "geometry/intersector/plane_neighbours.h"
 
 #include "parallel/blocks.h"
@@ -12,18 +16,18 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint32_t few_in_plane = 32;         ///< compared each with each
-constexpr std::size_t most_looked_at = 4096;       ///< for one surface
-constexpr std::uint32_t surfaces_at_a_time = 1024; ///< surfaces for which a thread looks at a time
-constexpr std::size_t many_listed = 131072;        ///< in the lists of so many surfaces
-constexpr std::size_t long_list = 256;             ///< none is longer once many are listed, so that memory stays linear
+constexpr std::uint32_t few_in_plane = 32;         ///< up to this number, all pairs in a plane are compared
+constexpr std::size_t most_looked_at = 4096;       ///< limit of candidates for one surface
+constexpr std::uint32_t surfaces_at_a_time = 1024; ///< block of surfaces that one thread does at a time
+constexpr std::size_t many_listed = 131072;        ///< once a block has so many entries ...
+constexpr std::size_t long_list = 256;             ///< ... no longer lists are added to it, so that memory stays linear
 
-/// Corners in order around the surface.
+/// The corners of a surface, in order around it.
 struct Outline
 {
     std::array<Vec3, 4> corner;
     unsigned count;
-    Vec3 normal; ///< of any length
+    Vec3 normal; ///< not of unit length
 
     explicit Outline(const Surface& surface)
         : corner{surface.origin, surface.origin + surface.edge_u, surface.origin + surface.edge_v, {}},
@@ -37,7 +41,7 @@ struct Outline
     }
 };
 
-/// Whether an edge of `a` has `b` on its outer side, but for `slack`.
+/// True if an edge of `a` has all of `b` on its outer side, up to `slack`.
 bool is_beside(const Outline& a, const Outline& b, double slack)
 {
     for (unsigned i = 0; i < a.count; ++i) {
@@ -52,11 +56,12 @@ bool is_beside(const Outline& a, const Outline& b, double slack)
     return false;
 }
 
-/// Whether two surfaces of one plane have more in common than their borders: by the axes that separate convex polygons.
+/// True if two surfaces in one plane overlap by more than their borders. Separating axis test for convex polygons: the
+/// axes are the normals of the edges.
 bool overlap_in_plane(const Surface& a, const Surface& b, double diagonal)
 {
-    constexpr double rounding = 1e-7;   // of the scene: what coordinates in a file have
-    constexpr double small_part = 1e-3; // of the smaller surface
+    constexpr double rounding = 1e-7;   // of coordinates in a file, as a share of the scene
+    constexpr double small_part = 1e-3; // share of the smaller surface
     const double size = std::sqrt(std::min(a.area(), b.area()));
     const double slack = std::min(rounding * diagonal, small_part * size);
     const Outline first(a);
@@ -64,11 +69,11 @@ bool overlap_in_plane(const Surface& a, const Surface& b, double diagonal)
     return !is_beside(first, second, slack) && !is_beside(second, first, slack);
 }
 
-/// Surfaces by plane.
+/// The surfaces sorted by plane.
 struct Planes
 {
     std::vector<std::uint32_t> surfaces;
-    std::vector<std::uint32_t> begin; ///< of each plane, and the end of the last one
+    std::vector<std::uint32_t> begin; ///< offset of each plane in `surfaces`, and the end of the last one
 
     explicit Planes(const std::vector<std::uint32_t>& plane_number)
         : surfaces(plane_number.size()),
@@ -77,9 +82,9 @@ struct Planes
         for (const std::uint32_t plane : plane_number)
             ++begin[plane + 1];
         std::partial_sum(begin.begin(), begin.end(), begin.begin());
-        std::vector<std::uint32_t> place = begin;
+        std::vector<std::uint32_t> next = begin;
         for (std::uint32_t s = 0; s < plane_number.size(); ++s)
-            surfaces[place[plane_number[s]]++] = s;
+            surfaces[next[plane_number[s]]++] = s;
     }
 };
 

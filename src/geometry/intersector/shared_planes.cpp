@@ -1,5 +1,7 @@
-// Planes are found again through a hash of their rounded normal and offset. A value close to a rounding limit is looked
-// up on both sides of it, so that two almost equal planes always meet in one cell of the hash.
+// Planes are looked up in a hash table of cells in the space of normals and offsets. A plane is stored in its own cell
+// only. A look-up also visits the neighbouring cells that the plane almost touches, so that it finds every almost equal
+// plane. Surfaces are processed from large to small: a small face in the plane of a large one does not define the plane
+// well. The loop prefetches the cells of the surfaces ahead.
 
 #include "geometry/intersector/shared_planes.h"
 
@@ -17,10 +19,10 @@ namespace multipath {
 namespace {
 
 constexpr double normal_cell = 1e-3;
-constexpr double offset_cell = 1e-4; // of the scene's diagonal
+constexpr double offset_cell = 1e-4; // share of the scene's diagonal
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// One of the two descriptions of a plane, the same for both of its sides. The direction of comparison is
+/// Canonical one of the two equations of a plane, the same for both orientations. The direction of comparison is
 /// arbitrary but oblique, so that no common normal is perpendicular to it.
 Plane unoriented(const Plane& plane)
 {
@@ -28,7 +30,7 @@ Plane unoriented(const Plane& plane)
     return side < 0.0 ? Plane{-plane.normal, -plane.offset} : plane;
 }
 
-/// Which list of planes belongs to a cell: a hash table with open addressing.
+/// Maps a cell to its list of planes: a hash table with open addressing and linear probing.
 class CellTable
 {
 public:
@@ -40,7 +42,7 @@ public:
         slots_.resize(size);
     }
 
-    void prefetch(std::uint64_t key) const { multipath::prefetch(&slots_[place_of(key)]); }
+    void prefetch(std::uint64_t key) const { multipath::prefetch(&slots_[home_slot(key)]); }
     /// The first plane of the cell, or `none`.
     std::uint32_t head(std::uint64_t key) const { return slots_[find(key)].head; }
     void set_head(std::uint64_t key, std::uint32_t head) { slots_[find(key)] = {key, head}; }
@@ -52,22 +54,23 @@ private:
         std::uint32_t head = none;
     };
 
-    std::size_t place_of(std::uint64_t key) const { return key & (slots_.size() - 1); }
+    std::size_t home_slot(std::uint64_t key) const { return key & (slots_.size() - 1); }
     std::size_t find(std::uint64_t key) const
     {
-        std::size_t place = place_of(key);
-        while (slots_[place].head != none && slots_[place].key != key)
-            place = (place + 1) & (slots_.size() - 1);
-        return place;
+        std::size_t slot = home_slot(key);
+        while (slots_[slot].head != none && slots_[slot].key != key)
+            slot = (slot + 1) & (slots_.size() - 1);
+        return slot;
     }
 
     LargeVector<Slot> slots_;
 };
 
+/// All different planes found so far, with a look-up by cell.
 class PlaneIndex
 {
 public:
-    /// Of the cell that holds a plane (first) and of the neighbours that it almost touches.
+    /// Keys of the cell of a plane (the first key) and of the neighbouring cells that the plane almost touches.
     struct Keys
     {
         std::array<std::uint64_t, 16> key;
@@ -81,7 +84,7 @@ public:
         next_.reserve(most_planes);
     }
 
-    /// The cells in which a plane is to be looked for; has the memory bring them.
+    /// The cells in which a plane must be looked up; prefetches them.
     Keys keys(const Plane& plane) const
     {
         const Keys keys = keys_of(coordinates(plane));
@@ -90,7 +93,7 @@ public:
         return keys;
     }
 
-    /// The number of a known plane that holds the whole surface, or of a new plane.
+    /// The number of a known plane that contains the whole surface, or else of a new plane.
     std::uint32_t find_or_add(const Surface& surface, const Plane& plane, const Keys& keys)
     {
         for (std::size_t i = 0; i < keys.count; ++i)
@@ -108,7 +111,7 @@ public:
     std::size_t size() const { return planes_.size(); }
 
 private:
-    /// In units of the hash cells; the offset is taken from the scene's centre so that it stays small.
+    /// Normal and offset in units of cells. The offset is relative to the scene's centre, so that it stays small.
     std::array<double, 4> coordinates(const Plane& plane) const
     {
         const double offset = plane.offset - dot(plane.normal, centre_);
@@ -116,6 +119,7 @@ private:
                 offset / (offset_cell * diagonal_)};
     }
 
+    /// Builds the keys coordinate by coordinate; each coordinate near a cell border doubles their number.
     static Keys keys_of(const std::array<double, 4>& coordinates)
     {
         constexpr double almost = 0.3; // of a cell: small faces tilt by more than large ones
@@ -135,12 +139,14 @@ private:
         return keys;
     }
 
+    /// Hash of the key so far and the cell number of one more coordinate.
     static std::uint64_t mixed(std::uint64_t key, double cell)
     {
         key = (key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(cell))) * 0x9e3779b97f4a7c15u;
         return key ^ key >> 29;
     }
 
+    /// True if all corners of the surface are within coplanar_distance of the plane.
     bool holds(const Plane& plane, const Surface& surface) const
     {
         const auto near_plane = [&](Vec3 p) {
@@ -155,11 +161,11 @@ private:
     Vec3 centre_;
     double diagonal_;
     LargeVector<Plane> planes_;
-    LargeVector<std::uint32_t> next_; ///< next plane of the same cell
+    LargeVector<std::uint32_t> next_; ///< next plane in the list of the same cell
     CellTable cells_;
 };
 
-/// How many surfaces of a plane face with and against its own direction.
+/// Numbers of surfaces in a plane whose normals point along and against the plane's.
 struct PlaneUse
 {
     std::uint32_t along = 0;
@@ -182,8 +188,7 @@ SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::ui
         result.plane_of_surface.push_back({normal, dot(normal, surface.centre())});
     }
     result.plane_number.resize(surfaces.size());
-    // From large to small: a small face in the plane of a large one does not say exactly where that plane is.
-    constexpr std::size_t ahead = 16; // surfaces whose cells are on their way from memory
+    constexpr std::size_t ahead = 16; // surfaces whose cells are being prefetched
     std::array<PlaneIndex::Keys, ahead> keys;
     for (std::size_t k = 0; k < order.size() + ahead; ++k) {
         if (k + ahead < order.size())

@@ -9,17 +9,17 @@ namespace multipath {
 
 namespace {
 
-Bounds with_play(const Bounds& box, double play)
+Bounds expanded(const Bounds& box, double margin)
 {
-    const Vec3 margin = {play, play, play};
-    return {box.low - margin, box.high + margin};
+    const Vec3 step = {margin, margin, margin};
+    return {box.low - step, box.high + step};
 }
 
-/// With a margin that exceeds the rounding errors of coordinates far from the origin.
-Bounds widened(const Bounds& box)
+/// The box with a margin above the rounding errors of coordinates far from the origin.
+Bounds safe_from_rounding(const Bounds& box)
 {
-    return with_play(box, 1e-12 * std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z),
-                                            std::abs(box.high.x), std::abs(box.high.y), std::abs(box.high.z)}));
+    return expanded(box, 1e-12 * std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z),
+                                           std::abs(box.high.x), std::abs(box.high.y), std::abs(box.high.z)}));
 }
 
 } // namespace
@@ -35,16 +35,16 @@ Bounds bounds_of(const SurfaceList& surfaces)
 Bounds box_around(const SurfaceList& surfaces)
 {
     const Bounds box = bounds_of(surfaces);
-    return widened(with_play(box, 2.0 * coplanar_distance * box.diagonal()));
+    return safe_from_rounding(expanded(box, 2.0 * coplanar_distance * box.diagonal()));
 }
 
 LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces)
 {
-    const double play = 2.0 * coplanar_distance * bounds_of(surfaces).diagonal();
+    const double margin = 2.0 * coplanar_distance * bounds_of(surfaces).diagonal();
     LargeVector<Bounds> boxes;
     boxes.reserve(surfaces.size());
     for (const Surface& surface : surfaces)
-        boxes.push_back(widened(with_play(surface.bounds(), play)));
+        boxes.push_back(safe_from_rounding(expanded(surface.bounds(), margin)));
     return boxes;
 }
 
@@ -72,8 +72,8 @@ std::vector<std::uint32_t> from_large_to_small(const SurfaceList& surfaces)
 std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order)
 {
     std::vector<std::uint32_t> rank(order.size());
-    for (std::size_t place = 0; place < order.size(); ++place)
-        rank[order[place]] = static_cast<std::uint32_t>(order.size() - 1 - place);
+    for (std::size_t k = 0; k < order.size(); ++k)
+        rank[order[k]] = static_cast<std::uint32_t>(order.size() - 1 - k);
     return rank;
 }
 

@@ -6,9 +6,10 @@ namespace multipath {
 
 namespace {
 
+/// The row of a surface: t from the shared plane, u and v from the dual basis of the edges.
 SurfaceRow row_of(const Surface& surface, const Plane& plane, std::uint32_t plane_number)
 {
-    // Dual basis: dot(to_u, edge_u) = 1, dot(to_u, edge_v) = 0, and the same with u and v exchanged.
+    // Dual basis: dot(to_u, edge_u) = 1 and dot(to_u, edge_v) = 0; likewise with u and v exchanged.
     const Vec3 normal = cross(surface.edge_u, surface.edge_v);
     const double scale = 1.0 / dot(normal, normal);
     const Vec3 to_u = scale * cross(surface.edge_v, normal);

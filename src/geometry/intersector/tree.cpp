@@ -1,3 +1,8 @@
+// Bounding volume hierarchy with 16 children per node, built in two steps. First a binary tree is split top-down by the
+// surface area heuristic (Goldsmith and Salmon 1987) over 16 bins along each axis (Wald 2007). Then its nodes are
+// collapsed into wide nodes and leaves so that the expected cost of a line is least, by dynamic programming (Ylitie,
+// Karras, Laine 2017).
+
 #include "geometry/intersector/tree.h"
 
 #include "geometry/intersector/surface_block.h"
@@ -14,7 +19,7 @@ namespace multipath {
 
 namespace {
 
-/// Box in single precision; the fourth components only fill, so that a compiler can use vectors of four.
+/// Box in single precision. The fourth components are padding, so that a compiler can use vectors of four.
 struct SplitBox
 {
     float low[4];
@@ -42,7 +47,8 @@ struct SplitBox
     }
 };
 
-struct SplitThing
+/// A primitive while the tree is built.
+struct SplitPrimitive
 {
     SplitBox box;
     std::uint32_t number;
@@ -50,17 +56,17 @@ struct SplitThing
 
 constexpr int bins = 16;
 
-/// Which bin of an axis holds twice the centre of a thing.
+/// Assigns primitives to bins along each axis by twice their centres.
 struct Binning
 {
     float low[4];
-    float scale[4]; ///< 0 where all centres are the same
+    float scale[4]; ///< bins per length; 0 along an axis where all centres are equal
 
-    Binning(const LargeVector<SplitThing>& things, std::uint32_t first, std::uint32_t last)
+    Binning(const LargeVector<SplitPrimitive>& primitives, std::uint32_t first, std::uint32_t last)
     {
         SplitBox centres = SplitBox::nothing();
         for (std::uint32_t t = first; t < last; ++t) {
-            const SplitBox& box = things[t].box;
+            const SplitBox& box = primitives[t].box;
             SplitBox centre;
             for (int i = 0; i < 4; ++i)
                 centre.low[i] = centre.high[i] = box.low[i] + box.high[i];
@@ -76,11 +82,12 @@ struct Binning
 
     int bin(const SplitBox& box, int axis) const
     {
-        const float place = (box.low[axis] + box.high[axis] - low[axis]) * scale[axis];
-        return std::min(static_cast<int>(place), bins - 1);
+        const float position = (box.low[axis] + box.high[axis] - low[axis]) * scale[axis];
+        return std::min(static_cast<int>(position), bins - 1);
     }
 };
 
+/// Box and number of the primitives in one bin or several.
 struct Bin
 {
     SplitBox box = SplitBox::nothing();
@@ -91,7 +98,7 @@ struct Bin
         box.include(other.box);
         count += other.count;
     }
-    /// Leaves cost the same however many of their places are taken.
+    /// Surface area times number of leaves, because a leaf costs the same however many of its lanes are used.
     float cost() const
     {
         const std::uint32_t leaves = (count + WideNode::lanes - 1) / WideNode::lanes;
@@ -99,7 +106,7 @@ struct Bin
     }
 };
 
-/// The last bin of the left part and the cost, for one axis; bin -1 where nothing is to be split.
+/// Best split along one axis: the last bin of the left part (-1 if there is no split) and the cost.
 struct Cut
 {
     int last_left = -1;
@@ -125,16 +132,16 @@ Cut cheapest_cut(const Bin (&along)[bins], std::uint32_t count)
     return best;
 }
 
-/// Sorts things first ... last - 1 into two parts, by the surface area heuristic over 16 bins along each axis, or into
-/// halves where no split separates them. The beginning of the second part; neither is empty.
-std::uint32_t split_by_area(LargeVector<SplitThing>& things, std::uint32_t first, std::uint32_t last)
+/// Partitions the primitives first ... last - 1 at the cheapest split of all axes, or into halves if no split separates
+/// them. Returns the beginning of the second part; neither part is empty.
+std::uint32_t split_by_area(LargeVector<SplitPrimitive>& primitives, std::uint32_t first, std::uint32_t last)
 {
-    const Binning binning(things, first, last);
+    const Binning binning(primitives, first, last);
     Bin along[3][bins];
     for (std::uint32_t t = first; t < last; ++t)
         for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = along[axis][binning.bin(things[t].box, axis)];
-            bin.box.include(things[t].box);
+            Bin& bin = along[axis][binning.bin(primitives[t].box, axis)];
+            bin.box.include(primitives[t].box);
             ++bin.count;
         }
     Cut best;
@@ -149,20 +156,21 @@ std::uint32_t split_by_area(LargeVector<SplitThing>& things, std::uint32_t first
     const std::uint32_t halves = first + (last - first) / 2;
     if (best.last_left < 0)
         return halves;
-    const auto begin = things.begin();
-    const auto middle = std::partition(begin + first, begin + last, [&](const SplitThing& thing) {
-        return binning.bin(thing.box, best_axis) <= best.last_left;
+    const auto begin = primitives.begin();
+    const auto middle = std::partition(begin + first, begin + last, [&](const SplitPrimitive& primitive) {
+        return binning.bin(primitive.box, best_axis) <= best.last_left;
     });
     return static_cast<std::uint32_t>(middle - begin);
 }
 
+/// The largest float that is not above x.
 float float_below(double x)
 {
     const float nearest = static_cast<float>(x);
     return nearest <= x ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
-/// The box in the frame, wider by what the filters' arithmetic may lose: see block_filling.cpp.
+/// The box in the frame with a margin for the filters' rounding errors: see block_filling.cpp.
 SplitBox in_frame(const Bounds& box, const FilterFrame& frame)
 {
     constexpr double margin = 2e-6;
@@ -172,6 +180,7 @@ SplitBox in_frame(const Bounds& box, const FilterFrame& frame)
             {-float_below(-high.x - margin), -float_below(-high.y - margin), -float_below(-high.z - margin), 0.0f}};
 }
 
+/// Node with empty lanes only.
 WideNode empty_node()
 {
     WideNode node{};
@@ -182,25 +191,25 @@ WideNode empty_node()
     return node;
 }
 
-/// A node of the binary tree from which the wide one is made.
+/// Node of the binary tree.
 struct BinaryNode
 {
     SplitBox box;
-    std::uint32_t first; ///< its things are first ... last - 1 of the list
+    std::uint32_t first; ///< its primitives are first ... last - 1 in the list
     std::uint32_t last;
-    std::uint32_t right; ///< number of the second child; the first one follows the node; 0: no children
+    std::uint32_t right; ///< index of the second child, 0 without children; the first child follows the node
 
     std::uint32_t size() const { return last - first; }
     bool is_split() const { return right != 0; }
 };
 
 constexpr std::uint32_t leaf_size = WideNode::lanes;
-constexpr std::uint32_t not_split = 8; ///< so few things are kept together
-constexpr int levels_by_area = 38;     // then halves, 64 levels at most: the stacks of the filters have room for them
+constexpr std::uint32_t not_split = 8; ///< nodes of so few primitives are not split
+constexpr int levels_by_area = 38;     ///< then halves: at most 64 levels of fewer than 2^26 primitives
 
-/// Which nodes of the binary tree become nodes and leaves of the wide one, so that the expected cost of a line is
-/// least: for each number of places k the least cost of a subtree that may fill k places of a wide node, from the
-/// leaves up (Ylitie, Karras, Laine: Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017).
+/// Decides which nodes of the binary tree become nodes and leaves of the wide tree, so that the expected cost of a line
+/// is least. Dynamic programming from the leaves up: for each k, the least cost of a subtree that may use k lanes of a
+/// wide node (Ylitie, Karras, Laine: Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017).
 class Collapse
 {
 public:
@@ -210,7 +219,7 @@ public:
             plan(n);
     }
 
-    /// The binary nodes that become the children of the wide node over binary node n.
+    /// The binary nodes that become the children of the wide node made of binary node n.
     std::vector<std::uint32_t> children(std::uint32_t n) const
     {
         std::vector<std::uint32_t> list;
@@ -223,16 +232,17 @@ public:
     bool is_leaf(std::uint32_t n) const { return plans_[n].is_leaf; }
 
 private:
-    /// For up to k places: the cost, and how the subtree is divided.
+    /// For each k, the best use of up to k lanes for a subtree.
     struct Plan
     {
         float cost[WideNode::lanes + 1];
-        std::uint8_t left[WideNode::lanes + 1];  ///< places that the first child fills
-        std::uint8_t right[WideNode::lanes + 1]; ///< and the second one
-        bool is_whole[WideNode::lanes + 1];      ///< it costs less in one place
-        bool is_leaf;                            ///< in one place
+        std::uint8_t left[WideNode::lanes + 1];  ///< lanes for the first child
+        std::uint8_t right[WideNode::lanes + 1]; ///< lanes for the second child
+        bool is_whole[WideNode::lanes + 1];      ///< the subtree is cheaper undivided, in a single lane
+        bool is_leaf;                            ///< in a single lane it becomes a leaf, else a node
     };
 
+    /// Computes the plan of node n from the plans of its children.
     void plan(std::size_t n)
     {
         const BinaryNode& node = nodes_[n];
@@ -245,7 +255,7 @@ private:
         }
         const Plan& left = plans_[n + 1];
         const Plan& right = plans_[node.right];
-        plan.left[1] = plan.right[1] = 1; // as for two, if it must be divided
+        plan.left[1] = plan.right[1] = 1; // as for two lanes, if it must be divided
         plan.cost[1] = std::numeric_limits<float>::max();
         for (unsigned k = 2; k <= WideNode::lanes; ++k) {
             plan.cost[k] = plan.cost[k - 1];
@@ -271,40 +281,42 @@ private:
         }
     }
 
-    void add(std::uint32_t n, unsigned places, std::vector<std::uint32_t>& list) const
+    /// Adds the binary nodes to which n is expanded in this number of lanes.
+    void add(std::uint32_t n, unsigned lanes, std::vector<std::uint32_t>& list) const
     {
-        if (!nodes_[n].is_split() || plans_[n].is_whole[places])
+        if (!nodes_[n].is_split() || plans_[n].is_whole[lanes])
             list.push_back(n);
         else
-            add_split(n, places, list);
+            add_split(n, lanes, list);
     }
 
-    /// The same for a node that is not taken whole.
-    void add_split(std::uint32_t n, unsigned places, std::vector<std::uint32_t>& list) const
+    /// The same for a node that is divided between its children.
+    void add_split(std::uint32_t n, unsigned lanes, std::vector<std::uint32_t>& list) const
     {
-        add(n + 1, plans_[n].left[places], list);
-        add(nodes_[n].right, plans_[n].right[places], list);
+        add(n + 1, plans_[n].left[lanes], list);
+        add(nodes_[n].right, plans_[n].right[lanes], list);
     }
 
-    static constexpr float node_cost = 1.0f; ///< measured
-    static constexpr float leaf_cost = 1.5f;
+    static constexpr float node_cost = 1.0f; ///< measured, per surface area
+    static constexpr float leaf_cost = 1.5f; ///< likewise
 
     const std::vector<BinaryNode>& nodes_;
     std::vector<Plan> plans_;
 };
 
+/// Builds the binary tree and from it the wide tree.
 class Builder
 {
 public:
-    Builder(LargeVector<SplitThing>& things, LargeVector<WideNode>& nodes, LargeVector<std::uint32_t>& lanes)
-        : things_(things), nodes_(nodes), lanes_(lanes)
+    Builder(LargeVector<SplitPrimitive>& primitives, LargeVector<WideNode>& nodes, LargeVector<std::uint32_t>& lanes)
+        : primitives_(primitives), nodes_(nodes), lanes_(lanes)
     {
     }
 
-    /// Returns how many children a search may have put aside at a time.
+    /// Returns the largest number of children on the stack of a depth-first search.
     unsigned build()
     {
-        add_binary(0, static_cast<std::uint32_t>(things_.size()), 0);
+        add_binary(0, static_cast<std::uint32_t>(primitives_.size()), 0);
         unsigned most_pending = 0;
         add_node(Collapse(binary_), 0, 0, most_pending);
         return most_pending;
@@ -315,10 +327,11 @@ private:
     {
         SplitBox box = SplitBox::nothing();
         for (std::uint32_t i = first; i < last; ++i)
-            box.include(things_[i].box);
+            box.include(primitives_[i].box);
         return box;
     }
 
+    /// Adds the binary subtree over these primitives; returns its index.
     std::uint32_t add_binary(std::uint32_t first, std::uint32_t last, int level)
     {
         const auto number = static_cast<std::uint32_t>(binary_.size());
@@ -326,14 +339,15 @@ private:
         if (last - first <= not_split)
             return number;
         const std::uint32_t middle =
-            level < levels_by_area ? split_by_area(things_, first, last) : first + (last - first) / 2;
+            level < levels_by_area ? split_by_area(primitives_, first, last) : first + (last - first) / 2;
         add_binary(first, middle, level + 1);
         const std::uint32_t right = add_binary(middle, last, level + 1);
         binary_[number].right = right;
         return number;
     }
 
-    /// Makes the wide node over a node of the binary tree; its number. `pending`: children put aside above it.
+    /// Adds the wide node made of a binary node, and its subtree; returns its index. `pending`: number of children that
+    /// are on the stack of a search when it reaches the node.
     std::uint32_t add_node(const Collapse& collapse, std::uint32_t of, unsigned pending, unsigned& most_pending)
     {
         const auto number = static_cast<std::uint32_t>(nodes_.size());
@@ -356,16 +370,17 @@ private:
         return number;
     }
 
+    /// Adds a leaf; returns it as an entry of WideNode::child.
     std::uint32_t add_leaf(const BinaryNode& leaf)
     {
         const auto number = static_cast<std::uint32_t>(lanes_.size() / WideNode::lanes);
         for (std::uint32_t i = leaf.first; i < leaf.last; ++i)
-            lanes_.push_back(things_[i].number);
+            lanes_.push_back(primitives_[i].number);
         lanes_.resize((number + 1) * std::size_t{WideNode::lanes}, WideTree::nothing);
         return WideNode::leaf_flag + number;
     }
 
-    LargeVector<SplitThing>& things_;
+    LargeVector<SplitPrimitive>& primitives_;
     LargeVector<WideNode>& nodes_;
     LargeVector<std::uint32_t>& lanes_;
     std::vector<BinaryNode> binary_;
@@ -376,12 +391,12 @@ private:
 WideTree::WideTree(const LargeVector<Bounds>& boxes, const std::vector<std::uint32_t>& numbers,
                    const FilterFrame& frame)
 {
-    LargeVector<SplitThing> things;
-    things.reserve(numbers.size());
+    LargeVector<SplitPrimitive> split;
+    split.reserve(numbers.size());
     for (const std::uint32_t number : numbers)
-        things.push_back({in_frame(boxes[number], frame), number});
-    if (!things.empty())
-        most_pending_ = Builder(things, nodes_, things_).build();
+        split.push_back({in_frame(boxes[number], frame), number});
+    if (!split.empty())
+        most_pending_ = Builder(split, nodes_, primitives_).build();
 }
 
 } // namespace multipath

@@ -1,4 +1,4 @@
-// The filters for one instruction set.
+// All parts of a FilterKernel for one instruction set. Included by parallel/lanes/one_set.inl.
 
 #include "geometry/intersector/kernels/lane_filter.inl"
 

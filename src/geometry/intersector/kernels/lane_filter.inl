@@ -1,22 +1,23 @@
-// The filters of blocks of surfaces for one line and one instruction set. Included once for each
-// (parallel/lanes/every_set.inl), all static.
+// Filter of one line against blocks of surfaces, vectorised over the surfaces of a block. Included once for each
+// instruction set (see parallel/lanes/every_set.inl).
 
 namespace multipath {
 namespace LANE_SET {
 namespace {
 
-/// Three numbers of a line, each in all lanes.
+/// Three-dimensional vector in each lane.
 struct LaneVector
 {
     Lanes x, y, z;
 };
 
+/// The same vector in all lanes.
 KERNEL_CODE LaneVector spread(const float (&v)[3])
 {
     return {Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])};
 }
 
-/// dot(a, b) + c for vectors a of the lanes from `lane`.
+/// dot(a, b) + c for the vectors a that are stored from `lane` on.
 KERNEL_CODE Lanes dot_plus(const float (&a)[3][16], unsigned lane, const LaneVector& b, Lanes c)
 {
     const Lanes xc = multiply_add(Lanes::load(a[0] + lane), b.x, c);
@@ -29,7 +30,7 @@ KERNEL_CODE Lanes dot_product(const float (&a)[3][16], unsigned lane, const Lane
     return multiply_add(Lanes::load(a[2] + lane), b.z, multiply_add(Lanes::load(a[1] + lane), b.y, x));
 }
 
-/// What the tests of surfaces need of a line.
+/// The data of a line that the tests need, in all lanes.
 struct LaneLine
 {
     LaneVector direction, moment, backwards; ///< backwards: -middle
@@ -43,8 +44,7 @@ KERNEL_CODE LaneLine spread_line(const FilterLine& line)
             Lanes::all(line.scale)};
 }
 
-/// The surfaces of the block that the line may meet: see SurfaceBlock for the tests. `whole`: the line's ends lie
-/// outside of the scene.
+/// Bits of the surfaces of the block that the line may meet: the tests of SurfaceBlock. `whole`: see FilterLine.
 template <bool whole, bool triangles>
 KERNEL_CODE unsigned filter_surfaces(const SurfaceBlock& block, const LaneLine& line)
 {

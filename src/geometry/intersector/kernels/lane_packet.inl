@@ -1,18 +1,18 @@
-// The filters of few surfaces for many lines and one instruction set, on top of lane_filter.inl and like it: included
-// once by the file of each instruction set, all static. Here lines stand side by side, and one surface after the other
-// is tested against as many of them as there are lanes.
+// Filters of small scenes for many lines, vectorised over the lines: a packet of as many lines as there are lanes is
+// tested against one surface after the other. Included after lane_filter.inl, once for each instruction set.
 
 namespace multipath {
 namespace LANE_SET {
 namespace {
 
-/// What the tests of surfaces need of some lines.
+/// The data of Lanes::width lines that the tests need.
 struct LinePacket
 {
     LaneVector direction, moment, middle;
     Lanes half_length, scale;
 };
 
+/// The vectors of the lines from `first` on.
 KERNEL_CODE LaneVector load_columns(const float (&v)[3][LineBatch::most], std::size_t first)
 {
     return {Lanes::load(v[0] + first), Lanes::load(v[1] + first), Lanes::load(v[2] + first)};
@@ -24,7 +24,7 @@ KERNEL_CODE LinePacket load_packet(const LineBatch& batch, std::size_t first)
             Lanes::load(batch.half_length + first), Lanes::load(batch.scale + first)};
 }
 
-/// The vector of one surface, for all lines.
+/// The vector of one surface, in all lanes.
 KERNEL_CODE LaneVector spread_lane(const float (&v)[3][SurfaceBlock::lanes], unsigned lane)
 {
     return {Lanes::all(v[0][lane]), Lanes::all(v[1][lane]), Lanes::all(v[2][lane])};
@@ -35,14 +35,14 @@ KERNEL_CODE Lanes dot(const LaneVector& a, const LaneVector& b)
     return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }
 
-/// Of one surface: which lines may meet it, and where at the earliest, from their middles on.
+/// Result for one surface: which lines may meet it, and a lower bound of t, from their middles.
 struct SurfaceTest
 {
     LaneMask met;
     Lanes earliest;
 };
 
-/// The tests of SurfaceBlock.
+/// The tests of SurfaceBlock for the surface in one lane.
 template <bool whole, bool triangle>
 KERNEL_CODE SurfaceTest test_surface(const SurfaceBlock& block, unsigned lane, const LinePacket& lines)
 {
@@ -62,22 +62,23 @@ KERNEL_CODE SurfaceTest test_surface(const SurfaceBlock& block, unsigned lane, c
     if (!whole)
         met = not_above(met, absolute(h), multiply_add(size_a, lines.half_length, slack));
 
-    const Lanes least = Lanes::all(1e-30f); // of a divisor
+    const Lanes least = Lanes::all(1e-30f); // divisor for which reciprocal() is still valid
     const Lanes about = (with_sign_of(a, h) - slack) * reciprocal(larger(size_a, least));
     return {met, about - absolute(about) * Lanes::all(2.0f * Lanes::reciprocal_error)};
 }
 
-/// What lines have along the axes of a frame: see RectangleFrame.
+/// Components of the lines along the axes of a frame: see RectangleFrame.
 struct FramedLines
 {
     Lanes direction[3];
     Lanes middle[3];
-    Lanes inverse[3]; ///< of the direction
+    Lanes inverse[3]; ///< reciprocal of the direction
     Lanes slack[3];
     Lanes distance_slack[3];
-    Lanes reach[3]; ///< half length with slack
+    Lanes reach[3]; ///< half length plus distance_slack
 };
 
+/// Transforms the lines into a frame.
 KERNEL_CODE FramedLines in_frame(const RectangleFrame& frame, const LinePacket& lines)
 {
     const Lanes least = Lanes::all(FrameRectangle::least_approach) * lines.scale;
@@ -116,8 +117,8 @@ KERNEL_CODE SurfaceTest test_rectangle(const FrameRectangle& rectangle, const Fr
     return {met, t - lines.distance_slack[k]};
 }
 
-/// Calls visit.surface(s, test) for the rectangles across axis k of a frame; returns where those across the
-/// next axis begin.
+/// Calls visit.surface(s, test) for the rectangles across axis k of a frame, which begin at number s. Returns the
+/// number of the first rectangle across the next axis.
 template <bool whole, unsigned k, class Visit>
 KERNEL_CODE unsigned test_across(const FlatSurfaces& surfaces, const RectangleFrame& frame, unsigned s,
                                  const FramedLines& lines, Visit& visit)
@@ -128,7 +129,7 @@ KERNEL_CODE unsigned test_across(const FlatSurfaces& surfaces, const RectangleFr
     return s;
 }
 
-/// Tests all surfaces in the order of their numbers.
+/// Calls visit.surface(s, test) for all surfaces in the order of their numbers.
 template <bool whole, class Visit>
 KERNEL_CODE void test_all(const FlatSurfaces& surfaces, const LinePacket& lines, Visit& visit)
 {
@@ -146,7 +147,7 @@ KERNEL_CODE void test_all(const FlatSurfaces& surfaces, const LinePacket& lines,
     }
 }
 
-/// Marks what may be met, 32 surfaces to a word.
+/// Visitor that sets the bits of the surfaces that may be met, 32 surfaces to a word.
 struct Marking
 {
     FlatMarks& marks;
@@ -181,16 +182,16 @@ KERNEL_ENTRY void filter_flat(const FlatSurfaces& surfaces, const LineBatch& bat
     }
 }
 
-/// Keeps the nearest surface: where at the earliest the lines can meet it, and the same for the second nearest.
-struct Nearing
+/// Visitor that keeps, for each line, the surface with the smallest lower bound of t, and the second smallest bound.
+struct NearestTwo
 {
     const FlatSurfaces& surfaces;
-    Lanes excluded; ///< plane
+    Lanes excluded; ///< plane number to ignore
     Lanes first = Lanes::all(FlatSurfaces::never);
     Lanes second = Lanes::all(FlatSurfaces::never);
     Lanes number = Lanes::all(0.0f);
 
-    // Few lines mostly meet nothing; whether one of many does is hard to predict.
+    // A branch pays only for narrow packets, which mostly miss; whether one of many lines hits is hard to predict.
     KERNEL_CODE void surface(unsigned s, const SurfaceTest& test)
     {
         if (Lanes::width <= 4 && bits(test.met) == 0)
@@ -208,11 +209,11 @@ KERNEL_ENTRY void nearest_flat(const FlatSurfaces& surfaces, const LineBatch& ba
                                const float* excluded_planes, NearestCandidates& found)
 {
     for (std::size_t first = 0; first < count; first += Lanes::width) {
-        Nearing nearing{surfaces, Lanes::load(excluded_planes + first)};
-        test_all<false>(surfaces, load_packet(batch, first), nearing);
-        nearing.first.store(found.first + first);
-        nearing.second.store(found.second + first);
-        nearing.number.store(found.number + first);
+        NearestTwo nearest{surfaces, Lanes::load(excluded_planes + first)};
+        test_all<false>(surfaces, load_packet(batch, first), nearest);
+        nearest.first.store(found.first + first);
+        nearest.second.store(found.second + first);
+        nearest.number.store(found.number + first);
     }
 }
 

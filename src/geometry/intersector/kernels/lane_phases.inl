@@ -1,15 +1,14 @@
-// What comes before and after the filters of many lines, in double precision: plain loops, vectorised by the compiler
-// for the instruction set, which changes no bit. Included once by the file of each instruction set, after KERNEL_ENTRY,
-// all static.
+// The phases before and after the filters, in double precision: plain loops that the compiler vectorises for the
+// instruction set, which changes no bit of the results. Included once for each instruction set.
 
 namespace multipath {
 namespace LANE_SET {
 namespace {
 
-/// Lines member by member.
+/// Lines as a structure of arrays.
 struct LineColumns
 {
-    static constexpr std::size_t most = 16; ///< so few that they stay close to the processor
+    static constexpr std::size_t most = 16; ///< so few that they stay in the first-level cache
 
     alignas(64) double origin[3][most];
     double direction[3][most];
@@ -36,7 +35,7 @@ KERNEL_CODE void to_columns(const Line* lines, std::size_t count, LineColumns& c
     }
 }
 
-/// FilterFrame::place for all lines of the columns, whether or not they are filled: a fixed count needs no rest loop.
+/// FilterFrame::place for all columns, even unused ones: a loop of constant length needs no remainder loop.
 KERNEL_CODE void place_columns(const FilterFrame& frame, const LineColumns& lines, std::size_t first, LineBatch& batch)
 {
     for (std::size_t k = 0; k < LineColumns::most; ++k) {
@@ -61,7 +60,7 @@ KERNEL_CODE void place_columns(const FilterFrame& frame, const LineColumns& line
 
 KERNEL_ENTRY void place_lines(const FilterFrame& frame, const Line* lines, std::size_t count, LineBatch& batch)
 {
-    const FilterFrame local = frame; // nothing that is written below can change it
+    const FilterFrame local = frame; // a copy that cannot alias the output, which helps the vectoriser
     LineColumns columns{};
     for (std::size_t first = 0; first < count; first += LineColumns::most) {
         to_columns(lines + first, count - first < LineColumns::most ? count - first : LineColumns::most, columns);

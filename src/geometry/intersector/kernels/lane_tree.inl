@@ -1,10 +1,10 @@
-// The searches in the hierarchy for one instruction set, on top of lane_filter.inl and like it: included once by the
-// file of each instruction set, all static.
+// Searches in the hierarchy, vectorised over the children of a node and the surfaces of a leaf. Included after
+// lane_packet.inl, once for each instruction set.
 //
-// Many lines are on their way at once, in rounds: each line takes up one child, then all nodes are tested, then all
-// leaves, then all candidates are decided. Within a step the lines do not depend on each other, so that a processor
-// works on several of them while others wait for memory, and nearly nothing branches on what a line meets, which cannot
-// be predicted (compare Barringer, Akenine-Möller: Dynamic ray stream traversal, 2014).
+// Many lines are searched at once, in rounds. In a round each line visits one child: all nodes are tested first, then
+// all leaves, then all candidates are decided. Within a step the lines are independent, so that the processor works on
+// some of them while others wait for memory. There are nearly no branches on what a line meets, which cannot be
+// predicted (compare Barringer, Akenine-Möller: Dynamic ray stream traversal, 2014).
 
 namespace multipath {
 namespace LANE_SET {
@@ -17,6 +17,7 @@ struct Inverses
     float at_zero[3][LineBatch::most];
 };
 
+/// Computes them for the first `count` lines, and for more up to a multiple of the vector width.
 KERNEL_CODE void find_inverses(const LineBatch& batch, std::size_t count, Inverses& result)
 {
     for (unsigned axis = 0; axis < 3; ++axis)
@@ -29,7 +30,7 @@ KERNEL_CODE void find_inverses(const LineBatch& batch, std::size_t count, Invers
         }
 }
 
-/// No branches: which way a line runs is hard to predict.
+/// Prepares a line for the search. Branch-free: the signs of directions are hard to predict.
 KERNEL_CODE void fill_line(const LineBatch& batch, const Inverses& inverses, std::uint32_t number, TreeLine& line)
 {
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -61,13 +62,14 @@ KERNEL_ENTRY void fill_tree_lines(const LineBatch& batch, const std::uint32_t* n
         fill_line(batch, inverses, numbers[i], lines[i]);
 }
 
+/// Coordinates of the planes at an offset of WideNode::plane, for the children from `lane` on.
 KERNEL_CODE Lanes planes_at(const WideNode& node, std::uint32_t plane, unsigned lane)
 {
     return Lanes::load(node.plane + plane + lane);
 }
 
-/// The children whose boxes the line meets in the part that is searched; entry: how far from its beginning it enters
-/// them.
+/// Bits of the children whose boxes the line meets in the interval that is searched (slab test). entry[i]: distance in
+/// t from the beginning of the interval to box i.
 KERNEL_CODE unsigned boxes_met(const WideNode& node, const TreeLine& line, float* entry)
 {
     const LaneVector inverse = spread(line.inverse);
@@ -100,7 +102,7 @@ KERNEL_CODE LaneVector cross(const LaneVector& a, const LaneVector& b)
     return {less_product(a.y * b.z, a.z, b.y), less_product(a.z * b.x, a.x, b.z), less_product(a.x * b.y, a.y, b.x)};
 }
 
-/// The surfaces of a leaf that the line may meet in the part that is searched: see LeafBlock.
+/// Bits of the surfaces of a leaf that the line may meet in the interval that is searched: the tests of LeafBlock.
 KERNEL_CODE unsigned surfaces_met(const LeafBlock& leaf, const TreeLine& line)
 {
     const LaneVector direction = spread(line.direction);
@@ -111,13 +113,13 @@ KERNEL_CODE unsigned surfaces_met(const LeafBlock& leaf, const TreeLine& line)
         const LaneVector corner = lane_vector(leaf.corner, lane);
         const LaneVector edge_u = lane_vector(leaf.edge_u, lane);
         const LaneVector edge_v = lane_vector(leaf.edge_v, lane);
-        const LaneVector way = {corner.x + backwards.x, corner.y + backwards.y, corner.z + backwards.z};
+        const LaneVector to_corner = {corner.x + backwards.x, corner.y + backwards.y, corner.z + backwards.z};
         const LaneVector normal = cross(edge_u, edge_v);
-        const LaneVector across = cross(way, direction);
+        const LaneVector across = cross(to_corner, direction);
         const Lanes a = dot(normal, direction);
         const Lanes u = with_sign_of(a, dot(across, edge_v));
         const Lanes v = with_sign_of(a, zero - dot(across, edge_u));
-        const Lanes t = with_sign_of(a, dot(normal, way));
+        const Lanes t = with_sign_of(a, dot(normal, to_corner));
         const Lanes size_a = absolute(a);
         const Lanes signed_slack = Lanes::load(leaf.slack + lane);
         const Lanes distance_slack = absolute(signed_slack);
@@ -133,20 +135,20 @@ KERNEL_CODE unsigned surfaces_met(const LeafBlock& leaf, const TreeLine& line)
     return result;
 }
 
-/// Number of the first lane of some; 0 if there is none.
+/// Index of the lowest lane that is set; 0 if none is.
 KERNEL_CODE unsigned first_lane(unsigned lanes)
 {
     return static_cast<unsigned>(__builtin_ctz(lanes | 1u << 16)) & 15u;
 }
 
-/// 1 if some lanes are set, else 0: in a way that compilers make no branch of.
+/// 1 if any lane is set, else 0; written so that compilers do not generate a branch.
 KERNEL_CODE std::uint32_t some(unsigned lanes)
 {
     return (lanes + 0xffffu) >> 16;
 }
 
-/// Adds to `list` an element for each lane, two at a time, as most lines meet two or less; there must be room for two
-/// more.
+/// Writes make(lane) for each lane that is set to `list` and returns their number. The first two are written without a
+/// branch, because most lines meet two or fewer: there must be room for two elements in any case.
 template <class Element, class Make>
 KERNEL_CODE std::size_t add_lanes(unsigned lanes, Element* list, const Make& make)
 {
@@ -159,6 +161,7 @@ KERNEL_CODE std::size_t add_lanes(unsigned lanes, Element* list, const Make& mak
     return count;
 }
 
+/// Rounds of the search for candidates. The pending children form a stack.
 KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
 {
     constexpr std::size_t at_once = CandidateSearch::at_once;
@@ -169,7 +172,7 @@ KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
         const std::size_t taken = search.pending_count < at_once ? search.pending_count : at_once;
         std::size_t node_count = 0;
         std::size_t leaf_count = 0;
-        for (std::size_t i = 0; i < taken; ++i) { // onto both piles, then only one grows
+        for (std::size_t i = 0; i < taken; ++i) { // branch-free: store to both lists, advance one
             const LineNode next = search.pending[--search.pending_count];
             nodes[node_count] = next;
             leaves[leaf_count] = {next.line, next.child & ~WideNode::leaf_flag};
@@ -196,8 +199,8 @@ KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
     }
 }
 
-/// A child and where the line enters it, so that the order of these numbers is that of the places: `entry` is not
-/// negative.
+/// A child with the distance at which the line enters its box, packed so that integers compare like the distances. That
+/// holds because `entry` is not negative.
 KERNEL_CODE std::uint64_t pending_child(float entry, std::uint32_t child)
 {
     std::uint32_t bits_of_entry = 0;
@@ -213,17 +216,18 @@ KERNEL_CODE float entry_of(std::uint64_t pending)
     return entry;
 }
 
-/// A ray that is on its way, and the children that it has put aside: of those of a node the nearest on top.
-struct alignas(64) RayOnWay
+/// State of a ray during the search, with the stack of its pending children. The nearest child of a node is on top.
+struct alignas(64) ActiveRay
 {
     TreeLine line;
-    std::uint32_t pending; ///< how many lie on the stack
+    std::uint32_t pending; ///< number of children on the stack
     std::uint64_t* stack;
     double excluded_plane;
 };
 
+/// Starts the search of a ray. Its interval ends at the hit already known, if there is one.
 KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverses, const SearchedRay& next,
-                           RayOnWay& ray)
+                           ActiveRay& ray)
 {
     fill_line(search.batch, inverses, next.number, ray.line);
     const double distance = search.nearest[next.number].best.t - search.batch.middle_t[next.number];
@@ -233,18 +237,18 @@ KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverse
     ray.pending = 0;
 }
 
-/// Returns the nearest of the children that were met, and puts the others aside.
-KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const float* entry, RayOnWay& ray)
+/// Returns the nearest of the children that were met and pushes the others on the stack, the farthest first.
+KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const float* entry, ActiveRay& ray)
 {
     const unsigned others = met & (met - 1);
     const unsigned one = first_lane(met);
     const unsigned two = first_lane(others);
-    const std::uint64_t none = std::uint64_t{some(others)} - 1; // all bits if there is no second one
+    const std::uint64_t none = std::uint64_t{some(others)} - 1; // all bits set if there is no second child
     const std::uint64_t a = pending_child(entry[one], node.child[one]);
     const std::uint64_t b = pending_child(entry[two], node.child[two]) | none;
     std::uint64_t nearest = a < b ? a : b;
-    std::uint64_t* const aside = ray.stack + ray.pending;
-    aside[0] = a < b ? b : a;
+    std::uint64_t* const top = ray.stack + ray.pending;
+    top[0] = a < b ? b : a;
     std::uint32_t count = some(others);
     for (unsigned rest = others & (others - 1); __builtin_expect(rest != 0, 0); rest &= rest - 1) {
         const unsigned lane = first_lane(rest);
@@ -252,16 +256,17 @@ KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const
         const std::uint64_t nearer = next < nearest ? next : nearest;
         next = next < nearest ? nearest : next;
         nearest = nearer;
-        std::uint32_t place = count++;
-        for (; place > 0 && aside[place - 1] < next; --place)
-            aside[place] = aside[place - 1];
-        aside[place] = next;
+        std::uint32_t slot = count++;
+        for (; slot > 0 && top[slot - 1] < next; --slot)
+            top[slot] = top[slot - 1];
+        top[slot] = next;
     }
     ray.pending += count;
     return nearest;
 }
 
-KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, RayOnWay& ray)
+/// Updates the first hit of a ray and shortens its interval; ends the search if any nearer hit will do.
+KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, ActiveRay& ray)
 {
     const std::uint32_t number = ray.line.number;
     NearestHit& nearest = search.nearest[number];
@@ -278,14 +283,14 @@ KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, RayOnWay
     ray.pending = search.any ? 0 : ray.pending;
 }
 
-/// A ray and a child or a surface.
+/// A ray and the child or surface to test it against.
 struct RayTask
 {
-    RayOnWay* ray;
-    std::uint32_t what;
+    ActiveRay* ray;
+    std::uint32_t index; ///< of a node, leaf or surface
 };
 
-/// Children that rays are to take up, without a branch on what they are.
+/// The children that rays visit in a round, sorted into nodes and leaves without a branch.
 struct RayTasks
 {
     RayTask nodes[FirstHitSearch::at_once];
@@ -293,8 +298,8 @@ struct RayTasks
     std::size_t node_count = 0;
     std::size_t leaf_count = 0;
 
-    /// some: 1, or 0 to leave all as it is.
-    KERNEL_CODE void add(RayOnWay* ray, std::uint32_t child, std::size_t some)
+    /// Adds a child if `some` is 1, nothing if it is 0.
+    KERNEL_CODE void add(ActiveRay* ray, std::uint32_t child, std::size_t some)
     {
         const std::size_t is_leaf = child / WideNode::leaf_flag;
         nodes[node_count] = {ray, child};
@@ -304,6 +309,8 @@ struct RayTasks
     }
 };
 
+/// Rounds of the search for first hits. Each active ray visits one child per round: the nearest child of the node it
+/// was at, or else the top of its stack. A ray that is done makes room for the next one.
 KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
 {
     if (search.ray_count == 0)
@@ -311,12 +318,12 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
     constexpr unsigned at_once = FirstHitSearch::at_once;
     Inverses inverses;
     find_inverses(search.batch, search.rays[search.ray_count - 1].number + std::size_t{1}, inverses);
-    RayOnWay rays[at_once];
+    ActiveRay rays[at_once];
     RayTasks rounds[2];
-    RayOnWay* idle[at_once + 1];
+    ActiveRay* idle[at_once + 1];
     RayTask candidates[LeafBlock::lanes * at_once + 1];
     Hit hits[at_once];
-    RayOnWay* rays_of_hits[at_once];
+    ActiveRay* rays_of_hits[at_once];
     alignas(64) float entry[WideNode::lanes];
     const SearchedRay* next = search.rays;
     const SearchedRay* const end = search.rays + search.ray_count;
@@ -331,10 +338,10 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
         then.node_count = then.leaf_count = 0;
         std::size_t idle_count = 0;
         for (std::size_t i = 0; tree.is_large && i < now.leaf_count; ++i)
-            prefetch_all(tree.leaves[now.leaves[i].what]);
+            prefetch_all(tree.leaves[now.leaves[i].index]);
         for (std::size_t i = 0; i < now.node_count; ++i) {
-            RayOnWay* const ray = now.nodes[i].ray;
-            const WideNode& node = tree.nodes[now.nodes[i].what];
+            ActiveRay* const ray = now.nodes[i].ray;
+            const WideNode& node = tree.nodes[now.nodes[i].index];
             const unsigned met = boxes_met(node, ray->line, entry);
             const std::uint64_t nearest = take_nearest(met, node, entry, *ray);
             then.add(ray, static_cast<std::uint32_t>(nearest), some(met));
@@ -343,8 +350,8 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
         }
         std::size_t candidate_count = 0;
         for (std::size_t i = 0; i < now.leaf_count; ++i) {
-            RayOnWay* const ray = now.leaves[i].ray;
-            const LeafBlock& leaf = tree.leaves[now.leaves[i].what];
+            ActiveRay* const ray = now.leaves[i].ray;
+            const LeafBlock& leaf = tree.leaves[now.leaves[i].index];
             idle[idle_count++] = ray;
             const unsigned met = surfaces_met(leaf, ray->line);
             candidate_count += add_lanes(met, candidates + candidate_count, [&](unsigned lane) {
@@ -356,8 +363,8 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
             const std::size_t last = first + at_once < candidate_count ? first + at_once : candidate_count;
             std::size_t hit_count = 0;
             for (std::size_t i = first; i < last; ++i) {
-                RayOnWay* const ray = candidates[i].ray;
-                const std::uint32_t surface = candidates[i].what;
+                ActiveRay* const ray = candidates[i].ray;
+                const std::uint32_t surface = candidates[i].index;
                 const bool is_met = decide(table, search.lines[ray->line.number], surface, hits[hit_count]);
                 rays_of_hits[hit_count] = ray;
                 hit_count += every(is_met, table.row(surface).plane() != ray->excluded_plane) ? 1 : 0;
@@ -366,14 +373,14 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
                 take_hit(search, hits[i], *rays_of_hits[i]);
         }
         for (std::size_t i = 0; i < idle_count; ++i) {
-            RayOnWay* const ray = idle[i];
+            ActiveRay* const ray = idle[i];
             const float length = ray->line.last - ray->line.first;
             std::uint64_t top = ~std::uint64_t{0};
             while (ray->pending > 0 && top == ~std::uint64_t{0}) {
                 const std::uint64_t child = ray->stack[--ray->pending];
                 top = entry_of(child) <= length ? child : top;
             }
-            if (top == ~std::uint64_t{0}) { // its place is free for another one
+            if (top == ~std::uint64_t{0}) { // the ray is done: the next one takes its slot
                 if (next == end)
                     continue;
                 start_ray(search, inverses, *next++, *ray);

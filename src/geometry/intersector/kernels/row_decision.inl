@@ -1,5 +1,6 @@
-// SurfaceTable::decide for one instruction set: the four numbers of a row's columns side by side, if they fit, the same
-// operations in the same order. Included once for each, all static.
+// SurfaceTable::decide for one instruction set. If vectors hold four doubles, the columns of a row are evaluated as
+// vectors, with the same operations in the same order, so that the results are the same bit for bit. Included once for
+// each instruction set.
 
 namespace multipath {
 namespace LANE_SET {
@@ -9,6 +10,7 @@ namespace {
 
 typedef double RowVector __attribute__((vector_size(32)));
 
+/// The dot products of v with normal, to_u and to_v.
 KERNEL_CODE RowVector times_columns(const SurfaceRow& row, Vec3 v)
 {
     RowVector x;
@@ -29,16 +31,16 @@ KERNEL_CODE bool decide(const SurfaceTable& table, const Line& line, std::uint32
     const RowVector along = times_columns(row, line.direction);
     const double approach = along[0];
     const double t = (row.offset[0] - at_origin[0]) / approach;
-    const RowVector places = at_origin + offset + t * along; // second and third: u and v
-    const RowVector uvuv = {places[1], places[2], places[1], places[2]};
-    const RowVector vuvu = {places[2], places[1], places[2], places[1]};
+    const RowVector coordinates = at_origin + offset + t * along; // u and v are the second and third
+    const RowVector uvuv = {coordinates[1], coordinates[2], coordinates[1], coordinates[2]};
+    const RowVector vuvu = {coordinates[2], coordinates[1], coordinates[2], coordinates[1]};
     const RowVector rest = 1.0 - uvuv - row.offset[3] * vuvu;
     const RowVector borders = {uvuv[0], uvuv[1], rest[2], rest[3]};
     const bool inside = _mm256_movemask_pd(borders >= 0.0) == 0xf;
     hit.t = t;
     hit.surface = surface;
-    hit.u = places[1];
-    hit.v = places[2];
+    hit.u = coordinates[1];
+    hit.v = coordinates[2];
     hit.front = approach < 0.0;
     return every(approach != 0.0, t >= 0.0, t <= line.t_max, inside);
 }
