@@ -48,8 +48,8 @@ double exp2(double x); ///< exact for integers x
 double log(double x);
 double log2(double x);  ///< 6.6e-16; exact for powers of 2
 double log10(double x); ///< 6.6e-16; exact for powers of 10 from 1e-22 to 1e22
-/// For x >= 0 any y; for x < 0 integers |y| <= 1024, else NaN. These integer powers are computed by repeated squaring:
-/// exact where the products are. Other powers have a relative error below 4.4e-16 + 1e-15 |y ln x|.
+/// Integer powers with |y| <= 1024 are computed by repeated squaring and are exact where the products are. Other powers
+/// need x >= 0, else they are NaN, and have a relative error below 4.4e-16 + 1e-15 |y ln x|.
 double pow(double x, double y);
 double sin(double x); ///< absolute error below 4e-16 for |x| <= 2 pi; also relative for |x| <= 1
 double cos(double x); ///< likewise

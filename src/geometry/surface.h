@@ -8,8 +8,8 @@ namespace multipath {
 
 enum class Shape { parallelogram, triangle };
 
-/// Planar surface of the scene, not subdivided: the points origin + u * edge_u + v * edge_v with 0 <= u, v <= 1 (and u
-/// + v <= 1 for a triangle). Its front is the side from which edge_u, edge_v turn counter-clockwise.
+/// Planar surface of the scene, not subdivided: the points origin + u * edge_u + v * edge_v with 0 <= u, v <= 1 (and
+/// u + v <= 1 for a triangle). Its front is the side from which edge_u, edge_v turn counter-clockwise.
 struct Surface
 {
     Shape shape = Shape::parallelogram;

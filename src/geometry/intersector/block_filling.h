@@ -13,7 +13,7 @@ namespace multipath {
 /// Block with empty lanes only: no line passes any of its tests.
 SurfaceBlock empty_block();
 
-/// Stores the surface of a row in one lane of a block. Triangles must come in lanes before those of parallelograms.
+/// Stores the surface of a row in one lane of a block. Triangles must have lower lanes than parallelograms.
 void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame);
 
 /// Leaf of the hierarchy with `count` surfaces, at most LeafBlock::lanes.

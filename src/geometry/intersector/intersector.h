@@ -37,7 +37,7 @@ public:
     /// The same for many lines, faster. Overwrites `lists`.
     void all_hits(const Line* lines, std::size_t count, HitLists& lists) const;
 
-    /// Returns the first hit of the line; at equal t, a hit on a front.
+    /// Returns the first hit of the line; at equal t, one on a front if there is one.
     std::optional<Hit> closest_hit(const Line& line) const;
 
     /// Returns the first hit of a ray that leaves surface `from` through its front. Surfaces in the plane of `from` are

@@ -19,8 +19,8 @@ struct TreeView
     bool is_large; ///< larger than the caches, so that prefetching leaves pays
 };
 
-/// Line in the form that the search uses for slab tests: along each axis it meets the plane at coordinate c at t = c *
-/// inverse + at_zero, measured from its middle.
+/// Line in the form that the search uses for slab tests: along each axis it meets the plane at coordinate c at
+/// t = c * inverse + at_zero, measured from its middle.
 struct TreeLine
 {
     float inverse[3];
