@@ -10,52 +10,52 @@
 
 namespace multipath {
 
-/// One patch sends rays, each with the same power.
+/// Rays of equal power from one patch.
 struct Shot
 {
     std::uint32_t patch;
     std::uint64_t rays;
-    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper, with a colour
+    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper, as a colour
 };
 
-/// Sends the rays of all shots, which take the items from first_item on, one each in order. Every receiver adds what
-/// arrives to its incident power and what it reflects to its unshot power (S1). The shooters' unshot power is spent
-/// beforehand (see spend in first_shot.h). If the run is stopped, the power of the other rays stays unshot. A
-/// checkpoint must hold the shots and the state besides what this function makes it hold.
+/// Casts the rays of all shots, in order, with one item each from first_item on. Every receiver adds the arriving power
+/// to its incident power, and the reflected part to its unshot power (S1). The caller subtracts the power from the
+/// shooters beforehand, see spend(), and saves `shots` and `state` in the checkpoint; this function saves the rest. If
+/// the run is stopped, the power of the rays that were not cast stays unshot.
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            const RunControl& run, PowerState& state);
 
-/// Gives back to the shooters the power of all rays but the first `rays_sent`: it stays unshot.
+/// Returns to the shooters the power of all rays but the first `rays_sent`: it stays unshot.
 void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state);
 
-/// For a checkpoint.
+/// Reads or writes the shots for a checkpoint. Throws ArchiveError for a patch that does not exist.
 void visit(Archive& archive, const Scene& scene, std::vector<Shot>& shots);
 
-/// Which part of the unshot power is to be shot, and how finely.
+/// Which part of the unshot power is shot, and by how many rays.
 struct ShotRule
 {
     double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (4)
-    double power_by_line = 0.0; ///< [W] of one ray, mean of the channels: `PowerByLine` of the paper
-    double offset = 0.5;        ///< [0, 1) where rounding begins; uniform random: no patch is favoured on the average
+    double power_by_line = 0.0; ///< [W] power of one ray, mean of the channels: `PowerByLine` of the paper
+    double offset = 0.5; ///< start of the systematic rounding, in [0, 1); if uniformly random, no patch is favoured
 };
 
-/// [W] What exceeds the threshold, of all patches together, mean of the channels.
+/// [W] Unshot power above the threshold, summed over the patches, mean of the channels.
 double power_above(const Scene& scene, const PowerState& state, double threshold);
 
-/// The rays of one pass over the patches: each with unshot radiosity above the threshold shoots the excess (S1) (S2). A
-/// patch that deserves n rays gets n rounded down or up, with expectation n over the offset. If n >= 1 these carry
-/// its excess; otherwise the one ray that it gets now and then carries power_by_line. In all, the rays carry the whole
-/// excess: where rounding would make it more or less, all are corrected by one factor for each channel, at most 2.
+/// The shots of one pass: every patch with unshot radiosity above the threshold shoots the excess (S1) (S2). A patch
+/// that deserves n rays gets n rounded down or up, n on the average over the offset. If n >= 1, these rays carry its
+/// excess; otherwise the single ray that it sometimes gets carries power_by_line. Together the rays carry the whole
+/// excess: one factor per channel, at most 2, corrects the error of the rounding.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
 
-/// The same for a number of rays in all (fewer only when nothing exceeds the threshold).
+/// The same for a given total number of rays (none if no patch exceeds the threshold).
 std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays);
 
-/// Takes what the shots carry from the patches, in proportion to their excess, also from those that rounding gave no
-/// ray: each has spent it in expectation, and no power is made or lost.
+/// Subtracts the power of the shots from the patches, in proportion to their excess. Patches that got no ray by
+/// rounding lose their part, too: they have sent it in expectation, and no power is created or lost.
 void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state);
 
-/// Rays of all shots together.
+/// Total number of rays of all shots.
 std::uint64_t ray_count(const std::vector<Shot>& shots);
 
 } // namespace multipath

@@ -8,15 +8,15 @@
 
 namespace multipath {
 
-/// N_l / N_g for the methods that shoot first: the user's, or the optimum (3) for the scene.
+/// N_l / N_g for the methods that shoot first: the user's ratio, or the optimum (3) for the scene, or 1 where (3) has
+/// no value.
 double ratio_for(const Scene& scene, const SolveOptions& options);
 
-/// The options of the run that an extended first shot follows; its lines, or their power, are left to the caller.
+/// Options of the extended first shot of this run. The caller sets `lines` or `power_by_line`.
 ExtendedShotOptions extended_shot(const Scene& scene, const SolveOptions& options);
 
-/// What comes before the global lines: the passes of the (extended) first shot as the options want them, none for the
-/// methods without. Takes the items from first_item on. Throws SettingsError for more rays by power_by_line than
-/// lines.
+/// The stage before the global lines: the passes of the (extended) first shot, none for methods without one. The rays
+/// take the items from first_item on. Throws SettingsError if power_by_line needs more rays than the run has lines.
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe = {});

@@ -12,43 +12,43 @@
 
 namespace multipath {
 
-/// Where a particle's power is counted: at every patch that it meets, or only where it ends.
+/// Where the power of a particle is scored: at every patch that it meets, or only at the patch that absorbs it.
 enum class Estimator { collision, absorption };
 
-/// One segment of a particle's path, from the patch that it leaves to what happens where it arrives.
+/// One segment of a particle's path, from a patch to the next surface, and the decision made there.
 struct ParticleStep
 {
-    std::uint32_t from;  ///< patch
-    Item item;           ///< of its ray (see local_line)
-    std::uint32_t where; ///< patch, Segment::behind or Segment::outside
-    Rgb power;           ///< [W] that arrives
-    double drawn;        ///< [0, 1) number that decides: below the patch's survival it goes on
-    Rgb goes_on;         ///< [W] that leaves again; black where the particle ends
+    std::uint32_t from;  ///< patch that the segment leaves
+    Item item;           ///< of the ray, see local_line
+    std::uint32_t where; ///< patch that it meets, or Segment::behind or Segment::outside
+    Rgb power;           ///< [W] arriving
+    double drawn;        ///< [0, 1) random number; the particle survives if it is below the survival probability
+    Rgb goes_on;         ///< [W] reflected; black if the path ends here
 
     bool ends() const { return goes_on == Rgb{}; }
 };
 
-/// The paths of some particles, with memory that serves again.
+/// Paths of a group of particles, with reusable buffers.
 class ParticlePaths
 {
 public:
-    std::vector<ParticleStep> steps; ///< all paths one after the other
+    std::vector<ParticleStep> steps; ///< all paths, one after the other
 
 private:
     friend class Particles;
 
     void sort_by_particle();
 
-    RayBlock rays_;                       ///< of the particles that still go on, one segment each
-    std::vector<std::uint32_t> going_on_; ///< which particles these are
-    std::vector<Rgb> power_;              ///< [W] of each of them
+    RayBlock rays_;                       ///< of the surviving particles, one segment each
+    std::vector<std::uint32_t> going_on_; ///< indices of the surviving particles
+    std::vector<Rgb> power_;              ///< [W] of each surviving particle
     std::vector<ParticleStep> by_depth_;  ///< all first segments, then all second ones, ...
-    std::vector<std::uint32_t> particle_; ///< whose these are
-    std::vector<std::size_t> first_step_; ///< of each particle
+    std::vector<std::uint32_t> particle_; ///< index of the particle of each of these steps
+    std::vector<std::size_t> first_step_; ///< of each particle, in `steps`
 };
 
-/// The particles of a run (L1): which source sends which, counted through, and the path of each, a function of its
-/// number and its first item.
+/// The particles of a run (L1): numbered through all sources, and the path of each, which is a function of its number
+/// and its first item.
 class Particles
 {
 public:
@@ -57,8 +57,8 @@ public:
     std::uint64_t count() const { return before_.back(); }
     const std::vector<Shot>& shots() const { return shots_; }
 
-    /// The paths of particles first, first + 1, ..., one after the other. The items are for their first segments, all
-    /// that follows is random. Replaces what `paths` held.
+    /// Follows the particles first, first + 1, ... and replaces the contents of `paths` by their paths. There is one
+    /// item per particle, for its first segment; everything after it is random.
     void follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const;
 
 private:
@@ -73,13 +73,13 @@ private:
     std::uint64_t key_;
 };
 
-/// Successive particles, followed together; the memory serves again.
+/// Consecutive particles that are followed together, with reusable buffers.
 struct ParticleBlock
 {
     std::vector<Item> items;
     ParticlePaths paths;
 
-    /// Block `number` of all particles, which take the items from first_item on.
+    /// Follows block `number` of all particles, which take the items from first_item on.
     void follow(const Particles& particles, const Sequence& sequence, std::uint64_t first_item, const Blocks& all,
                 std::uint64_t number)
     {
@@ -89,11 +89,11 @@ struct ParticleBlock
     }
 };
 
-/// As many as may be followed together: their paths must fit into memory, and get long in bright scenes.
+/// Number of particles to follow together: their paths must fit into memory, and they are long in bright scenes.
 std::uint64_t particles_together(const Scene& scene);
 
-/// As many particles as make `lines` segments, to about 1 %: a pilot tells how long their paths are. `shots`: those of
-/// a given number of particles.
+/// As many particles as make about `lines` segments, to 1 %. A pilot estimates the mean length of a path. `shots`
+/// returns the shots of a given number of particles.
 Particles plan_particles(const Scene& scene, const std::function<std::vector<Shot>(std::uint64_t particles)>& shots,
                          std::uint64_t lines, std::uint64_t seed, int threads);
 
@@ -101,21 +101,21 @@ Particles plan_particles(const Scene& scene, const std::function<std::vector<Sho
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads);
 
-/// [W] What the estimator counts as incident where a step ends on a patch.
+/// [W] Power that the estimator scores as incident at the end of a step, which must be a patch.
 Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
 
 struct LocalOptions
 {
-    std::uint64_t lines = 0; ///< N_l to use, to about 1 %: every segment of a path counts, and their number is random
+    std::uint64_t lines = 0; ///< N_l, reached to about 1 %: every segment counts, and the lengths of paths are random
     Estimator estimator = Estimator::collision;
     std::uint64_t first_item = 0; ///< of the sequence; one item per particle, for its first segment
-    std::uint64_t seed = 0;       ///< of all that is random after the first segment
+    std::uint64_t seed = 0;       ///< of the random numbers after the first segment
 };
 
-/// Phi_T local Monte Carlo (L1): particles of equal power leave the sources, are reflected with the probability rho,
-/// and go on from a uniform point of the patch that they hit. Returns the segments cast. Unshot power then holds what
-/// Russian roulette created (negative) or destroyed, which is zero in expectation; and, if the run is stopped, that of
-/// the particles that did not leave. A checkpoint must hold the state besides what this function makes it hold.
+/// Phi_T local Monte Carlo (L1): particles of equal power leave the sources, are reflected with probability rho, and
+/// continue from a uniform point of the patch that they hit. Returns the number of segments. The noise of Russian
+/// roulette goes into PowerState::surplus. If the run is stopped, the power of particles that did not start stays
+/// unshot. The caller must save `state` in the checkpoint; this function saves the rest.
 std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                              const RunControl& run, PowerState& state);
 

@@ -4,15 +4,14 @@
 
 namespace multipath {
 
-/// [bytes] that a run takes at its peak for scene and light, whatever the method, but for the pairs of patches of
-/// `reuse`, which reuse_bytes() tells. Measured, not derived. Real numbers, for scenes too large to count.
+/// [bytes] Peak memory of a run for scene and light, whatever the method, without the pairs of patches of `reuse` (see
+/// reuse_bytes()). An empirical formula. Takes real numbers, since estimated sizes may exceed the integer types.
 double run_bytes(double surfaces, double patches);
 
-/// [bytes] that it takes while it makes a page to walk through the room, likewise: what people may choose to see, each
-/// patch as numbers and as text.
+/// [bytes] The same for making an interactive page: all quantities that it can show, each patch as numbers and as text.
 double page_bytes(double surfaces, double patches);
 
-/// [bytes] of `memory` that a run has left for pairs of patches.
+/// [bytes] Part of `memory` that a run can use for pairs of patches.
 double bytes_for_pairs(double memory, const Scene& scene);
 
 } // namespace multipath

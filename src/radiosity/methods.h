@@ -13,39 +13,41 @@ class Scene;
 struct Preparation;
 struct SolveOptions;
 
-/// A part of a run that can be interrupted and resumed. Moves the run's state forward.
+/// A part of a run that can be interrupted and resumed. It advances the state of the run.
 using Stage = void (*)(Run&);
 
-/// How the results of shards, and of stretches of lines, become one: each is a solution, and they are averaged by their
-/// lines; or each is a set of counts, which are added up before the light is solved for.
+/// How the results of shards, and of runs that continue others, are combined. averaged: each is a solution of its own,
+/// and the mean is weighted by lines. added: each is a set of counts, and the counts are added before the system is
+/// solved.
 enum class Shards { averaged, added };
 
-/// Rays from patches that stand out before all other lines: none, those of the sources (S1), or passes of them (S2).
+/// Rays from bright patches before all other lines: none, rays from the sources (S1), or passes over all patches (S2).
 enum class FirstShot { none, plain, extended };
 
-/// A method: one row of the table in methods.cpp. A new method is the file of its stages and a row; command line, help,
+/// A method: one row of the table in methods.cpp. To add a method, write its stages and add a row; command line, help,
 /// study, selftest, page and tests iterate over the table.
 struct MethodInfo
 {
     std::string_view name;
-    std::string_view summary; ///< sentences
-    /// Options of the command line that do not serve all methods, but this one. "steps:direct=shoot": only with this
-    /// value of another option.
+    std::string_view summary; ///< whole sentences, for help
+    /// Command line options of this method that not all methods have, separated by spaces. "steps:direct=shoot": only
+    /// with this value of another option.
     std::string_view options;
-    Chords chords; ///< from which global lines are drawn unless the user says otherwise
+    Chords chords; ///< default distribution of the global lines
     Shards shards;
-    std::uint64_t most_lines;                       ///< of one run
-    std::uint64_t (*lines_per_patch)(const Scene&); ///< of each replicate, before their scatter tells the error
+    std::uint64_t most_lines; ///< maximum for one run
+    /// Lines per patch that each replicate needs before the scatter of replicates is a good estimate of the error.
+    std::uint64_t (*lines_per_patch)(const Scene&);
     std::vector<Stage> (*stages)(const Run&);
     void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr; ///< may be null
     FirstShot (*first_shot)(const SolveOptions&) = nullptr;                     ///< null: none
-    /// Stages whose lines can be followed one by one, as `explain --stage` names them, in their order.
+    /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`.
     std::string_view told = {};
-    /// For a method that only counts its lines: the one whose lines the page tells instead.
+    /// For a method without such stages: name of the method whose lines the page shows instead.
     std::string_view told_as = {};
 };
 
-/// One of the table's methods.
+/// A handle to one row of the table.
 class Method
 {
 public:
@@ -61,25 +63,25 @@ private:
     const MethodInfo* info_;
 };
 
-/// All methods, in the order in which help lists them.
+/// All methods, in the order of the help text.
 std::vector<Method> all_methods();
 
-/// Throws std::invalid_argument for a name that is not in the table.
+/// The method of this name. Throws std::invalid_argument if there is none.
 Method method_named(std::string_view name);
 
-/// One of MethodInfo::options.
+/// One entry of MethodInfo::options.
 struct MethodOption
 {
     std::string_view name;
-    std::string_view with; ///< "direct=shoot": option and value that it needs; empty: none
+    std::string_view with; ///< required option and value, such as "direct=shoot"; empty: none
 };
 
 std::vector<MethodOption> options_of(Method method);
 
-/// True if an option of this name, such as "chords", has an effect with the method, whatever the other options.
+/// True if the option, such as "chords", has an effect with this method, whatever the other options are.
 bool has_option(Method method, std::string_view option);
 
-/// The names in MethodInfo::told, one by one.
+/// The names in MethodInfo::told as a list.
 std::vector<std::string_view> told_stages(Method method);
 
 } // namespace multipath

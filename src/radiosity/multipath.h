@@ -12,21 +12,21 @@
 #include <vector>
 
 // The multi-path method. A global line crosses the whole scene and meets many patches. Every pair of patches that face
-// each other along it exchanges power, in both directions at once, so that one line carries a piece of many light
+// each other along it exchanges power, in both directions at once, so that one line carries one segment of many light
 // paths.
 //
-// A patch sends two things along each line that leaves its front: everything that it received and reflected since it
-// sent last, which it then no longer holds (M1), and an equal share of what was unshot when the pass began, the
-// forecast (G3). No cosine and no 1/r^2 appear anywhere: the density of the lines contains both (G1).
+// Along each line that leaves its front, a patch sends two things: all power that it has received and reflected since
+// it last sent, which it then no longer holds (M1), and an equal share of its unshot power at the beginning of the
+// pass, the forecast (G3). No cosine and no 1/r^2 appear anywhere: the density of the lines contains both (G1).
 
 namespace multipath {
 
-/// What an exchange touches of a patch, side by side in memory.
+/// The data of a patch that an exchange reads and writes, together in memory.
 struct WalkingPower
 {
     Rgb reflectance;
-    Rgb forecast; ///< [W] sent by every line (G3)
-    Rgb held;     ///< [W] reflected, to be sent by the next line
+    Rgb forecast; ///< [W] sent along every line (G3)
+    Rgb held;     ///< [W] reflected, sent along the next line
     Rgb incident; ///< [W] arrived in this pass
 
     Rgb to_send() const { return forecast + held; }
@@ -37,7 +37,7 @@ struct WalkingPower
     }
 };
 
-/// Power that some lines sent, and what of it no patch received [W].
+/// [W] Power sent along some lines, and the part of it that no patch received.
 struct WalkTally
 {
     Rgb forecast_sent;
@@ -53,12 +53,13 @@ struct WalkTally
     }
 };
 
-/// The walk of power from patch to patch that global lines carry. Its result is defined by the order of the segments.
+/// The walk of power from patch to patch along global lines. The order of the segments defines its result.
 class PowerWalk
 {
 public:
-    /// Starts a pass in which `crossings_per_area` [1/m^2] lines cross every patch in expectation, both directions
-    /// counted (G1), and distribute what is unshot in `state`. `bidirectional`: power flows both ways along each (M2).
+    /// Starts a pass that distributes the unshot power of `state`. In expectation `crossings_per_area` [1/m^2] lines
+    /// cross every patch, in both directions together (G1). `bidirectional`: power flows both ways along each line
+    /// (M2).
     PowerWalk(const Scene& scene, double crossings_per_area, bool bidirectional, const PowerState& state);
 
     void follow(const std::vector<Segment>& segments);
@@ -68,13 +69,13 @@ public:
 
     void visit(Archive& archive); ///< for a checkpoint
 
-    /// Adds what the pass distributed; what the patches hold is what is left unshot. `scale` [1]: how many times more
-    /// lines the pass was planned with than were followed.
+    /// Ends the pass: adds its result to the state, and what the patches still hold becomes their unshot power. `scale`
+    /// [1]: number of planned lines over number of lines that were followed.
     void finish(double scale, PowerState& state) const;
 
 private:
     void follow(const Segment& segment, WalkTally& tally);
-    /// Prefetches what follow() needs of this segment, while others are followed.
+    /// Prefetches the patches of a later segment.
     void fetch(const Segment& segment) const
     {
         fetch(segment.from);
@@ -86,7 +87,7 @@ private:
             return;
         const char* first = reinterpret_cast<const char*>(&patches_[end]);
         prefetch(first);
-        prefetch(first + sizeof(WalkingPower) - 1); // an entry lies in two cache lines, or in three of small ones
+        prefetch(first + sizeof(WalkingPower) - 1); // an entry spans two cache lines, or three small ones
     }
     void exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const;
     void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
@@ -131,17 +132,17 @@ inline void PowerWalk::lose(WalkingPower& i, std::uint32_t where, WalkTally& tal
     i.held = {};
 }
 
-/// Which lines a global pass casts.
+/// The global lines of a pass.
 struct GlobalPass
 {
     std::uint64_t first_item = 0; ///< of the sequence
     std::uint64_t lines_cast = 0; ///< N_cast of (N1)
-    bool bidirectional = true;    ///< (M2); otherwise power flows only in the direction of the line
+    bool bidirectional = true;    ///< (M2); if false, power flows only in the direction of the line
 };
 
-/// The global pass: distributes the unshot power of all patches with global lines. Traced by all threads, exchanged in
-/// the order of the lines, so the result does not depend on the number of threads. Returns how many lines were cast:
-/// fewer if the run is stopped, and then what they brought stands for all.
+/// The global pass: distributes the unshot power of all patches by global lines. All threads trace, and the exchanges
+/// follow in the order of the lines, so the result does not depend on the number of threads. Returns the number of
+/// lines cast. If the run is stopped, these are fewer, and the result is scaled up to all lines.
 std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
                                 const GlobalPass& pass, const RunControl& run, PowerState& state);
 

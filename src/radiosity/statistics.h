@@ -4,8 +4,8 @@
 
 namespace multipath {
 
-/// Mean of samples that come one by one, and the sum of their squared deviations from it (Welford 1962), which does not
-/// suffer from cancellation. Value: double, or Rgb channel by channel.
+/// Mean of successive samples, and the sum of their squared deviations from it, updated without cancellation (Welford
+/// 1962). Value: double, or Rgb channel by channel.
 template <class Value>
 struct Moments
 {
@@ -13,7 +13,7 @@ struct Moments
     Value squares{};
 };
 
-/// The moments after one more sample, which is number `count` = 1, 2, ...
+/// The moments after adding the sample with number `count` = 1, 2, ...
 template <class Value>
 Moments<Value> with_sample(Moments<Value> moments, const Value& sample, double count)
 {
@@ -23,7 +23,7 @@ Moments<Value> with_sample(Moments<Value> moments, const Value& sample, double c
     return moments;
 }
 
-/// Standard error of the mean of `count` >= 2 independent samples with this sum of squared deviations.
+/// Standard error of the mean of `count` >= 2 independent samples whose squared deviations have this sum.
 inline double standard_error_of_mean(double squares, double count)
 {
     return std::sqrt(1.0 / (count * (count - 1.0)) * squares);
@@ -35,18 +35,21 @@ class RunningMean
 public:
     void add(double sample) { moments_ = with_sample(moments_, sample, ++count_); }
     double mean() const { return moments_.mean; }
-    double standard_error() const { return standard_error_of_mean(moments_.squares, count_); } ///< of two or more
+    double standard_error() const
+    {
+        return standard_error_of_mean(moments_.squares, count_);
+    } ///< needs two samples or more
 
 private:
     Moments<double> moments_;
     double count_ = 0.0;
 };
 
-/// The probability that a Student's t of so many degrees of freedom (at least 1) is farther from zero than t >= 0.
-/// Abramowitz and Stegun, 26.7.3 and 26.7.4.
+/// P(|T| > t) for Student's T with `degrees` >= 1 degrees of freedom and t >= 0. Abramowitz and Stegun, 26.7.3 and
+/// 26.7.4.
 double student_tail(double t, int degrees);
 
-/// The t with this tail, 0 < tail < 1.
+/// The t for which student_tail() is `tail`, 0 < tail < 1.
 double student_quantile(double tail, int degrees);
 
 } // namespace multipath

@@ -7,10 +7,9 @@
 
 namespace multipath {
 
-/// A patch, if there is one, from which light goes on for ever: in some channel in which it is reflected it meets only
-/// patches of reflectance 1 in that channel, and the radiosity has no bound. Decided by following up to 4096 particles
-/// from the sources, at least one for each source while there are fewer; a space in which a share of the reflections
-/// below 1e-5 absorbs counts as closed.
+/// A patch among which light is trapped, if there is one: in some channel the light meets only patches of reflectance
+/// 1, and the radiosity is unbounded. Found by following up to 4096 particles from the sources, at least one per source
+/// as far as that suffices. A space that absorbs at less than a fraction 1e-5 of the reflections may count as closed.
 std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene);
 
 /// Throws InputError if light is trapped.

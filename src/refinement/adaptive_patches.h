@@ -7,11 +7,12 @@
 
 namespace multipath {
 
-/// The scene with its cells cut further where the light changes in ways that linear functions do not follow, into about
-/// `most` patches, never more. Some rounds solve it by line reuse with few lines, the same for every method and
-/// sequence, and cut those patches into four of which shading finds the largest error: area times the square of what
-/// the shared corner values differ from the patch's own linear function. Sources stay whole. `memory`: [bytes] that
-/// solving may take. The same patches for any number of threads. Throws InputError where the scene has no solution.
+/// Refines the cells of a scene where the light is not locally linear, into about `most` patches, never more. Each of a
+/// few rounds solves the scene by line reuse with few lines, the same for every method and sequence, and splits the
+/// patches with the largest estimated errors into four. The error of a patch is its area times the mean square
+/// difference between the corner values of smooth shading and the patch's own linear function. Sources are not split.
+/// `memory`: [bytes] for solving. The result is the same for any number of threads. Throws InputError if the scene has
+/// no solution.
 Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads, const ProgressCallback& progress);
 
 } // namespace multipath

@@ -8,16 +8,16 @@ namespace multipath {
 
 struct GatheringResult
 {
-    std::uint64_t segments = 0; ///< cast, about options.lines
-    bool solved = false;        ///< all patches were asked; otherwise the state is as it was
+    std::uint64_t segments = 0; ///< number cast, about options.lines
+    bool solved = false;        ///< true if at least one round was finished; otherwise the state is unchanged
 };
 
-/// Gathering random walks (Bekaert: Hierarchical and stochastic algorithms for radiosity, 1999, section 4.4): paths
-/// leave the patches whose light is asked for, are reflected with the probability rho, and bring back what the sources
-/// emit where they pass (collision estimator) or end (absorption estimator) (W1). The transposed system of that of
-/// shooting walks: what one knows of a patch costs the same whether much or little light arrives there. They ask all
-/// patches in up to 16 rounds: a run that is stopped has the mean of what it did, and in the first round solves
-/// nothing. A checkpoint must hold the state besides what this function makes it hold.
+/// Gathering random walks (Bekaert: Hierarchical and stochastic algorithms for radiosity, 1999, section 4.4). Paths
+/// start at the patches whose light is sought, are reflected with probability rho, and gather the emittance of the
+/// sources where they pass (collision estimator) or end (absorption estimator) (W1). They solve the adjoint of the
+/// system that shooting walks solve: the precision of a patch costs the same whether much or little light arrives
+/// there. Every one of up to 16 rounds covers all patches. A run that is stopped has the mean of its rounds so far, and
+/// no result during the first one. The caller must save `state` in the checkpoint; this function saves the rest.
 GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                                 const RunControl& run, PowerState& state);
 

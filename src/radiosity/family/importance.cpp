@@ -55,8 +55,8 @@ private:
 // A little power that arrives at patch j by chance changes B_j by rho_j / A_j of it: the square counts V_j A_j times.
 // What j reflects arrives elsewhere. Its influence R_j on the wanted patches together solves the transposed system;
 // spread over their area, the square of rho_j R_j counts.
-std::vector<double> Importance::of_rays_from(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                             std::uint32_t rays_per_patch, int threads) const
+std::vector<double> Importance::noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                              std::uint32_t rays_per_patch, int threads) const
 {
     constexpr int reflections = 8; // what more of them would add is little, and only steers rays
     const RaysAround rays(scene, sequence, first_item, rays_per_patch, threads);

@@ -8,17 +8,17 @@
 
 namespace multipath {
 
-/// Some patches that matter more than others (Smits, Arvo, Salesin: An importance-driven radiosity algorithm, 1992).
-/// Wanted is a small sum of V_i A_i (error of B_i)^2, with the weight V_i [1] of patch i.
+/// Importance of the patches (Smits, Arvo, Salesin: An importance-driven radiosity algorithm, 1992). The goal is a
+/// small sum of V_i A_i (error of B_i)^2, where V_i [1] is the weight of patch i.
 struct Importance
 {
     std::vector<double> weight; ///< V_i, per patch
 
-    /// How much noise the power from each patch makes there, in proportion: sigma_i with rays from i in proportion to
-    /// P_i sigma_i disturb the wanted patches least (I1). By so many rays from each patch, one item each from
-    /// first_item on.
-    std::vector<double> of_rays_from(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                     std::uint32_t rays_per_patch, int threads) const;
+    /// Relative noise sigma_i that the power from each patch i causes in the important patches (I1). With rays from
+    /// patch i in proportion to P_i sigma_i, the weighted error is smallest. Estimated by `rays_per_patch` rays from
+    /// each patch, with one item each from first_item on.
+    std::vector<double> noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                      std::uint32_t rays_per_patch, int threads) const;
 };
 
 } // namespace multipath

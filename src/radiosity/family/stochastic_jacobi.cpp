@@ -386,7 +386,7 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
         rays_around = std::uint64_t{per_patch} * scene.patch_count();
         const std::vector<double> of_rays =
             per_patch > 0
-                ? options.importance->of_rays_from(scene, sequence, options.first_item, per_patch, run.threads)
+                ? options.importance->noise_factors(scene, sequence, options.first_item, per_patch, run.threads)
                 : std::vector<double>(scene.patch_count(), 1.0); // too few lines to ask
         favour(scene, *options.importance, of_rays, iterations.power(), shares);
     }

@@ -10,25 +10,27 @@
 
 namespace multipath {
 
-/// Parallel lines through the smallest rectangle across their direction that hides the scene's box.
+/// Parallel lines through the smallest rectangle that is perpendicular to their direction and covers the projection of
+/// the scene's box.
 class Bundle
 {
 public:
-    /// item[0], item[1]: direction, uniform on the sphere; item[2], item[3]: shift of the lattice. So many lines that
-    /// `lines` of them meet the box in expectation over the shift.
+    /// item[0], item[1]: direction, uniform on the sphere; item[2], item[3]: random shift of the lattice. The number of
+    /// lines is chosen so that `lines` of them meet the box in expectation over the shift; at most 8 times `lines`.
     Bundle(const Bounds& box, const Item& item, std::uint64_t lines);
 
     Vec3 direction() const { return direction_; }
     std::uint64_t count() const { return count_; }
-    double section() const { return section_; } ///< [m^2] for which a line stands
+    double section() const { return section_; } ///< [m^2] cross-section that each line represents
 
-    Line line(std::uint64_t k) const; ///< of a lattice: (k / n, k times the golden section), shifted
+    /// Line k = 0 ... count() - 1 of a shifted rank-1 lattice: (k / n, k times the golden section).
+    Line line(std::uint64_t k) const;
 
 private:
     Vec3 direction_;
     Vec3 along_u_;
     Vec3 along_v_;
-    Vec3 centre_; ///< of the rectangle, before the scene
+    Vec3 centre_; ///< of the rectangle, before the box along the direction
     double half_u_ = 0.0;
     double half_v_ = 0.0;
     double shift_u_;
@@ -40,36 +42,37 @@ private:
 struct TransilluminationOptions
 {
     std::uint64_t first_item = 0; ///< of the sequence; one item per ray, then one per direction
-    std::uint64_t lines = 0;      ///< to be used; those that miss the scene's box are free (N1)
-    std::uint64_t bundle = 256;   ///< parallel lines of each direction; fewer if there would be less than 16 directions
-    std::uint64_t seed = 0;       ///< of the rounding of rays
+    std::uint64_t lines = 0;      ///< number to use; lines that miss the scene's box are not charged (N1)
+    std::uint64_t bundle =
+        256; ///< maximum number of parallel lines per direction; fewer if there would be less than 16 directions
+    std::uint64_t seed = 0; ///< of the rounding to whole rays
 };
 
-/// The estimate of all light that the unshot power brings, before the first iteration: by rays from the patches, for
-/// which an eighth of the lines is used. Returns how many were cast.
+/// The estimate of all light before the first iteration, by rays from the patches. Uses about an eighth of the lines,
+/// at most half of them. Returns the number of rays cast.
 std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
                                const RunControl& run, PowerState& state);
 
-/// The lines that are left after so many rays.
+/// How the lines that remain after the rays are used.
 struct BundlePlan
 {
-    std::uint64_t bundle;     ///< lines of each direction that meet the scene's box
-    std::uint64_t directions; ///< of all iterations
+    std::uint64_t bundle;     ///< lines per direction that meet the scene's box
+    std::uint64_t directions; ///< number of directions in all iterations
 };
 
 BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays);
 
-/// [W] What a patch of this radiosity sends along a line that stands for the section [m^2] of one of so many
-/// directions. A direction and its opposite are one of D in 2 pi, and per area across it a patch sends B / pi: 2
-/// section B / D (P1).
+/// [W] Power that a patch of this radiosity sends along a line that represents `section` [m^2] of one of `directions`
+/// directions. A direction together with its opposite stands for the solid angle 2 pi / D, and per projected area a
+/// patch sends B / pi: 2 section B / D (P1).
 Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions);
 
 /// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines, ray bundles, Szirmay-Kalos and
-/// Purgathofer 1998) of what `state` holds unshot: the iterations of stochastic_jacobi.h, in which T P comes from
+/// Purgathofer 1998) of the unshot power of `state`. In the iterations of stochastic_jacobi.h, T P is estimated by
 /// parallel lines through the whole scene, in directions of the sequence. Along each direction all patches exchange
-/// what they send, both ways (P1). Begins with an estimate of all light by rays from the patches, for which an eighth
-/// of the lines is used. Returns how many lines were used; fewer if the run is stopped: an iteration that was not
-/// finished tells nothing. A checkpoint must hold the state besides what this function makes it hold.
+/// power, both ways (P1). Begins with estimate_by_rays(). Returns the number of lines used, fewer if the run is
+/// stopped: an unfinished iteration has no effect. The caller must save `state` in the checkpoint; this function saves
+/// the rest.
 std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
                                  const RunControl& run, PowerState& state);
 

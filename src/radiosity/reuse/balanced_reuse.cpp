@@ -190,7 +190,7 @@ private:
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
         archive.list<double>("variance", variance_);
-        std::vector<Sight> none;
+        std::vector<ShadowRaySums> none;
         if (light_)
             light_->visit(archive);
         else

@@ -10,36 +10,37 @@
 
 namespace multipath {
 
-/// Rays of a balanced reuse.
+/// Parameters of balanced reuse.
 struct BalancedRays
 {
     std::uint64_t first_item = 0; ///< of the sequence
     std::uint64_t rays = 0;       ///< at least fewest_balanced_rays
-    bool direct = true;           ///< sends the light of the sources; else it has been sent before
-    bool indirect = true;         ///< sends what is reflected; else it stays unshot
+    bool direct = true;           ///< distributes the light of the sources; if false, this was done before
+    bool indirect = true;         ///< distributes the reflected light; if false, it stays unshot
 };
 
-/// With fewer rays than these, a few per patch, nothing is known of most patches.
+/// Minimum number of rays. With fewer, most patches would have no estimate.
 std::uint64_t fewest_balanced_rays(const Scene& scene);
 
-/// [bytes] that a run with balanced reuse takes in all, at the least.
+/// [bytes] Lower bound of the total memory of a run with balanced reuse.
 double least_balanced_bytes(const Scene& scene);
 
 struct BalancedResult
 {
-    std::uint64_t rays = 0; ///< that were cast
-    bool solved = false;    ///< otherwise the run was stopped, and the state holds the light that was not found
-    std::vector<Rgb>
-        variance; ///< [(W/m^2)^2] per patch: of its radiosity, as its own rays tell it; empty unless solved
+    std::uint64_t rays = 0; ///< number cast
+    bool solved = false;    ///< if false, the run was stopped, and the light not distributed yet stays unshot
+    /// [(W/m^2)^2] of each patch's radiosity, estimated from its own rays; empty unless solved.
+    std::vector<Rgb> variance;
 };
 
-/// Distributes all unshot power of scenes with any number of patches. Every patch gets as many rays as it is worth:
-/// some to the lights (GatheredLight), and some over the hemisphere, which are counted where they arrive. A ray counts
-/// for both of its ends (SparseExchange), and the light is solved for (R1). How many, two smaller rounds tell, whose
-/// rays count too: what they find says how many rays each patch gets in the next. Where with all counts the run would
-/// take more than `memory` [bytes], the last round is cut into parts that are solved one by one and averaged. A run
-/// that is stopped after the first round is solved with the rays that it has. A checkpoint must hold the state, too.
-/// Throws InputError if the equations have no solution.
+/// Distributes all unshot power, in scenes of any number of patches. Every patch gets rays in proportion to their
+/// expected reduction of the error: shadow rays to the lights (GatheredLight), and rays over its hemisphere. The latter
+/// are counted for both of their ends (SparseExchange), and the linear system (R1) of the counts is solved. Two small
+/// rounds estimate how many rays each patch needs in the next round; their rays count, too. If all counts would exceed
+/// `memory` [bytes] for the whole run, the last round is split into parts, which are solved one by one and averaged. If
+/// the run is stopped after the first round, the system is solved with the rays so far. The caller must save `state` in
+/// the checkpoint. Throws InputError if the equations have no solution, or if the counts of a shard do not fit into the
+/// memory.
 BalancedResult reuse_balanced(const Scene& scene, const SceneLights& lights, const Sequence& sequence,
                               const BalancedRays& rays, double memory, const RunControl& run, PowerState& state);
 

@@ -41,7 +41,7 @@ public:
     /// A ray for each item: of `rays` in all, from number `first` on, by systematic sampling of the clusters that
     /// begins at `offset` in [0, 1).
     void add(std::uint32_t patch, const std::vector<Item>& items, std::uint64_t first, std::uint64_t rays,
-             double offset, Sight& sight)
+             double offset, ShadowRaySums& sight)
     {
         const FlatPiece receiver = piece_of(scene_.patch(patch).shape);
         const double step = cuts_.irradiance(patch) / static_cast<double>(rays);
@@ -61,14 +61,14 @@ public:
 
     std::size_t size() const { return lines_.size(); }
 
-    void trace(std::vector<Sight>& sights)
+    void trace(std::vector<ShadowRaySums>& sights)
     {
         scene_.intersector().hits_on_targets(from_.data(), to_.data(), lines_.data(), lines_.size(), hits_);
         for (std::size_t k = 0; k < targets_.size(); ++k) {
             const Target& target = targets_[k];
             if (!hits_.is_hit(k) || hits_[k].front != target.front)
                 continue;
-            Sight& sight = sights[target.patch];
+            ShadowRaySums& sight = sights[target.patch];
             const Rgb emittance = scene_.emittance(scene_.first_patch(target.light));
             sight.free += 1.0;
             sight.light += (target.kernel / mean(emittance)) * emittance;
@@ -89,7 +89,7 @@ private:
     };
 
     void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
-                 Sight& sight)
+                 ShadowRaySums& sight)
     {
         const auto promised = static_cast<double>(seen.irradiance);
         const std::uint32_t leaf = tree_.choose(seen.node, x);
@@ -243,7 +243,7 @@ std::vector<Value> GatheredLight::of_patches(const Make& make) const
 std::vector<RaySums> GatheredLight::visible_shares() const
 {
     const auto free = of_patches<RaySums>([&](std::uint32_t i) {
-        const Sight& sight = sights_[i];
+        const ShadowRaySums& sight = sights_[i];
         return RaySums{sight.rays, sight.rays, sight.free, sight.free};
     });
     return pooled(patches_, free, enough_rays, threads_);
@@ -264,7 +264,7 @@ std::vector<Rgb> GatheredLight::incident() const
 {
     const std::vector<RaySums> shares = visible_shares();
     const auto errors = of_patches<RaySums>([&](std::uint32_t i) { // of the unoccluded light
-        const Sight& sight = sights_[i];
+        const ShadowRaySums& sight = sights_[i];
         return RaySums{sight.rays, sight.rays, sight.error, sight.square};
     });
     const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, threads_);
@@ -272,7 +272,7 @@ std::vector<Rgb> GatheredLight::incident() const
     constexpr double error_alone = 0.03;
     const Rgb power = scene_.lamp_power();
     auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
-        const Sight& sight = sights_[i];
+        const ShadowRaySums& sight = sights_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
         if (sight.kernel > 0.0) {
             const double error = around[i].value / around[i].weight;

@@ -16,8 +16,8 @@
 
 namespace multipath {
 
-/// The lights of a scene as its patches see them, and its patches in a tree, for what their rays have in common: the
-/// same for all runs. Found when first asked for. Safe to share between threads; the scene must outlive it.
+/// Trees over the lights and over the patches of a scene, and the light cut of every patch. They are the same for all
+/// runs, and are built on first use. Safe to share between threads; the scene must outlive this object.
 class SceneLights
 {
 public:
@@ -38,52 +38,53 @@ private:
     mutable std::optional<SurfaceTree> patches_;
 };
 
-/// What the rays from a patch towards the lights found. Each has g, its true kernel over what the cluster that it was
-/// sent to is taken to give, and v, 1 if it is free and 0 if not.
-struct Sight
+/// Sums over the shadow rays of a patch. For each ray, g is its true kernel divided by the assumed kernel of its
+/// cluster, and v is 1 if nothing blocks it, else 0.
+struct ShadowRaySums
 {
     double rays = 0.0;
     double kernel = 0.0; ///< sum of g
-    double error = 0.0;  ///< sum of g - 1 of the rays to clusters whose irradiance is not exact
-    double square = 0.0; ///< sum of (g - 1)^2 of these
-    double free = 0.0;   ///< number of free rays
-    Rgb light;           ///< sum of g v c, c the colour of the light, of mean 1
+    double error = 0.0;  ///< sum of g - 1 over the rays to clusters whose irradiance is approximate
+    double square = 0.0; ///< sum of (g - 1)^2 over the same rays
+    double free = 0.0;   ///< number of unblocked rays
+    Rgb light;           ///< sum of g v c, where c is the colour of the light, with mean 1
 };
 
-/// Direct light, found from the receivers' ends. A patch sends rays to its lights in proportion to what these would
-/// give it, P in all, if nothing stood in between; it gets
+/// Direct light, gathered by shadow rays from the patches. Each patch casts rays to its lights in proportion to their
+/// unoccluded irradiance, P in total. It receives
 ///
 ///   P (1 + e) sum of g v c / sum of g        (R5)
 ///
-/// e is the mean of g - 1: with it the approximations in P have no effect. It is taken in two steps, from the patches
-/// around and from the patch itself, each only as far as it is known better than its usual size, b = 0.1 and 0.03: of m
-/// rays b^2 m / (b^2 m + variance of g). Where P is exact and nothing is in between, or everything, there is no noise.
+/// Here e estimates the mean of g - 1, which removes the effect of the approximations in P. It is a sum of two
+/// shrinkage estimates (empirical Bayes), first of the mean over the surrounding patches, then of the patch's own
+/// deviation from it. If typical errors have size b (0.1 and 0.03), m rays get the weight b^2 m / (b^2 m + variance of
+/// g). There is no noise where P is exact and the lights are fully visible or fully hidden.
 class GatheredLight
 {
 public:
-    /// Refers to the lights.
+    /// Keeps references to the scene and the lights.
     GatheredLight(const Scene& scene, const SceneLights& lights);
     GatheredLight(const GatheredLight&) = delete;
     GatheredLight& operator=(const GatheredLight&) = delete;
 
-    /// [W/m^2] What the patch would get with nothing in between, about; the mean of the channels.
+    /// [W/m^2] Approximate irradiance without obstacles, mean of the channels.
     double unoccluded(std::uint32_t patch) const { return cuts_.irradiance(patch); }
-    double cluster_bytes() const { return cuts_.bytes(); }                 ///< of memory
-    double rays(std::uint32_t patch) const { return sights_[patch].rays; } ///< so far
+    double cluster_bytes() const { return cuts_.bytes(); }                 ///< memory of the light cuts
+    double rays(std::uint32_t patch) const { return sights_[patch].rays; } ///< cast so far
 
-    /// The blocks of patches in which `cast` works.
+    /// The blocks of patches that `cast` processes one by one.
     static Blocks blocks(std::uint32_t patches);
 
-    /// Casts the allotted rays of the blocks range.next ... range.end - 1, or of fewer if the run is stopped. Ray
-    /// number n takes the item first_item + n.
+    /// Casts the allotted rays of the blocks range.next ... range.end - 1, or of fewer if the run is stopped. Ray n
+    /// takes the item first_item + n.
     void cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, SharedRange& range,
               const RunControl& run);
 
-    /// [W/m^2] Standard deviation of what one ray of each patch tells, from its own rays if they are many, or those
-    /// of the patches around it.
+    /// [W/m^2] Standard deviation of the irradiance estimated by a single ray of each patch. Estimated from its own
+    /// rays if they are many, otherwise with those of the surrounding patches.
     std::vector<double> deviations() const;
 
-    /// [W] per patch.
+    /// [W] Incident power of each patch.
     std::vector<Rgb> incident() const;
 
     void visit(Archive& archive); ///< for a checkpoint
@@ -98,11 +99,11 @@ private:
     const LightCuts& cuts_;
     const SurfaceTree& patches_;
     int threads_;
-    std::vector<Sight> sights_; ///< per patch
+    std::vector<ShadowRaySums> sights_; ///< per patch
 };
 
-/// [W/m^2] Radiosity of every patch if light were reflected only once: what the patch emits, and what it reflects of
-/// the light that comes straight from the sources. For any method, without chance: always the same.
+/// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected direct light. Independent of
+/// the method, and deterministic.
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads);
 
 } // namespace multipath

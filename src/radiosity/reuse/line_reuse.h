@@ -10,24 +10,25 @@
 
 namespace multipath {
 
-/// The lines of a reuse.
+/// The lines and rays of a line reuse.
 struct ReusedLines
 {
     std::uint64_t first_line_item = 0; ///< of the sequence, for the global lines
-    std::uint64_t cast = 0;            ///< global lines; below 2^32
+    std::uint64_t cast = 0;            ///< number of global lines; below 2^32
     std::uint64_t first_ray_item = 0;  ///< of the sequence, for the rays
-    std::uint64_t rays = 0;            ///< between pairs of patches
+    std::uint64_t rays = 0;            ///< number of rays between pairs of patches
     std::uint64_t seed = 0;            ///< of the rounding to whole rays
 };
 
-/// Bytes that reuse_lines needs for its pairs of patches. More than half of them are for pairs of surfaces where those
-/// are almost as many as patches.
+/// [bytes] Memory that reuse_lines() needs for its pairs of patches. Pairs of surfaces take more than half of it if
+/// there are almost as many surfaces as patches.
 double reuse_bytes(const Scene& scene);
 
-/// Distributes all unshot power: global lines tell which patches see each other and how well, rays look closer at the
-/// pairs that matter, and the light is found by solving for it (R1) instead of carrying it along the lines.
-/// `unoccluded`: see unoccluded_exchange. Returns how many global lines were cast: fewer if the run is stopped, and
-/// then the light is solved for with what these told. A checkpoint must hold the state, too.
+/// Distributes all unshot power by line reuse. Global lines show which patches see each other and how well, rays refine
+/// the pairs that matter, and the linear system (R1) is solved instead of carrying power along the lines. `unoccluded`:
+/// see UnoccludedExchange. Returns the number of global lines cast, fewer if the run is stopped: then the system is
+/// solved with their counts, except in a shard. The caller must save `state` in the checkpoint. Throws InputError if
+/// the equations have no solution.
 std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                           const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state);
 

@@ -8,34 +8,34 @@
 
 namespace multipath {
 
-/// Surfaces, or patches, in a binary tree by where they lie and where they look. Built in n log n steps.
+/// Binary tree that groups surfaces, or patches, by position and normal. Takes n log n steps to build.
 class SurfaceTree
 {
 public:
     struct Node
     {
-        std::uint32_t begin; ///< of its surfaces in the order of the tree
+        std::uint32_t begin; ///< first of its surfaces in tree order
         std::uint32_t end;
         std::uint32_t parent;
-        std::uint32_t first_child; ///< the second follows; 0 for a leaf
+        std::uint32_t first_child; ///< the second child follows it; 0 for a leaf
 
         bool is_leaf() const { return first_child == 0; }
     };
 
-    /// Of shape(0) ... shape(count - 1). Surfaces in one place that look in perpendicular directions are as far apart
-    /// as ones at a distance of 0.07 `diagonal` that look the same way.
+    /// Builds the tree of shape(0) ... shape(count - 1), with at most most_of_leaf of them in a leaf. Surfaces at one
+    /// position with perpendicular normals are as far apart as parallel ones at a distance of 0.07 `diagonal`.
     SurfaceTree(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal,
                 std::uint32_t most_of_leaf);
 
-    const std::vector<Node>& nodes() const { return nodes_; } ///< parents before their children; the first is the root
-    std::uint32_t surface(std::uint32_t place) const { return order_[place]; } ///< in the order of the tree
+    const std::vector<Node>& nodes() const { return nodes_; } ///< parents before their children; the root is first
+    std::uint32_t surface(std::uint32_t place) const { return order_[place]; } ///< by index in tree order
 
 private:
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
 };
 
-/// What some rays found: sums over them.
+/// Weighted sums of a value over rays, for its mean and variance.
 struct RaySums
 {
     double rays = 0.0;
@@ -48,8 +48,8 @@ struct RaySums
     double standard_deviation() const;
 };
 
-/// For each surface the sums over itself if it has `enough` rays, else over the smallest group around it that has, or
-/// over all.
+/// For each surface, the sums of its own rays if there are `enough`; otherwise those of the smallest group around it
+/// that has enough, or of all surfaces.
 std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads);
 
 } // namespace multipath

@@ -8,42 +8,42 @@
 
 namespace multipath {
 
-/// How many lines, of all replicates together, it takes before their scatter tells the error. The solution of `reuse`
-/// is not linear in what its lines found: with few per patch, all replicates err to the same side, which their scatter
-/// does not show. With 8 lines per patch in each of ten replicates the error was four times what it told, with 33 one
-/// and a half times, with 131 a tenth more.
+/// Number of lines, in all replicates together, from which their scatter is a good estimate of the error. The solution
+/// of `reuse` is not linear in its counts: with few lines per patch, all replicates have the same bias, and their
+/// scatter does not show it. With 8 lines per patch in each of ten replicates the true error was four times the
+/// estimated one, with 33 one and a half times, with 131 a tenth larger.
 std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates);
 
-/// The options of one of several independent runs: another randomisation of the sequence or, of one without any,
-/// another stretch. `items`: of the sequence, from the beginning of one run to that of the next.
+/// Options of run `number` of several independent runs: another randomisation of the sequence, or another section of a
+/// sequence that is not randomised. `items`: number of items from the beginning of one run to that of the next.
 SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uint64_t seed, std::uint64_t number,
                              std::uint64_t items);
 
-/// The mean of `replicates` >= 2 runs with independent randomisations of the sequence (randomised_name), which share
-/// the lines of the options equally, with the standard error of every patch. Throws std::invalid_argument for a
-/// sequence that cannot be randomised, SettingsError for fewer lines than replicates, and what solve throws. If the
-/// checkpoint stops the work, the result is that of the replicates that are finished, or of the first one as it is.
+/// The mean of `replicates` >= 2 runs with independent randomisations of the sequence (randomised_name), which divide
+/// the lines of the options equally, with the standard error of every patch. If the checkpoint stops the work, returns
+/// the mean of the finished replicates, or the first one so far. Throws std::invalid_argument for a sequence that
+/// cannot be randomised, SettingsError for fewer lines than replicates, and what solve() throws.
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                           int replicates, const ProgressCallback& progress, Checkpoint* checkpoint = nullptr);
 
-/// What a round of lines has brought.
+/// Result of one round of lines.
 struct Round
 {
-    std::uint64_t lines = 0;            ///< of this round
+    std::uint64_t lines = 0;            ///< in this round
     double relative_standard_error = 0; ///< [1]
 };
 
-/// Round after round of replicates, each with twice the lines of the one before and none of its randomness, for as long
-/// as go_on wants. The last round that was finished is the result; Solution::all_lines counts the earlier ones too.
+/// Rounds of replicates, each with twice the lines of the previous one and independent of it, while go_on returns true.
+/// Returns the last finished round; Solution::all_lines includes the earlier ones.
 Solution solve_until(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
                      const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
                      Checkpoint* checkpoint = nullptr);
 
-/// solve, or solve_replicates for more than one of them, in stretches of lines: one, unless the checkpoint resumes a
-/// run of fewer lines. Then another one follows for the lines that are left, with the next items of the sequence and
-/// other random numbers, and the results are averaged by their lines. A share of a method that walks is a stretch of
-/// its own; shares of `reuse` are for those who add them up. Throws what these throw, InputError for fewer lines than
-/// the run has, and std::invalid_argument for a share of replicates.
+/// Solves with all lines of the options, by solve(), or by solve_replicates() for more than one replicate. If the
+/// checkpoint resumes a run of fewer lines, the remaining lines form a second run with the next items of the sequence
+/// and other random numbers, and the two results are averaged by their lines. A shard of an averaged method is such a
+/// run of its own; shards of `reuse` must be added up (add_up_shares). Throws what these throw, InputError if the
+/// resumed run has more lines than requested, and std::invalid_argument for a shard of replicates.
 Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int replicates,
                             const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard);
 

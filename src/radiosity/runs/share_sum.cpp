@@ -42,7 +42,7 @@ void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patch
 void join_rays(const std::vector<Archive*>& shares, std::uint32_t patches, int threads, Archive& sum)
 {
     LineCounts counts(patches);
-    std::vector<Sight> sights;
+    std::vector<ShadowRaySums> sights;
     std::vector<SharedRange> light_ranges(shares.size());
     std::vector<SharedRange> hemisphere_ranges(shares.size());
     const Blocks blocks = GatheredLight::blocks(patches);
@@ -50,7 +50,7 @@ void join_rays(const std::vector<Archive*>& shares, std::uint32_t patches, int t
         const Archive::Inner inner(*shares[k], "balanced reuse");
         visit_inner(*shares[k], "to lights", light_ranges[k]);
         visit_inner(*shares[k], "hemisphere", hemisphere_ranges[k]);
-        std::vector<Sight> share;
+        std::vector<ShadowRaySums> share;
         shares[k]->growing_list<double>("sights", share);
         if (k == 0)
             sights = share;

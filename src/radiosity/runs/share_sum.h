@@ -8,10 +8,10 @@
 
 namespace multipath {
 
-/// Adds up what the shares of a run of `reuse` handed in: counts of lines or rays, rays to the lights, or the rows of
-/// pairs at which each of them looked closer. `parts`: those under way in each of them, the outermost first. Writes
-/// what is not the same in all shares; the whole is then the state of a run that did all of it alone. Throws
-/// ArchiveError for shares that are not all, once, or of different stages.
+/// Adds up the results of all shards of a run of `reuse`: counts of lines or rays, shadow rays, or refined rows of the
+/// table of pairs. `parts`: names of the parts under way in each shard, the outermost first. Writes to `sum` the data
+/// that differ between the shards; the state is then that of a run that did all the work alone. Throws ArchiveError
+/// unless the shards are complete, finished, and of the same stage.
 void add_up_shares(const std::vector<Archive*>& shares, const std::vector<std::string>& parts, std::uint32_t patches,
                    int threads, Archive& sum);
 
