@@ -1,3 +1,8 @@
+// The figures of (3) that depend on the direct light. Rays from the sources, as in the first shot, estimate the
+// received power and with it the reflectance of the lit patches. They would miss patches of which only a border is lit,
+// so f is found from the other end: shadow rays join every patch, or a stratified sample of many patches, with points
+// of the sources, until one of them is free.
+
 #include "radiosity/direct_light.h"
 
 #include "geometry/intersector/hit_lists.h"
@@ -17,11 +22,11 @@ namespace multipath {
 
 namespace {
 
-/// Sources as a distribution of patches by power.
+/// Distribution of the source patches by power.
 struct Sources
 {
     std::vector<std::uint32_t> patches;
-    std::vector<double> power_before; ///< [W] cumulative; one entry more than patches
+    std::vector<double> power_before; ///< [W] cumulative sums, starting with 0
 
     explicit Sources(const Scene& scene) : power_before{0.0}
     {
@@ -36,13 +41,13 @@ struct Sources
     std::uint32_t at(double x) const
     {
         const auto above = std::upper_bound(power_before.begin(), power_before.end(), x * power_before.back());
-        const auto place = static_cast<std::size_t>(above - power_before.begin()) - 1;
-        return patches[std::min(place, patches.size() - 1)];
+        const auto index = static_cast<std::size_t>(above - power_before.begin()) - 1;
+        return patches[std::min(index, patches.size() - 1)];
     }
 };
 
-/// Folds the square over the long edge of a triangle, unlike square_to_uniform_surface, so that the places of `snapped`
-/// stay a regular grid from border to border.
+/// The point of the patch for (a, b) in the unit square. Unlike square_to_uniform_surface, it folds the square along its
+/// diagonal onto a triangle, so that the grid of snapped_to_grid() stays regular from border to border.
 Vec3 point_on(const Surface& shape, double a, double b)
 {
     if (shape.shape == Shape::triangle && a + b > 1.0)
@@ -50,48 +55,49 @@ Vec3 point_on(const Surface& shape, double a, double b)
     return shape.at(a, b);
 }
 
-/// One of five places from border to border: what is barely lit is lit at its border, from the border of a source.
-double snapped(double x)
+/// The nearest of five grid coordinates from border to border: a patch that is barely lit is lit at its border, from
+/// the border of a source.
+double snapped_to_grid(double x)
 {
     constexpr double inset = 1e-4;
     return inset + (1.0 - 2.0 * inset) * 0.25 * std::floor(5.0 * x);
 }
 
-/// One look from a source at any patch.
-struct Try
+/// End points of a shadow ray: a point of a source, and the point (a, b) of any patch.
+struct Probe
 {
     Vec3 from;
     Vec3 source_normal;
     std::uint32_t source_surface;
-    double a, b; ///< where on the patch
+    double a, b; ///< position on the patch
 };
 
-std::vector<Try> make_tries(const Scene& scene, std::uint64_t count)
+std::vector<Probe> make_probes(const Scene& scene, std::uint64_t count)
 {
     const Sources sources(scene);
-    std::vector<Try> tries;
+    std::vector<Probe> probes;
     for (std::uint64_t k = 1; k <= count; ++k) {
-        const auto place = [&](std::uint64_t base) {
+        const auto coordinate = [&](std::uint64_t base) {
             const double x = radical_inverse(base, k);
-            return k % 2 == 0 ? x : snapped(x);
+            return k % 2 == 0 ? x : snapped_to_grid(x);
         };
         const Patch source = scene.patch(sources.at(radical_inverse(13, k)));
-        tries.push_back(
-            {point_on(source.shape, place(5), place(7)), source.shape.normal(), source.surface, place(2), place(3)});
+        probes.push_back({point_on(source.shape, coordinate(5), coordinate(7)), source.shape.normal(), source.surface,
+                          coordinate(2), coordinate(3)});
     }
-    return tries;
+    return probes;
 }
 
-/// A patch, and the area for which it stands.
+/// A patch with the area that it represents.
 struct Representative
 {
     std::uint32_t patch;
     double area; ///< [scene units^2]
 };
 
-/// All patches if there are no more than `most`, each standing for itself. Otherwise a stratified random choice by
-/// area: one point in each of `most` equal pieces of the cumulative area. Points at equal distances would alias with
-/// the grids into which surfaces are cut.
+/// All patches with their own areas if there are no more than `most`. Otherwise a stratified random sample by area,
+/// with one point in each of `most` equal strata of the cumulative area. Equidistant points would alias with the grids
+/// into which surfaces are divided.
 std::vector<Representative> representatives(const Scene& scene, std::uint32_t most)
 {
     std::vector<Representative> chosen;
@@ -100,47 +106,47 @@ std::vector<Representative> representatives(const Scene& scene, std::uint32_t mo
             chosen.push_back({i, scene.area(i)});
         return chosen;
     }
-    constexpr std::uint64_t key = random_key(RandomStream::chosen_patches); // always the same choice
-    const double piece = scene.total_area() / most;
+    constexpr std::uint64_t key = random_key(RandomStream::chosen_patches); // the same sample in every run
+    const double stratum = scene.total_area() / most;
     std::uint32_t patch = 0;
-    double end = scene.area(patch); // of the patch, in the cumulative area
+    double end = scene.area(patch); // of the patch, as cumulative area
     for (std::uint32_t k = 0; k < most; ++k) {
-        const double point = (k + bits_to_unit(random_bits(key, k))) * piece;
+        const double point = (k + bits_to_unit(random_bits(key, k))) * stratum;
         while (end <= point && patch + 1 < scene.patch_count())
             end += scene.area(++patch);
         if (!chosen.empty() && chosen.back().patch == patch)
-            chosen.back().area += piece;
+            chosen.back().area += stratum;
         else
-            chosen.push_back({patch, piece});
+            chosen.push_back({patch, stratum});
     }
     return chosen;
 }
 
-/// Finds which of the patches light reaches straight from one of the points of the sources. All that are still dark
-/// make their next tries together.
+/// Finds which patches see any of the points on the sources. All patches that are not known to be lit cast their next
+/// shadow rays together.
 class LightSearch
 {
 public:
-    LightSearch(const Scene& scene, const std::vector<Try>& tries, const Representative* first,
+    LightSearch(const Scene& scene, const std::vector<Probe>& probes, const Representative* first,
                 const Representative* end)
-        : scene_(scene), tries_(tries)
+        : scene_(scene), probes_(probes)
     {
         for (const Representative* chosen = first; chosen != end; ++chosen) {
             const Surface shape = scene.patch(chosen->patch).shape;
             patches_.push_back({chosen->patch, chosen->area, shape, shape.normal()});
         }
-        dark_.resize(patches_.size());
-        std::iota(dark_.begin(), dark_.end(), std::size_t{0});
+        unlit_.resize(patches_.size());
+        std::iota(unlit_.begin(), unlit_.end(), std::size_t{0});
     }
 
-    /// [scene units^2] for which those that are lit stand.
+    /// [scene units^2] represented by the lit patches.
     double lit_area()
     {
         constexpr std::size_t rays_together = 1024;
-        for (std::size_t done = 0; done < tries_.size() && !dark_.empty();) {
+        for (std::size_t done = 0; done < probes_.size() && !unlit_.empty();) {
             const std::size_t next =
-                std::min(tries_.size(), done + std::max<std::size_t>(1, rays_together / dark_.size()));
-            look(done, next);
+                std::min(probes_.size(), done + std::max<std::size_t>(1, rays_together / unlit_.size()));
+            cast_probes(done, next);
             done = next;
         }
         double area = 0.0;
@@ -153,56 +159,57 @@ private:
     struct Target
     {
         std::uint32_t number;
-        double area; ///< for which it stands [scene units^2]
+        double area; ///< represented [scene units^2]
         Surface shape;
         Vec3 normal;
         bool lit = false;
     };
 
-    void look(std::size_t first, std::size_t end)
+    void cast_probes(std::size_t first, std::size_t end)
     {
         surfaces_.clear();
         targets_.clear();
         rays_.clear();
-        seekers_.clear();
-        for (const std::size_t k : dark_)
+        tested_.clear();
+        for (const std::size_t k : unlit_)
             for (std::size_t t = first; t < end; ++t) {
-                const Try& look = tries_[t];
+                const Probe& probe = probes_[t];
                 const Target& patch = patches_[k];
-                const Line ray = {look.from, point_on(patch.shape, look.a, look.b) - look.from};
-                if (dot(ray.direction, look.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0) {
-                    surfaces_.push_back(look.source_surface);
+                const Line ray = {probe.from, point_on(patch.shape, probe.a, probe.b) - probe.from};
+                if (dot(ray.direction, probe.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0) {
+                    surfaces_.push_back(probe.source_surface);
                     targets_.push_back(scene_.surface_of(patch.number));
                     rays_.push_back(ray);
-                    seekers_.push_back(k);
+                    tested_.push_back(k);
                 }
             }
         scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
         for (std::size_t r = 0; r < rays_.size(); ++r) {
-            Target& patch = patches_[seekers_[r]];
+            Target& patch = patches_[tested_[r]];
             patch.lit = patch.lit || (hits_.is_hit(r) && receiving_patch(scene_, hits_[r]) == patch.number);
         }
         const auto is_lit = [this](std::size_t k) { return patches_[k].lit; };
-        dark_.erase(std::remove_if(dark_.begin(), dark_.end(), is_lit), dark_.end());
+        unlit_.erase(std::remove_if(unlit_.begin(), unlit_.end(), is_lit), unlit_.end());
     }
 
     const Scene& scene_;
-    const std::vector<Try>& tries_;
+    const std::vector<Probe>& probes_;
     std::vector<Target> patches_;
-    std::vector<std::size_t> dark_; ///< which of them are not yet known to be lit
+    std::vector<std::size_t> unlit_; ///< indices of the patches not known to be lit
     std::vector<std::uint32_t> surfaces_;
     std::vector<std::uint32_t> targets_; ///< surfaces
     std::vector<Line> rays_;
-    std::vector<std::size_t> seekers_; ///< for which patch each ray looks
+    std::vector<std::size_t> tested_; ///< index of the patch that each ray tests
     FirstHits hits_;
 };
 
-/// [scene units^2] Of many patches some stand for all; `share` of as many as usual.
+/// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many. `share` scales the
+/// number of patches and of rays.
 double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int threads)
 {
     const auto shadow_rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
-    const std::vector<Try> tries =
-        make_tries(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
+    const std::vector<Probe> probes =
+        make_probes(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
     const auto least_patches = static_cast<std::uint64_t>(std::max(16.0, share * (1u << 13)));
     const auto most_patches =
         static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, least_patches, 1u << 16));
@@ -212,7 +219,7 @@ double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int t
     parallel_ranges(static_cast<std::uint32_t>(chosen.size()), patches_at_a_time, threads,
                     [&](std::uint32_t first, std::uint32_t end) {
                         area[first / patches_at_a_time] =
-                            LightSearch(scene, tries, chosen.data() + first, chosen.data() + end).lit_area();
+                            LightSearch(scene, probes, chosen.data() + first, chosen.data() + end).lit_area();
                     });
     return std::accumulate(area.begin(), area.end(), 0.0);
 }

@@ -1,8 +1,8 @@
-// The power that the passes shoot in all is not known before they are done, and with it the power of one line that
-// makes them use N_l lines. A pilot with a small share of the lines tells how the power is distributed over the passes.
-// Then every pass gets its part of the lines that are left, in proportion to what the pilot shot in this pass and in
-// all later ones: whatever the pilot got wrong is corrected by the passes that follow, and the lines come out as
-// wanted.
+// The total power of all passes is not known beforehand, and neither is the power of one line with which the passes use
+// N_l lines. A pilot with a small share of the lines estimates how the power is distributed over the passes. Each pass
+// then gets a part of the remaining lines, namely the power that the pilot shot in this pass over the power that it
+// shot in this and all later passes. Errors of the pilot are corrected by the following passes, and the total number of
+// lines is as planned.
 
 #include "radiosity/extended_first_shot.h"
 
@@ -15,7 +15,8 @@ namespace multipath {
 
 namespace {
 
-/// The first pass shoots exactly the lines that it was given; later ones round at random, so that no patch is favoured.
+/// Offset of the rounding: 0.5 in the first pass, which thus shoots exactly its number of lines; random in later
+/// passes, so that no patch is favoured.
 double rounding_offset(std::uint64_t seed, std::size_t pass)
 {
     if (pass == 0)
@@ -31,13 +32,13 @@ public:
     {
     }
 
-    /// Repeats passes; power_by_line(excess, passes so far) says how much a ray carries.
+    /// Carries out passes. power_by_line(excess, passes so far) returns the power [W] of one ray, or 0 to end.
     template <class PowerByLine>
     std::vector<ShotPass> run(PowerState& state, const RunControl& control, const PassObserver& observe,
                               const PowerByLine& power_by_line)
     {
         std::vector<ShotPass> passes;
-        std::vector<Shot> shots; // of the pass under way
+        std::vector<Shot> shots; // of the current pass
         double excess = 0.0;
         const Checkpoint::Part part(control.checkpoint, "shot passes", [&](Archive& archive) {
             archive.value<std::uint64_t>("next item", next_item_);
@@ -82,7 +83,7 @@ std::uint64_t lines_of(const std::vector<ShotPass>& passes)
                            [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
 }
 
-/// [W] What the pilot shot in pass k and after.
+/// [W] Power that the pilot shot in pass k and all later ones.
 double power_from(const std::vector<ShotPass>& passes, std::size_t k)
 {
     double power = 0.0;
@@ -91,7 +92,7 @@ double power_from(const std::vector<ShotPass>& passes, std::size_t k)
     return power;
 }
 
-/// How the power of the sources is distributed over the passes, told by a small share of the lines.
+/// Passes with a small share of the lines, to estimate how the power of the sources is distributed over them.
 std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                 const ExtendedShotOptions& options, const RunControl& run, PowerState state)
 {

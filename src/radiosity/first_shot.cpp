@@ -1,3 +1,8 @@
+// Shooting takes three steps. plan_shots() divides the excess of the patches into rays of nearly equal power, spend()
+// subtracts it from the patches, and shoot() traces the rays and adds their power to the receivers. Threads trace
+// blocks of rays; the receivers are counted in the order of the rays, so the result does not depend on the number of
+// threads.
+
 #include "radiosity/first_shot.h"
 
 #include "parallel/blocks.h"
@@ -16,7 +21,7 @@ namespace {
 constexpr std::uint64_t rays_per_block = 4096;
 constexpr std::size_t rays_ahead = 24; // as in the global pass
 
-/// Cumulative number of rays before each shot; one entry more than shots.
+/// Number of rays before each shot, and the total as the last entry.
 std::vector<std::uint64_t> rays_before(const std::vector<Shot>& shots)
 {
     std::vector<std::uint64_t> before = {0};
@@ -30,14 +35,14 @@ std::size_t shot_of_ray(const std::vector<std::uint64_t>& before, std::uint64_t 
     return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), ray) - before.begin()) - 1;
 }
 
-/// Rays of one shot that each receiver got. Equal powers are counted and multiplied, since adding the same number 10^8
-/// times would drift.
+/// Number of rays of one shot that arrived at each receiver. Counting first and multiplying by the power later avoids
+/// the drift of adding the same number 10^8 times.
 class ReceivedRays
 {
 public:
     explicit ReceivedRays(const Scene& scene) : scene_(scene), counts_(scene.patch_count(), 0) {}
 
-    /// Has the memory bring what a ray that comes later will need.
+    /// Prefetches the data of a later ray's receiver.
     void fetch(std::uint32_t receiver, const PowerState& state) const
     {
         if (!Segment::is_patch(receiver))
@@ -57,7 +62,7 @@ public:
             touched_.push_back(receiver);
     }
 
-    /// For a checkpoint.
+    /// Reads or writes the counts for a checkpoint.
     void visit(Archive& archive)
     {
         archive.list<std::uint64_t>("receivers", counts_);
@@ -69,7 +74,7 @@ public:
                     touched_.push_back(i);
     }
 
-    /// Moves the power of the counted rays, all from `shot`, and forgets them.
+    /// Adds the power of the counted rays, all from `shot`, to the state, and resets the counts.
     void deposit(const Shot& shot, PowerState& state)
     {
         for (const std::uint32_t receiver : touched_) {
@@ -87,7 +92,7 @@ public:
 private:
     const Scene& scene_;
     std::vector<std::uint64_t> counts_;  ///< per patch
-    std::vector<std::uint32_t> touched_; ///< patches with a count
+    std::vector<std::uint32_t> touched_; ///< patches with a count above zero
     std::uint64_t behind_ = 0;
     std::uint64_t outside_ = 0;
 };
@@ -167,14 +172,14 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
 
 namespace {
 
-/// [1] Share of a patch's unshot power that lies above the threshold; in colour, the mean of the channels decides.
+/// [1] Fraction of a patch's unshot power above the threshold, judged by the mean of the channels.
 double share_above(const Scene& scene, const PowerState& state, double threshold, std::uint32_t patch)
 {
     const double unshot_radiosity = mean(state.unshot[patch]) / scene.area(patch);
     return unshot_radiosity > threshold && unshot_radiosity > 0.0 ? 1.0 - threshold / unshot_radiosity : 0.0;
 }
 
-/// [W] Of all rays together.
+/// [W] Total power of all rays.
 Rgb power_of(const std::vector<Shot>& shots)
 {
     Rgb power;
@@ -183,8 +188,8 @@ Rgb power_of(const std::vector<Shot>& shots)
     return power;
 }
 
-/// Rounded to whole rays, the shots of a channel carry more or less than the excess: the factor that makes them carry
-/// just that. A few rays from patches of another colour are not made to carry everything.
+/// Factor by which one channel of the shots must be multiplied to carry exactly the excess, as rounding to whole rays
+/// changes their power. Limited, so that a few rays from patches of another colour do not have to carry everything.
 double correction_of(double excess, double sent)
 {
     constexpr double rounding = 1e-12;
@@ -194,7 +199,7 @@ double correction_of(double excess, double sent)
     return std::min(most, excess / sent);
 }
 
-/// Share of the excess that is sent.
+/// [1] Fraction of the excess that is sent.
 double sent_share(double excess, double sent)
 {
     return excess > 0.0 && sent < (1.0 - 1e-9) * excess ? sent / excess : 1.0;
@@ -214,7 +219,7 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
 {
     std::vector<Shot> shots;
     Rgb excess;                  // [W]
-    double wanted = rule.offset; // rays up to and including this patch, before rounding down
+    double wanted = rule.offset; // cumulative number of rays, not rounded
     SystematicRounding rounding(rule.offset);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double share = share_above(scene, state, rule.threshold, i);
@@ -225,7 +230,7 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
         wanted += deserved;
         const std::uint64_t rays = rounding.up_to(wanted);
         if (rays > 0) {
-            // The only ray that a patch worth 0.3 rays gets three times out of ten carries a whole ray's power.
+            // The only ray that a patch worth 0.3 rays gets in three of ten cases carries the power of a whole ray.
             const double sharers = deserved < 1.0 ? deserved : static_cast<double>(rays);
             shots.push_back({i, rays, (share / sharers) * state.unshot[i]});
         }
@@ -250,7 +255,7 @@ void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots,
 {
     if (shots.empty())
         return;
-    Rgb all; // excess [W]
+    Rgb all; // [W] total excess
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         all += share_above(scene, state, threshold, i) * state.unshot[i];
     const Rgb sent = power_of(shots);

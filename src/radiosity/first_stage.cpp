@@ -8,7 +8,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t pilot_rays = 1u << 13; // for the figures of (3); 2 % in the ratio are not noticed in the error
+constexpr std::uint64_t pilot_rays = 1u << 13; // for the figures of (3); 2 % of the ratio do not matter to the error
 
 FirstShot first_shot_of(const SolveOptions& options)
 {

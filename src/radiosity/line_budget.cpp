@@ -32,8 +32,9 @@ ConvexHull scene_hull(const Scene& scene)
 
 double intersections_of_hull_line(const Scene& scene, const ConvexHull& hull)
 {
-    const double area = scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // a crossing is one, whatever the sides
-    return 2.0 * area / hull.area();                                          // (G2)
+    const double area =
+        scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // a crossing counts once, however many sides have patches
+    return 2.0 * area / hull.area();                          // (G2)
 }
 
 double intersections_of_hull_line(const Scene& scene)

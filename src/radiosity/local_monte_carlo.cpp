@@ -1,6 +1,6 @@
-// A particle that meets a patch survives with the mean of the channels of rho and is then coloured by rho over that
-// mean: the expectation of what goes on is rho times what arrived, channel by channel, and in a grey scene every
-// particle keeps its power.
+// Particles survive by Russian roulette. At a patch with reflectance rho, a particle survives with the mean of the
+// channels of rho as its probability, and is then multiplied by rho over this mean. So the expected reflected power is
+// rho times the arriving power in every channel, and in a grey scene every particle keeps its power.
 
 #include "radiosity/local_monte_carlo.h"
 
@@ -19,25 +19,25 @@ Particles::Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t 
     : scene_(scene), shots_(std::move(shots)), key_(random_key(RandomStream::particles, seed))
 {
     for (const Shot& shot : shots_)
-        before_.push_back(before_.back() + shot.rays);
+        first_particle_.push_back(first_particle_.back() + shot.rays);
 }
 
 const Shot& Particles::shot_of(std::uint64_t particle) const
 {
-    const auto above = std::upper_bound(before_.begin(), before_.end(), particle);
-    return shots_[static_cast<std::size_t>(above - before_.begin()) - 1];
+    const auto above = std::upper_bound(first_particle_.begin(), first_particle_.end(), particle);
+    return shots_[static_cast<std::size_t>(above - first_particle_.begin()) - 1];
 }
 
 namespace {
 
-constexpr std::uint64_t numbers_per_step = 5; // one decides whether a particle goes on, four where to
+constexpr std::uint64_t numbers_per_step = 5; // one number decides on survival, four on the next ray
 
 double random_number(std::uint64_t key, std::uint64_t particle, std::uint64_t counter)
 {
     return bits_to_unit(random_bits(random_bits(key, particle), counter));
 }
 
-/// The chance that a particle goes on from where it arrives.
+/// Probability that a particle that arrives at `where` survives.
 double survival(const Scene& scene, std::uint32_t where)
 {
     return Segment::is_patch(where) ? mean(scene.reflectance(where)) : 0.0;
@@ -63,28 +63,29 @@ ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::u
     return {from, item, where, power, drawn, goes_on ? (1.0 / chance) * (scene_.reflectance(where) * power) : Rgb{}};
 }
 
-// All particles take their first step, then all that are left their second, and so on: rays are traced faster together.
+// Traces all particles breadth first: all first segments, then the second segments of the survivors, and so on, since
+// many rays together are traced faster.
 void Particles::follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const
 {
     RayBlock& rays = paths.rays_;
     paths.by_depth_.clear();
     paths.particle_.clear();
     paths.first_step_.assign(items.size() + 1, 0);
-    paths.going_on_.resize(items.size());
+    paths.survivors_.resize(items.size());
     paths.power_.resize(items.size());
     rays.patches.resize(items.size());
     rays.items = items;
     for (std::uint32_t k = 0; k < items.size(); ++k) {
         const Shot& shot = shot_of(first + k);
-        paths.going_on_[k] = k;
+        paths.survivors_[k] = k;
         paths.power_[k] = shot.power_per_ray;
         rays.patches[k] = shot.patch;
     }
-    for (std::uint32_t depth = 0; !paths.going_on_.empty(); ++depth) {
+    for (std::uint32_t depth = 0; !paths.survivors_.empty(); ++depth) {
         rays.trace(scene_);
         std::size_t left = 0;
-        for (std::size_t k = 0; k < paths.going_on_.size(); ++k) {
-            const std::uint32_t number = paths.going_on_[k];
+        for (std::size_t k = 0; k < paths.survivors_.size(); ++k) {
+            const std::uint32_t number = paths.survivors_[k];
             const ParticleStep taken =
                 step(first + number, depth, rays.patches[k], rays.items[k], rays.receivers[k], paths.power_[k]);
             paths.by_depth_.push_back(taken);
@@ -92,20 +93,20 @@ void Particles::follow(std::uint64_t first, const std::vector<Item>& items, Part
             ++paths.first_step_[number + 1];
             if (taken.ends())
                 continue;
-            paths.going_on_[left] = number;
+            paths.survivors_[left] = number;
             paths.power_[left] = taken.goes_on;
             rays.patches[left] = taken.where;
             rays.items[left] = next_item(first + number, depth);
             ++left;
         }
-        paths.going_on_.resize(left);
+        paths.survivors_.resize(left);
         rays.patches.resize(left);
         rays.items.resize(left);
     }
     paths.sort_by_particle();
 }
 
-/// Each particle's steps are already in order.
+/// Counting sort. The steps of each particle are in order already.
 void ParticlePaths::sort_by_particle()
 {
     std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
@@ -116,7 +117,7 @@ void ParticlePaths::sort_by_particle()
 
 std::uint64_t particles_together(const Scene& scene)
 {
-    constexpr double most_steps = 65536.0; // some 200 bytes each
+    constexpr double most_steps = 65536.0; // about 200 bytes each
     const double absorption = 1.0 - mean(scene.average_reflectance());
     return static_cast<std::uint64_t>(std::clamp(most_steps * absorption, 1.0, 1024.0));
 }
@@ -134,7 +135,8 @@ Particles plan_particles(const Scene& scene, const std::function<std::vector<Sho
         random->generate(blocks.first(block), items);
         ParticlePaths paths;
         pilot.follow(blocks.first(block), items, paths);
-        for (const ParticleStep& step : paths.steps) // the chance of a further step is steadier than what was drawn
+        for (const ParticleStep& step :
+             paths.steps) // the expected number of further steps has less variance than the actual one
             further_steps[static_cast<std::size_t>(block)] += survival(scene, step.where);
     });
     const double segments =
@@ -153,7 +155,7 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
 Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator)
 {
     const double absorption = 1.0 - mean(scene.reflectance(step.where));
-    if (estimator == Estimator::collision || !(absorption > 0.0)) // nothing ever ends on perfect white
+    if (estimator == Estimator::collision || !(absorption > 0.0)) // on perfect white no path ever ends
         return step.power;
     return step.goes_on == Rgb{} ? (1.0 / absorption) * step.power : Rgb{};
 }
@@ -172,7 +174,7 @@ void deposit(const Scene& scene, const ParticleStep& step, Estimator estimator, 
     state.surplus += absorbed - (step.power - step.goes_on);
 }
 
-/// Sums in two levels: adding equal powers to a large sum 10^8 times would drift.
+/// Two-level sums, since adding equal powers to a large sum 10^8 times would drift.
 class PartialSums
 {
 public:
@@ -183,7 +185,7 @@ public:
         for (const ParticleStep& step : steps)
             deposit(scene, step, estimator, recent_);
         count_ += steps.size();
-        if (count_ > 4 * recent_.incident.size() + 65536) // seldom enough to cost nothing
+        if (count_ > 4 * recent_.incident.size() + 65536) // rarely enough to cost nothing
             flush(total);
     }
     void visit(Archive& archive) ///< for a checkpoint

@@ -39,12 +39,12 @@ private:
 
     void sort_by_particle();
 
-    RayBlock rays_;                       ///< of the surviving particles, one segment each
-    std::vector<std::uint32_t> going_on_; ///< indices of the surviving particles
-    std::vector<Rgb> power_;              ///< [W] of each surviving particle
-    std::vector<ParticleStep> by_depth_;  ///< all first segments, then all second ones, ...
-    std::vector<std::uint32_t> particle_; ///< index of the particle of each of these steps
-    std::vector<std::size_t> first_step_; ///< of each particle, in `steps`
+    RayBlock rays_;                        ///< of the surviving particles, one segment each
+    std::vector<std::uint32_t> survivors_; ///< indices of the surviving particles
+    std::vector<Rgb> power_;               ///< [W] of each surviving particle
+    std::vector<ParticleStep> by_depth_;   ///< all first segments, then all second ones, ...
+    std::vector<std::uint32_t> particle_;  ///< index of the particle of each of these steps
+    std::vector<std::size_t> first_step_;  ///< of each particle, in `steps`
 };
 
 /// The particles of a run (L1): numbered through all sources, and the path of each, which is a function of its number
@@ -54,7 +54,7 @@ class Particles
 public:
     Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t seed);
 
-    std::uint64_t count() const { return before_.back(); }
+    std::uint64_t count() const { return first_particle_.back(); }
     const std::vector<Shot>& shots() const { return shots_; }
 
     /// Follows the particles first, first + 1, ... and replaces the contents of `paths` by their paths. There is one
@@ -69,7 +69,7 @@ private:
 
     const Scene& scene_;
     std::vector<Shot> shots_;
-    std::vector<std::uint64_t> before_ = {0};
+    std::vector<std::uint64_t> first_particle_ = {0}; ///< of each shot, and the total number
     std::uint64_t key_;
 };
 

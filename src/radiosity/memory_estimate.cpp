@@ -6,13 +6,13 @@ namespace multipath {
 
 namespace {
 
-constexpr double bytes_per_surface = 700; // most while the file is read: corners, pieces, names
+constexpr double bytes_per_surface = 700; // peak while the file is read: corners, mesh parts, names
 
 } // namespace
 
 double run_bytes(double surfaces, double patches)
 {
-    constexpr double bytes_per_patch = 400; // counting lines in rows, or shading, or a mesh in the making
+    constexpr double bytes_per_patch = 400; // line counts, or shading, or a mesh for output
     return bytes_per_surface * surfaces + bytes_per_patch * patches;
 }
 

@@ -1,3 +1,7 @@
+// Each method is a row of the table at the end of this file: a name, its options, and functions that choose and prepare
+// its stages. The stages, at the beginning, adapt the algorithms of the other files to a Run: they pass the options on,
+// divide the lines and the items of the sequence, and record how many lines were cast.
+
 #include "radiosity/methods.h"
 
 #include "radiosity/family/gathering_walk.h"
@@ -25,7 +29,7 @@ namespace {
 
 // Stages
 
-/// All power that is not sent yet, by all lines that are left.
+/// Distributes all unshot power by all remaining lines.
 void particles(Run& run)
 {
     const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
@@ -52,7 +56,7 @@ bool gathers(const Run& run)
     return run.options.direct == Direct::gather;
 }
 
-/// Line reuse with a table of all pairs.
+/// Line reuse with a table of all pairs. With Direct::gather, a part of the lines become rays between pairs.
 void reuse_pairs(Run& run)
 {
     const std::uint64_t rays = gathers(run) ? std::min(run.local_share(1.0), run.options.lines - 1) : 0;
@@ -65,7 +69,7 @@ void reuse_pairs(Run& run)
                               run.state)); // (R1)
 }
 
-/// Line reuse without a table of all pairs. Of too few rays to know most patches, particles make more.
+/// Line reuse without a table of all pairs. Uses particles instead if there are too few rays for most patches.
 void reuse_rays(Run& run)
 {
     const std::uint64_t left = run.lines_left();
@@ -85,7 +89,7 @@ void reuse_rays(Run& run)
     run.variance = std::move(result.variance);
 }
 
-/// The first estimate of the iterations.
+/// The first estimate for the Jacobi iterations.
 void ray_series(Run& run)
 {
     const std::uint64_t lines = run.options.lines;
@@ -163,28 +167,30 @@ void prepare_ratio(const Scene& scene, const SolveOptions& options, Preparation&
         preparation.ratio = ratio_for(scene, options);
 }
 
-/// Is a table of all pairs worth its time? It has a small part of the error of rays alone, even of denoised ones, for
-/// the time of a line per 20 pairs; but only if there are some lines for each pair of a patch and one that emits, or a
-/// few such pairs. Measured on 4CHAIRS, and on a floor in the penumbra of one large lamp (docs/line_reuse.md).
+/// True if a table of all pairs is worth its time. Its error is much smaller than that of rays alone, even when these
+/// are denoised, at a cost of one line per 20 pairs. But it needs several lines for each pair of a patch and an
+/// emitter, unless there are few such pairs. Measured on 4CHAIRS, and on a floor in the penumbra of one large lamp
+/// (docs/line_reuse.md).
 bool table_pays(const Scene& scene, std::uint64_t lines)
 {
     constexpr double pairs_per_line = 8.0;
     constexpr double lines_per_light_pair = 4.0;
-    constexpr double few_pairs = 1e7; // made in a fifth of a second, whatever the lines
+    constexpr double few_pairs = 1e7; // takes a fifth of a second, whatever the number of lines
     constexpr double few_light_pairs = 1e5;
     const auto n = static_cast<double>(scene.patch_count());
     double emitters = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         emitters += mean(scene.first_light(i)) > 0.0 ? 1.0 : 0.0;
     const auto budget = static_cast<double>(lines);
-    if (!scene.levels().empty()) // the table takes the patches of a surface to be equal
+    if (!scene.levels().empty()) // the table requires equal patches on each surface
         return false;
     return 0.5 * n * n <= std::max(few_pairs, pairs_per_line * budget) &&
            emitters * n <= std::max(few_light_pairs, budget / lines_per_light_pair);
 }
 
-/// Makes a table of all pairs where it pays and fits, unless there are so many pairs along lines, which are all
-/// counted, or so many faces on each other, of which each pair is tested for contact, that these are the work.
+/// Makes a table of all pairs where it pays and fits into memory; otherwise prepares the lights. There is no table
+/// either if counting all pairs along the lines, or testing the pairs of many coincident faces for contact, would
+/// dominate the time.
 void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation& preparation)
 {
     constexpr double many_pairs = 4096.0;
@@ -201,8 +207,8 @@ std::uint64_t no_lines(const Scene&)
     return 0;
 }
 
-/// A pair of the table that no line has met is taken for free or hidden by what is around: replicates with few lines
-/// all err in the same way.
+/// Pairs of the table that no line has met are taken as free or hidden like those around them, so replicates with few
+/// lines all have the same error.
 std::uint64_t lines_to_trust_reuse(const Scene& scene)
 {
     constexpr std::uint64_t with_table = 64;

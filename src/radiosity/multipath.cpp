@@ -14,7 +14,7 @@ PowerWalk::PowerWalk(const Scene& scene, double crossings_per_area, bool bidirec
     patches_.reserve(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double crossings = crossings_per_area * scene.area(i);
-        const double departures = bidirectional_ ? crossings : 0.5 * crossings; // half of them leave the front
+        const double departures = bidirectional_ ? crossings : 0.5 * crossings; // half of them leave through the front
         patches_.push_back({scene.reflectance(i), (1.0 / departures) * state.unshot[i], {}, {}}); // (G3)
     }
 }
@@ -27,8 +27,9 @@ void PowerWalk::visit(Archive& archive)
 
 void PowerWalk::follow(const std::vector<Segment>& segments)
 {
-    constexpr std::size_t segments_ahead = 24; // whose patches are fetched, in case they are too many for the cache
-    WalkTally tally; // sums of one block stay small, which keeps the rounding errors of the balance small
+    constexpr std::size_t segments_ahead =
+        24;          // the patches of later segments are prefetched, as they may not fit into the cache
+    WalkTally tally; // sums of one block stay small, and so do the rounding errors of the balance
     const std::size_t count = segments.size();
     for (std::size_t k = 0; k < count; ++k) {
         fetch(segments[std::min(k + segments_ahead, count - 1)]);
@@ -51,9 +52,10 @@ void PowerWalk::finish(double scale, PowerState& state) const
 
 namespace {
 
-/// [W^2] Of what independent lines send by the forecast (G3), mean of the channels. A patch that holds U and expects n
-/// lines sends U / n by each of them: U^2 / n, were it alone. A line that leaves several such patches sends for them
-/// together, which is more than their variances by at most their number.
+/// [W^2] Upper estimate of the variance of the power that independent lines send as forecast (G3), mean of the
+/// channels. A patch with unshot power U that expects n lines sends U / n along each of them, with variance U^2 / n if
+/// it were alone. A line that leaves several such patches sends their forecasts together; the variance of that sum is
+/// at most their number times the sum of their variances.
 double forecast_variance(const Scene& scene, const GlobalLines& lines, const GlobalPass& pass, const PowerState& state)
 {
     const double departures_per_area =
@@ -63,12 +65,12 @@ double forecast_variance(const Scene& scene, const GlobalLines& lines, const Glo
         const double unshot = mean(state.unshot[i]);
         sum += unshot * unshot / (departures_per_area * scene.area(i));
     }
-    const double crossings_per_line =
-        departures_per_area * scene.total_area() / static_cast<double>(pass.lines_cast); // of all lines
+    const double crossings_per_line = departures_per_area * scene.total_area() /
+                                      static_cast<double>(pass.lines_cast); // of all lines: mean number of departures
     return sum * std::max(2.0, crossings_per_line);
 }
 
-/// Traces the lines of a pass on all threads, from `next_block` on, and lets the walk follow them in order.
+/// Traces the remaining blocks of a pass on all threads, and lets the walk follow their segments in order.
 void follow_lines(const LineBlocks& plan, std::uint64_t& next_block, const RunControl& run, PowerWalk& walk)
 {
     BlockBuffers<SegmentBlock> blocks(run.threads);

@@ -27,8 +27,8 @@ void require_balance(const PowerBalance& balance)
         throw std::logic_error("the power balance does not close: the program has an error");
 }
 
-/// The last check before a result leaves the solver: all numbers are finite, no patch is darker than it emits, and
-/// where no line needs a forecast the light sent is that of the sources.
+/// Final check of a result: all numbers are finite, no patch is darker than it emits, and the emitted power is that of
+/// the sources if no line used a forecast. Throws InputError otherwise.
 void require_sound(const Scene& scene, const Solution& solution)
 {
     const auto at_least = [](Rgb b, Rgb e) {
@@ -53,7 +53,7 @@ std::uint64_t checked_first_item(const Sequence& sequence, const SolveOptions& o
     if (options.lines > options.method->most_lines)
         throw SettingsError("the method " + std::string(options.method->name) + " counts at most " +
                             std::to_string(options.method->most_lines) + " lines; expected fewer");
-    // More items than any split of the lines needs: a sequence that is too short is refused before the work.
+    // Checks for as many items as any split of the lines may need, so that a short sequence is refused before the work.
     return plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines)).first_shot;
 }
 
@@ -145,7 +145,8 @@ RunControl Run::control(std::uint64_t lines_to_come, std::uint64_t charged, Shar
     return {options.threads, count, checkpoint_, of_shards};
 }
 
-/// The run was stopped before any global line: few of them show where the light goes that was not sent yet.
+/// Distributes the unshot power of a run that was stopped before its first global line: a few lines suffice to show
+/// where this light goes.
 void Run::send_the_rest()
 {
     const GlobalPass pass{0, std::min<std::uint64_t>(options.lines, 1u << 18), options.bidirectional};
@@ -156,7 +157,7 @@ void Run::send_the_rest()
 
 Solution Run::finish()
 {
-    if (stopped()) // fewer rays than planned, too
+    if (stopped()) // fewer rays than planned were cast, too
         solution.local_lines =
             static_cast<std::uint64_t>(done_) - std::min(static_cast<std::uint64_t>(done_), solution.global_lines);
     if (stopped() && shard.of == 1 && solution.global_lines_cast == 0 && !solved)

@@ -14,7 +14,7 @@ double student_tail(double t, int degrees)
     const bool odd = degrees % 2 == 1;
     double term = odd ? cosine : 1.0;
     double sum = degrees == 1 ? 0.0 : term;
-    for (int k = odd ? 3 : 2; k <= degrees - 2; k += 2) { // the powers of the cosine grow by two
+    for (int k = odd ? 3 : 2; k <= degrees - 2; k += 2) { // powers of the cosine in steps of two
         term *= cosine * cosine * (k - 1.0) / k;
         sum += term;
     }

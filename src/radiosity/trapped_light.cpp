@@ -1,3 +1,7 @@
+// Particles from the sources are reflected again and again, without Russian roulette. A particle carries one bit per
+// channel, which is cleared at the first patch that absorbs anything in this channel. A particle that still has a bit
+// after very many reflections is trapped.
+
 #include "radiosity/trapped_light.h"
 
 #include "sampling/random.h"
@@ -14,9 +18,10 @@ namespace multipath {
 namespace {
 
 constexpr std::uint64_t key = random_key(RandomStream::trapped_light);
-constexpr std::uint64_t endless_reflections = 1u << 16; ///< after so many without a loss light counts as trapped
+constexpr std::uint64_t endless_reflections =
+    1u << 16; ///< number of reflections without a loss after which light counts as trapped
 
-/// One bit for each channel of `colour` that is at least `least`.
+/// One bit per channel of `colour`, set if the channel is at least `least`.
 unsigned channels_of(Rgb colour, double least)
 {
     return (colour.r >= least ? 1u : 0u) | (colour.g >= least ? 2u : 0u) | (colour.b >= least ? 4u : 0u);
@@ -27,7 +32,7 @@ unsigned white_channels(const Scene& scene, std::uint32_t patch)
     return channels_of(scene.reflectance(patch), 1.0);
 }
 
-/// As many patches of the sources as there are particles, spread evenly over all of them.
+/// A source patch for each particle, spread evenly over all source patches; empty without sources.
 std::vector<std::uint32_t> starting_patches(const Scene& scene)
 {
     constexpr std::size_t particles = 4096;
@@ -45,10 +50,10 @@ struct Particle
 {
     std::uint64_t number;
     std::uint32_t at;  ///< patch
-    unsigned channels; ///< bits of those in which nothing has been absorbed yet
+    unsigned channels; ///< bits of the channels in which nothing has been absorbed yet
 };
 
-/// Takes every particle through one more reflection, and leaves out those that have lost light in all channels.
+/// Traces one more reflection of every particle, and removes those that have lost light in all channels.
 void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vector<Particle>& particles)
 {
     rays.patches.clear();
@@ -71,7 +76,7 @@ void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vecto
     particles.resize(left);
 }
 
-/// Keeps at most `most`, evenly spread.
+/// Keeps at most `most` particles, evenly spread over the list.
 void thin_out(std::vector<Particle>& particles, std::size_t most)
 {
     if (particles.size() <= most)
@@ -94,7 +99,7 @@ std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene)
     RayBlock rays;
     for (std::uint64_t depth = 0; depth < endless_reflections && !particles.empty(); ++depth) {
         reflect(scene, depth, rays, particles);
-        if (depth == 64) // open spaces have lost most by now
+        if (depth == 64) // open spaces have lost most of the light by now
             thin_out(particles, 256);
         if (depth == 4096)
             thin_out(particles, 4);
