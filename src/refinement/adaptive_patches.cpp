@@ -13,10 +13,11 @@ namespace multipath {
 
 namespace {
 
-/// [m^2 (W/m^2)^2] Per cell of all surfaces, both sides together; 0 where it is none to speak of.
+/// Estimated error [m^2 (W/m^2)^2] of every cell of all surfaces, both sides together; 0 if it is negligible.
 std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
 {
-    // A patch without neighbours has no slope to tell; it is taken to vary by so much of its square.
+    // The slope of a patch without neighbours is unknown; its mean square variation is taken as this fraction of its
+    // square.
     constexpr double unknown = 0.03;
     std::vector<double> residuals;
     const std::vector<Rgb> plain = without_texture(scene, radiosity); // pictures show textures at full resolution
@@ -30,13 +31,14 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
         result[i % result.size()] += scene.area(i) * square;
         all += scene.area(i) * mean(radiosity[i] * radiosity[i]);
     }
-    constexpr double negligible = 1e-12; // share of the squared radiosity of all; rounding has less
+    constexpr double negligible =
+        1e-12; // fraction of the squared radiosity of all patches; larger than rounding errors
     for (double& error : result)
         error = error > negligible * all ? error : 0.0;
     return result;
 }
 
-/// Cuts the cells with the largest errors until there are about `wanted` patches.
+/// Splits the cells with the largest errors into four, up to about `wanted` patches, never more.
 Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wanted, int threads)
 {
     const auto cells = static_cast<std::uint32_t>(error.size());
@@ -71,10 +73,10 @@ Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wa
 
 Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads, const ProgressCallback& progress)
 {
-    // A round cuts a patch once. Where few are cut, the patches that matter are small after fewer rounds.
+    // A round splits a patch at most once. If few patches are added, fewer rounds suffice.
     constexpr int most_rounds = 4;
     constexpr std::uint64_t usual_lines = 32; // per patch
-    constexpr std::uint64_t fewest_lines = 8; // where the patches are very many: as good, if each is only cut once
+    constexpr std::uint64_t fewest_lines = 8; // for very many patches: as good if each is split only once
     constexpr std::uint64_t many_lines = 1u << 20;
     const double growth = static_cast<double>(most) / coarse.patch_count();
     const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * elementary::log2(growth))), 0, most_rounds);
@@ -84,7 +86,7 @@ Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int thread
         quick.method = Method::reuse;
         const std::uint64_t patches = scene.patch_count();
         quick.lines = std::min(usual_lines * patches, std::max(fewest_lines * patches, many_lines));
-        quick.all_pairs = false; // takes longer than all that follows
+        quick.all_pairs = false; // the table would take longer than everything else
         quick.memory = memory;
         quick.threads = threads;
         const Solution solution = solve(scene, quick, [&](double done) { progress((round + done) / rounds); });

@@ -1,3 +1,8 @@
+// The error is the mean of (shown - true)^2 over the visible points. The truth at a point is known only from estimates
+// with noise, whose variance would be added to the square of a single deviation. So each point gets two independent
+// estimates, and the product of the two deviations replaces the square: the noise of its factors is independent and
+// averages out.
+
 #include "refinement/shown_error.h"
 
 #include "image/gather/indirect_light.h"
@@ -21,16 +26,16 @@ namespace multipath {
 
 namespace {
 
-/// A point of a side, and what it counts.
+/// A point on one side of a surface, with its weight in the mean.
 struct SamplePoint
 {
     Hit hit;
-    double weight; ///< [1] mean 1
+    double weight; ///< [1] 1 on the average
 };
 
-/// Points of a scene: a third of them by area; a third as many in each patch, since where patches are small there is
-/// more to see; and a third by the power that patches reflect, since where it is bright errors are large. A point
-/// counts by the inverse of the density of the three together.
+/// Sample points from a mixture of three distributions: uniform by area; the same number in every patch, as more detail
+/// is seen where patches are small; and by the power that patches reflect, as errors are large in bright places. The
+/// weight of a point is the inverse of the density of the mixture.
 class SamplePoints
 {
 public:
@@ -106,7 +111,7 @@ private:
         double v;
     };
 
-    /// Uniform, for numbers in [0, 1).
+    /// A uniform point for (a, b) in [0, 1)^2.
     static GridPlace in_shape(Shape shape, double a, double b)
     {
         if (shape == Shape::parallelogram)
@@ -117,22 +122,22 @@ private:
 
     const Scene& scene_;
     const std::vector<Rgb>& guide_;
-    std::vector<double> ends_;   ///< [m^2] of the surfaces, one after the other
-    std::vector<double> powers_; ///< [W] reflected by the patches, one after the other; empty without any
+    std::vector<double> ends_;   ///< [m^2] cumulative area of the surfaces
+    std::vector<double> powers_; ///< [W] cumulative reflected power of the patches; empty if none reflects
 };
 
-/// Sums over points.
+/// Sums over sample points.
 struct Sums
 {
     std::uint64_t points = 0;
     double weights = 0.0;
-    Rgb shown; ///< these by their weights
+    Rgb shown; ///< shown and true radiosity times weight
     Rgb truth;
-    double product = 0.0; ///< [(W/m^2)^2] of the two deviations, mean of the channels
-    double square = 0.0;  ///< of the products
+    double product = 0.0; ///< [(W/m^2)^2] weighted product of the two deviations, mean of the channels
+    double square = 0.0;  ///< of its squares
 };
 
-/// Two independent estimates at a point of how far what is shown is from the truth.
+/// Two independent estimates of the deviation of the shown radiosity from the truth at a point [W/m^2].
 struct Deviations
 {
     Rgb one;
@@ -142,7 +147,7 @@ struct Deviations
 
 using DeviationsAt = std::function<Deviations(const Hit& hit, std::uint64_t number)>;
 
-/// The mean product of the two over the area. `guide`: the radiosity [W/m^2] of the patches, about.
+/// Mean over the area of the product of the two deviations. `guide`: approximate radiosity [W/m^2] of the patches.
 ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const DeviationsAt& deviations,
                         std::uint64_t points, int threads)
 {
@@ -199,7 +204,7 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
     return result;
 }
 
-/// Final gathering at places, from a solution.
+/// Final gathering at single points, from a solution.
 class PointRadiosity
 {
 public:
@@ -208,8 +213,8 @@ public:
     {
     }
 
-    /// [W/m^2] Radiosity. Estimates with other numbers or of another stream are independent: each has sequences of its
-    /// own, since items of one complement each other.
+    /// [W/m^2] Radiosity. Estimates with another number or stream are independent. Each uses its own sequences, since
+    /// the items of one sequence are not independent.
     Rgb at(const Hit& hit, std::uint64_t number, RandomStream stream) const
     {
         const Place place = place_of(scene_, hit);

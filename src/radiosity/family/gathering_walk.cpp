@@ -1,3 +1,7 @@
+// A gathering walk is traced like a particle (Particles), but from the receiver. Its weight is the inverse of the
+// number of walks of its patch, and at each patch that it meets it adds the emittance there times its weight to the
+// irradiance of the first patch. Rounds over all patches make a run that is stopped as good as its lines allow.
+
 #include "radiosity/family/gathering_walk.h"
 
 #include "parallel/blocks.h"
@@ -12,17 +16,18 @@ namespace multipath {
 
 namespace {
 
-/// So many walks, from each patch in proportion to the root of its area: that makes the error (1) smallest if all
-/// patches are equally noisy. What one brings counts with the share of a walk of its patch, the same in all channels.
-/// `begin`, in [0, 1), is that of the rounding.
-std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks, double begin)
+/// Plans walks from each patch in proportion to the square root of its area, which minimises the error (1) if all
+/// patches have the same variance. The weight of a walk, the same in all channels, is the inverse of the number of
+/// walks of its patch, or of the expected number if that is below 1. `offset` in [0, 1) is that of the systematic
+/// rounding.
+std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks, double offset)
 {
     double all = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         all += std::sqrt(scene.area(i));
     std::vector<Shot> shots;
-    double wanted = begin;
-    SystematicRounding rounding(begin);
+    double wanted = offset;
+    SystematicRounding rounding(offset);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double expected = static_cast<double>(walks) * std::sqrt(scene.area(i)) / all;
         wanted += expected;
@@ -34,16 +39,17 @@ std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks, double beg
     return shots;
 }
 
-/// All patches are asked in each round, so that a run which is stopped has asked them about equally.
+/// Number of rounds. Each covers all patches, so that a run which is stopped has sampled all patches about equally.
 std::uint64_t count_rounds(const Scene& scene, std::uint64_t lines)
 {
     constexpr std::uint64_t most = 16;
-    constexpr std::uint64_t lines_per_patch = 64; // of a round: fewer, and items spread their walks less evenly
+    constexpr std::uint64_t lines_per_patch =
+        64; // in each round; with fewer, the items distribute the walks less evenly
     return std::clamp<std::uint64_t>(lines / (lines_per_patch * scene.patch_count()), 1, most);
 }
 
-/// Of a round: successive ones round differently (additive recurrence).
-double rounding_begin(std::uint64_t round)
+/// Offset of the rounding in a round, an additive recurrence, so that successive rounds round differently.
+double rounding_offset(std::uint64_t round)
 {
     constexpr double golden = 0.61803398874989485;
     const double sum = 0.5 + golden * static_cast<double>(round);
@@ -58,7 +64,7 @@ std::uint64_t count_walks(const std::vector<Shot>& shots)
     return walks;
 }
 
-/// What the walks of each patch have told.
+/// Sums over the walks of each patch.
 struct Gathered
 {
     explicit Gathered(const Scene& scene)
@@ -66,7 +72,7 @@ struct Gathered
     {
     }
 
-    /// Takes a path, whose first segment leaves the patch that asks.
+    /// Adds a path, whose first segment leaves the receiver.
     void add(const Scene& scene, const ParticleStep* first, const ParticleStep* end, Estimator estimator)
     {
         const std::uint32_t patch = first->from;
@@ -85,11 +91,11 @@ struct Gathered
     }
 
     std::vector<Rgb> irradiance; ///< [W/m^2]
-    std::vector<double> outside; ///< [1] share of the rays that leave the scene
-    std::vector<double> behind;  ///< [1] and that meet a side without a patch
+    std::vector<double> outside; ///< [1] fraction of the rays that leave the scene
+    std::vector<double> behind;  ///< [1] fraction of the rays that meet a side without a patch
 };
 
-/// How often each patch was asked, in rounds: `whole` ones, and one of which so many walks are done.
+/// Number of rounds in which each patch was sampled: `whole` rounds, and a fraction of one with walks_done walks.
 std::vector<double> rounds_of_patches(const Scene& scene, std::uint64_t whole, const std::vector<Shot>& shots,
                                       std::uint64_t walks_done)
 {
@@ -107,7 +113,7 @@ std::vector<double> rounds_of_patches(const Scene& scene, std::uint64_t whole, c
     return rounds;
 }
 
-/// The light that the patches gathered in so many rounds as the state.
+/// Adds the gathered light to the state, as the mean over the rounds of each patch, and closes the balance.
 void take_gathered(const Scene& scene, const Gathered& gathered, const std::vector<double>& rounds, PowerState& state)
 {
     Rgb absorbed;
@@ -134,7 +140,7 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
     Gathered gathered(scene);
     std::uint64_t walks_per_round = 0;
     std::uint64_t round = 0;
-    std::uint64_t first_walk = 0; // of the round
+    std::uint64_t first_walk = 0; // of the current round
     std::uint64_t segments = 0;
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "walks", [&](Archive& archive) {
@@ -148,7 +154,7 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
     if (!part.resumed())
         walks_per_round =
             count_walks(plan_particles(
-                            scene, [&](std::uint64_t walks) { return plan_walks(scene, walks, rounding_begin(0)); },
+                            scene, [&](std::uint64_t walks) { return plan_walks(scene, walks, rounding_offset(0)); },
                             options.lines / rounds, options.seed, run.threads)
                             .shots());
     BlockBuffers<ParticleBlock> blocks(run.threads);
@@ -165,9 +171,9 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
         run.count_lines(steps.size());
     };
     std::vector<Shot> shots;
-    std::uint64_t done = 0; // walks of the round that was not finished
+    std::uint64_t done = 0; // walks of the unfinished round
     for (; round < rounds; ++round) {
-        shots = plan_walks(scene, walks_per_round, rounding_begin(round));
+        shots = plan_walks(scene, walks_per_round, rounding_offset(round));
         const Particles walks(scene, shots, mix_bits(mix_bits(options.seed) + round));
         const Blocks all = {walks.count(), particles_together(scene)};
         const auto trace = [&](std::uint64_t number, int slot) {

@@ -12,12 +12,12 @@ namespace multipath {
 
 namespace {
 
-/// Receivers of some rays from each patch.
-class RaysAround
+/// Receivers of some rays over the hemisphere of each patch.
+class HemisphereRays
 {
 public:
-    RaysAround(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, std::uint32_t rays_per_patch,
-               int threads)
+    HemisphereRays(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, std::uint32_t rays_per_patch,
+                   int threads)
         : rays_(rays_per_patch), receivers_(std::size_t{rays_per_patch} * scene.patch_count())
     {
         constexpr std::uint32_t patches_at_a_time = 64;
@@ -33,7 +33,7 @@ public:
         });
     }
 
-    /// Mean of value(receiver) over the rays from a patch; those that arrive nowhere count as 0.
+    /// Mean of value(receiver) over the rays of a patch. Rays that meet no patch count as 0.
     template <class Value>
     double mean_of(std::uint32_t patch, const Value& value) const
     {
@@ -52,14 +52,14 @@ private:
 
 } // namespace
 
-// A little power that arrives at patch j by chance changes B_j by rho_j / A_j of it: the square counts V_j A_j times.
-// What j reflects arrives elsewhere. Its influence R_j on the wanted patches together solves the transposed system;
-// spread over their area, the square of rho_j R_j counts.
+// Noise dP in the power that arrives at patch j changes B_j by rho_j dP / A_j. Its square counts with V_j A_j. In
+// addition, patch j reflects the noise to other patches. Its influence R_j on all important patches solves the adjoint
+// system, and if the influence is spread over their weighted area, the noise contributes (rho_j R_j dP)^2 / that area.
 std::vector<double> Importance::noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                               std::uint32_t rays_per_patch, int threads) const
 {
-    constexpr int reflections = 8; // what more of them would add is little, and only steers rays
-    const RaysAround rays(scene, sequence, first_item, rays_per_patch, threads);
+    constexpr int reflections = 8; // more of them would add little, and the result only guides sampling
+    const HemisphereRays rays(scene, sequence, first_item, rays_per_patch, threads);
     const std::uint32_t n = scene.patch_count();
     std::vector<double> direct(n);
     double area = 0.0;

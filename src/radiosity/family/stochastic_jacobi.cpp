@@ -1,3 +1,7 @@
+// Both algorithms cast rays from all patches in proportion to the power that they send, and differ in what they send:
+// send_series() the unshot power, pass by pass, iterate_by_rays() all power in every iteration. RayPlan distributes all
+// rays over the patches, SentRays are those of one pass or iteration, and RayIterations traces them.
+
 #include "radiosity/family/stochastic_jacobi.h"
 
 #include "parallel/blocks.h"
@@ -89,7 +93,7 @@ namespace {
 
 constexpr std::uint64_t rays_together = 4096;
 
-/// Makes the sum 1, if it is not 0.
+/// Scales the values to the sum 1, unless all are 0.
 void normalise(std::vector<double>& shares)
 {
     double sum = 0.0;
@@ -99,15 +103,16 @@ void normalise(std::vector<double>& shares)
         share *= sum > 0.0 ? 1.0 / sum : 1.0;
 }
 
-/// A part of b for a.
+/// Replaces a by (1 - part) a + part b.
 void mix(std::vector<double>& a, const std::vector<double>& b, double part)
 {
     for (std::size_t i = 0; i < a.size(); ++i)
         a[i] = (1.0 - part) * a[i] + part * b[i];
 }
 
-/// The share of the rays that each patch gets: in proportion to what it sends, mean of the channels. The part `unknown`
-/// goes by what it could reflect, as what it sends is not known well (defensive importance sampling, Hesterberg 1995).
+/// Fraction of the rays for each patch, in proportion to the power that it sends (mean of the channels). Since this
+/// power is not well known, the fraction `unknown` of the rays is distributed by area times reflectance instead
+/// (defensive importance sampling, Hesterberg 1995).
 std::vector<double> shares_of_rays(const Scene& scene, const std::vector<Rgb>& power, double unknown)
 {
     std::vector<double> shares;
@@ -123,23 +128,24 @@ std::vector<double> shares_of_rays(const Scene& scene, const std::vector<Rgb>& p
     return shares;
 }
 
-/// The same where some patches matter more. Most of the rays go by the power times its noise there (I1), which few rays
-/// have told, so that its mean is added; a quarter leave the wanted patches, since what they see sends its power along
-/// them too; a tenth go as if nothing was wanted.
-void favour(const Scene& scene, const Importance& importance, const std::vector<double>& of_rays,
+/// Adapts the distribution of rays to important patches. A tenth of the rays keep the distribution `shares`. Of the
+/// others, three quarters go in proportion to the power times its noise factor (I1); the factors come from few rays, so
+/// their mean square is added. A quarter leave the important patches themselves, since in both directions they also
+/// carry the power of the patches that these see.
+void favour(const Scene& scene, const Importance& importance, const std::vector<double>& noise_factors,
             const std::vector<Rgb>& power, std::vector<double>& shares)
 {
     double all_squares = 0.0;
     double all_power = 0.0;
     for (std::uint32_t i = 0; i < power.size(); ++i) {
-        all_squares += mean(power[i]) * of_rays[i] * of_rays[i];
+        all_squares += mean(power[i]) * noise_factors[i] * noise_factors[i];
         all_power += mean(power[i]);
     }
     const double usual_square = all_power > 0.0 ? all_squares / all_power : 0.0;
     std::vector<double> towards;
     std::vector<double> from;
     for (std::uint32_t i = 0; i < power.size(); ++i) {
-        towards.push_back(mean(power[i]) * std::sqrt(of_rays[i] * of_rays[i] + usual_square));
+        towards.push_back(mean(power[i]) * std::sqrt(noise_factors[i] * noise_factors[i] + usual_square));
         from.push_back(scene.area(i) * mean(scene.reflectance(i)) * std::sqrt(importance.weight[i]));
     }
     normalise(towards);
@@ -148,8 +154,8 @@ void favour(const Scene& scene, const Importance& importance, const std::vector<
     mix(shares, towards, 0.9);
 }
 
-/// How all rays of all iterations are shared among the patches. Every patch has a row of items of its own, so that its
-/// rays of all iterations together are evenly spread.
+/// Distribution of the rays of all iterations over the patches. Every patch has its own range of consecutive items, so
+/// that its rays in all iterations together are evenly spread.
 class RayPlan
 {
 public:
@@ -158,7 +164,7 @@ public:
         double before = offset;
         for (const double share : shares) {
             expected_.push_back(rays * share);
-            begin_.push_back(before - std::floor(before));
+            offset_.push_back(before - std::floor(before));
             first_item_.push_back(SystematicRounding::whole(before));
             before += expected_.back();
         }
@@ -167,26 +173,26 @@ public:
     double expected(std::uint32_t patch) const { return expected_[patch]; }
     std::uint64_t first_item(std::uint32_t patch) const { return first_item_[patch]; }
 
-    /// How many of a patch's rays come in the first part of all iterations, by systematic sampling in time.
+    /// Number of a patch's rays in the first fraction `part` of all iterations, by systematic sampling in time.
     std::uint64_t rays_before(std::uint32_t patch, double part) const
     {
-        return SystematicRounding::whole(begin_[patch] + part * expected_[patch]);
+        return SystematicRounding::whole(offset_[patch] + part * expected_[patch]);
     }
 
 private:
     std::vector<double> expected_;
-    std::vector<double> begin_; ///< [0, 1) where rounding begins: uniform
+    std::vector<double> offset_; ///< offset of the rounding, uniform in [0, 1)
     std::vector<std::uint64_t> first_item_;
 };
 
-/// A patch that sends: by its radiosity and the density of the rays that leave it.
+/// What a patch sends: its radiosity, and the density of the rays that leave it.
 struct Sender
 {
     Rgb radiosity;        ///< [W/m^2]
     double density = 0.0; ///< [1/m^2]
 };
 
-/// The rays of one iteration: those of the plan from one part of all to another.
+/// The rays of one iteration: those of the plan between the fractions `part` and `end_part`.
 class SentRays
 {
 public:
@@ -196,7 +202,7 @@ public:
         for (std::uint32_t i = 0; i < power.size(); ++i) {
             const std::uint64_t before = plan.rays_before(i, part);
             const std::uint64_t rays = plan.rays_before(i, end_part) - before;
-            // A patch that gets a ray now and then has it in proportion to what it expects.
+            // A patch with less than one ray on the average weights it by the expected number.
             const double expected = (end_part - part) * plan.expected(i);
             first_item_[i] = plan.first_item(i) + before;
             first_ray_[i + 1] = first_ray_[i] + rays;
@@ -208,7 +214,7 @@ public:
     std::uint64_t count() const { return first_ray_.back(); }
     const Sender& sender(std::uint32_t patch) const { return senders_[patch]; }
 
-    /// Puts rays first ... first + count - 1 into the block.
+    /// Puts the rays first ... first + count - 1 into the block. `of_patch` is a reusable buffer.
     void fill(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
               std::vector<Item>& of_patch, RayBlock& block) const
     {
@@ -227,13 +233,13 @@ public:
 
 private:
     std::vector<std::uint64_t> first_item_; ///< of each patch, in this iteration
-    std::vector<std::uint64_t> first_ray_;  ///< of each patch; one more than patches
+    std::vector<std::uint64_t> first_ray_;  ///< of each patch, and the total number
     std::vector<Sender> senders_;
 };
 
-/// Adds what the rays of a block carry. A line between i and j that leaves i is one of n_i / A_i per area; in both
-/// directions it might as well have left j, and all lines between the two together must carry what they exchange: each
-/// carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic of Veach.
+/// Adds the power that the rays of a block carry. The rays that leave i have the density n_i / A_i. In both directions,
+/// a ray between i and j might as well have left j, and all rays between the two must together carry what they
+/// exchange. So each carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic (Veach and Guibas 1995).
 void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, TransportEstimate& transfer)
 {
     for (std::size_t k = 0; k < block.receivers.size(); ++k) {
@@ -248,7 +254,7 @@ void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, Tran
     }
 }
 
-/// Does iterations one after the other, each of which can be interrupted.
+/// Traces the rays of successive iterations, each of which can be interrupted and resumed.
 class RayIterations
 {
 public:
@@ -268,7 +274,7 @@ public:
         transfer_.visit(archive);
     }
 
-    /// False if the run is stopped before the end.
+    /// Returns false if the run is stopped before the last ray.
     bool cast(const SentRays& rays, std::uint64_t first_item)
     {
         const Blocks blocks = {rays.count(), rays_together};
@@ -285,7 +291,7 @@ public:
         return next_block_ == blocks.count();
     }
 
-    /// What all rays have carried since the last call.
+    /// Returns the power carried by all rays since the last call, and starts a new iteration.
     TransportEstimate take()
     {
         next_block_ = 0;
@@ -316,7 +322,7 @@ Rgb sum_of(const std::vector<Rgb>& powers)
     return sum;
 }
 
-/// Takes what the patches received of their unshot power: they have sent it, and hold what they reflect.
+/// Updates the state after all patches have sent their unshot power: they hold what they reflect of the received power.
 void take_transfer(const Scene& scene, const TransportEstimate& transfer, PowerState& state)
 {
     state.surplus += sum_of(transfer.incident) + transfer.escaped + transfer.behind - sum_of(state.unshot);
@@ -328,7 +334,7 @@ void take_transfer(const Scene& scene, const TransportEstimate& transfer, PowerS
     }
 }
 
-/// [1] How often the power of the sources is sent until it is absorbed, about.
+/// [1] Approximate number of times that the power of the sources is sent until it is absorbed.
 double usual_sendings(const Scene& scene)
 {
     constexpr double most = 20.0;
@@ -342,8 +348,8 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
 {
     RayIterations rays(scene, sequence, options.bidirectional, run);
     double rays_per_power = static_cast<double>(options.lines) / usual_sendings(scene) / mean(sum_of(state.unshot));
-    std::uint64_t passes = 0; // that are done
-    std::uint64_t cast = 0;   // rays of these
+    std::uint64_t passes = 0; // finished
+    std::uint64_t cast = 0;   // rays of the finished passes
     const Checkpoint::Part part(run.checkpoint, "series", [&](Archive& archive) {
         archive.value<double>("rays per watt", rays_per_power);
         archive.value<std::uint64_t>("passes", passes);
@@ -355,7 +361,7 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
         const double power = mean(sum_of(state.unshot));
         if (!(power > 0.0))
             break;
-        // Less power than that of a ray is sent by one now and then (Russian roulette), or else is gone.
+        // Power below that of a single ray is sent by one ray at random, or is lost (Russian roulette).
         const double wanted = std::min(rays_per_power * power, static_cast<double>(options.most_lines - cast));
         const RayPlan plan(shares_of_rays(scene, state.unshot, 0.0), wanted, bits_to_unit(random_bits(key, passes)));
         const SentRays sent(scene, plan, state.unshot, 0.0, 1.0);
@@ -373,42 +379,42 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     const PowerState start(scene);
     JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
     const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
-    // Of m rays each of n patches has received about m / n.
+    // After m rays, each of n patches has received about m / n of them.
     const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(options.lines_before + 1);
     std::vector<double> shares = shares_of_rays(scene, iterations.power(), std::clamp(unknown, 0.02, 0.5));
-    std::uint64_t rays_around = 0;
-    double importance_of_all = 0.0; // tells which patches are important
+    std::uint64_t importance_rays = 0;
+    double importance_checksum = 0.0; // identifies the important patches in a checkpoint
     if (options.importance) {
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            importance_of_all += options.importance->weight[i] * (1.0 + i);
+            importance_checksum += options.importance->weight[i] * (1.0 + i);
         const auto per_patch =
             static_cast<std::uint32_t>(std::min<std::uint64_t>(16, options.lines / 32 / scene.patch_count()));
-        rays_around = std::uint64_t{per_patch} * scene.patch_count();
-        const std::vector<double> of_rays =
+        importance_rays = std::uint64_t{per_patch} * scene.patch_count();
+        const std::vector<double> noise_factors =
             per_patch > 0
                 ? options.importance->noise_factors(scene, sequence, options.first_item, per_patch, run.threads)
-                : std::vector<double>(scene.patch_count(), 1.0); // too few lines to ask
-        favour(scene, *options.importance, of_rays, iterations.power(), shares);
+                : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
+        favour(scene, *options.importance, noise_factors, iterations.power(), shares);
     }
-    const std::uint64_t first_item = options.first_item + rays_around;
-    const std::uint64_t lines = options.lines - rays_around; // of the iterations
+    const std::uint64_t first_item = options.first_item + importance_rays;
+    const std::uint64_t lines = options.lines - importance_rays; // of the iterations
     const RayPlan plan(shares, static_cast<double>(lines), offset);
     RayIterations rays(scene, sequence, options.bidirectional, run);
-    std::uint64_t done = 0; // of the lines
-    std::uint64_t cast = 0; // rays that this has made, but for rounding as many
+    std::uint64_t done = 0; // planned lines of the finished iterations
+    std::uint64_t cast = 0; // rays of these; the same up to rounding
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("done", done);
         archive.value<std::uint64_t>("cast", cast);
-        double wanted = importance_of_all;
+        double wanted = importance_checksum;
         archive.value<double>("importance", wanted);
-        if (wanted != importance_of_all)
+        if (wanted != importance_checksum)
             throw ArchiveError("in the state other patches are important");
         iterations.visit(archive);
         const Archive::Inner inner(archive, "transfer");
         rays.visit(archive);
     });
     if (!part.resumed())
-        run.count_lines(rays_around);
+        run.count_lines(importance_rays);
     const auto part_of = [&](std::uint64_t count) { return static_cast<double>(count) / static_cast<double>(lines); };
     while (done < lines) {
         const std::uint64_t next = iterations.next_lines(lines - done);
@@ -421,7 +427,7 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     }
     if (done > 0)
         state = iterations.finish();
-    return rays_around + cast;
+    return importance_rays + cast;
 }
 
 } // namespace multipath

@@ -1,3 +1,8 @@
+// A bundle is a set of parallel lines that form a shifted rank-1 lattice on a rectangle across their direction. Along
+// each line, all facing patches exchange power: their radiosity times the section of the rectangle that a line
+// represents, times a constant over the number of directions (P1). Each iteration uses several directions, and the mean
+// of the iterations is the result (JacobiIterations).
+
 #include "radiosity/family/transillumination.h"
 
 #include "geometry/intersector/hit_lists.h"
@@ -19,8 +24,8 @@ double wrapped(double x)
     return x - std::floor(x);
 }
 
-/// Unit vector across the direction, along the longest edge of a box of this size as it is seen: the rectangle around
-/// what is seen is then about as small as can be.
+/// Unit vector perpendicular to the direction, along the longest projected edge of a box of this size. This makes the
+/// rectangle around the projection of the box nearly as small as possible.
 Vec3 axis_across(Vec3 direction, Vec3 size)
 {
     Vec3 longest;
@@ -51,7 +56,7 @@ Bundle::Bundle(const Bounds& box, const Item& item, std::uint64_t lines)
     const double shadow =
         4.0 * (std::abs(d.x) * half.y * half.z + std::abs(d.y) * half.z * half.x + std::abs(d.z) * half.x * half.y);
     const double rectangle = 4.0 * half_u_ * half_v_;
-    constexpr double most_missing = 8.0; // lines for one that meets a flat box seen edgeways
+    constexpr double most_missing = 8.0; // limits the lines per line that meets the box, for a flat box seen edge-on
     const double ratio = shadow > 0.0 ? std::min(most_missing, rectangle / shadow) : most_missing;
     count_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * ratio)));
     section_ = rectangle / static_cast<double>(count_);
@@ -71,13 +76,13 @@ namespace {
 constexpr std::uint64_t lines_together = 1024;
 constexpr std::uint64_t fewest_directions = 16;
 
-/// What the lines of some successive directions join.
+/// Segments of the lines of some successive directions.
 struct BundleBlock
 {
     struct Direction
     {
-        double section;  ///< [m^2] for which each line stands
-        std::size_t end; ///< of its segments
+        double section;  ///< [m^2] represented by each line
+        std::size_t end; ///< one past its last segment
     };
 
     std::vector<Item> items;
@@ -111,7 +116,7 @@ private:
     HitLists hits_;
 };
 
-/// Adds what the lines of a block carry.
+/// Adds the power that the lines of a block carry.
 void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, std::uint64_t directions,
            TransportEstimate& transfer)
 {
@@ -167,7 +172,7 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
     }
     JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
     TransportEstimate transfer = TransportEstimate::none(scene);
-    std::uint64_t done = 0; // directions of whole iterations
+    std::uint64_t done = 0; // directions of the finished iterations
     std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("directions", done);

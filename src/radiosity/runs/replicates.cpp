@@ -18,7 +18,7 @@ namespace multipath {
 
 namespace {
 
-/// Mean and sum of squared deviations of each patch.
+/// Mean and sum of squared deviations of the radiosity of each patch.
 class PatchMoments
 {
 public:
@@ -40,7 +40,7 @@ public:
         archive.list<double>("mean", mean_);
         archive.list<double>("squares", squares_);
     }
-    /// Of the mean.
+    /// Standard errors of the means.
     std::vector<Rgb> standard_errors() const
     {
         std::vector<Rgb> errors(squares_);
@@ -56,7 +56,7 @@ private:
     std::vector<Rgb> squares_;
 };
 
-/// The replicates of one round, and what those that are finished found.
+/// The replicates of one round, with the result of those that are finished.
 class ReplicateRun
 {
 public:
@@ -101,7 +101,8 @@ private:
         SolveOptions options = options_;
         options.sequence = randomised_name(options_.sequence);
         options.lines = options_.lines / parts + (replicate < options_.lines % parts ? 1 : 0);
-        options.denoise = false; // only their mean is: blocks chosen for each would all err in the same way
+        options.denoise =
+            false; // only the mean is denoised: blocks chosen for each replicate would give all the same bias
         return independent_run(options, RandomStream::replicates, options_.seed, (round_ << 32) + replicate, 0);
     }
 
@@ -158,10 +159,11 @@ private:
     std::uint64_t round_;
     std::uint64_t finished_ = 0;
     PatchMoments moments_;
-    Solution sum_; ///< of the shares of the finished ones; radiosity and errors are in the moments
+    Solution sum_; ///< over the finished replicates, each divided by their planned number; radiosity and its errors are
+                   ///< in moments_
 };
 
-/// For replicates that share the lines: each has few of them, and what pays for all may not pay for one.
+/// Prepares for the lines of a single replicate, which are few: a table that pays for all lines may not pay for these.
 Preparation prepare_replicates(const Scene& scene, SolveOptions options, std::uint64_t lines, int replicates)
 {
     options.lines = lines / static_cast<std::uint64_t>(replicates);
@@ -220,7 +222,7 @@ Solution solve_until(const Scene& scene, const SolveOptions& options, int replic
 
 namespace {
 
-/// The options for lines begin ... end - 1 of the run, which nothing of the others' chance touches.
+/// Options for the lines begin ... end - 1 of the run, with items and random numbers that no other lines use.
 SolveOptions stretch_options(const Scene& scene, const SolveOptions& options, std::uint64_t number, std::uint64_t begin,
                              std::uint64_t end)
 {

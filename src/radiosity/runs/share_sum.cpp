@@ -1,3 +1,6 @@
+// The shards of a run of `reuse` stop at one of three stages, each with a sum or a table in its archive that can be
+// completed from the other shards: counts along global lines, rays of balanced reuse, or rows refined by pair rays.
+
 #include "radiosity/runs/share_sum.h"
 
 #include "parallel/blocks.h"
@@ -21,16 +24,16 @@ void visit_inner(Archive& archive, std::string_view name, Value& value)
     value.visit(archive);
 }
 
-void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
+void add_up_pair_counts(const std::vector<Archive*>& shards, std::uint32_t patches, Archive& sum)
 {
     PairCounts counts(patches);
-    PairCounts share(patches);
-    std::vector<SharedRange> ranges(shares.size());
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-        const Archive::Inner inner(*shares[k], "pair counts");
-        ranges[k].visit(*shares[k]);
-        share.visit(*shares[k]);
-        counts += share;
+    PairCounts shard(patches);
+    std::vector<SharedRange> ranges(shards.size());
+    for (std::size_t k = 0; k < shards.size(); ++k) {
+        const Archive::Inner inner(*shards[k], "pair counts");
+        ranges[k].visit(*shards[k]);
+        shard.visit(*shards[k]);
+        counts += shard;
     }
     const Archive::Inner inner(sum, "pair counts");
     SharedRange whole = united(ranges);
@@ -38,30 +41,31 @@ void add_up_pair_counts(const std::vector<Archive*>& shares, std::uint32_t patch
     counts.visit(sum);
 }
 
-/// The patches of each share have its rays to the lights; counts of rays over the hemisphere add up.
-void join_rays(const std::vector<Archive*>& shares, std::uint32_t patches, int threads, Archive& sum)
+/// Takes the shadow rays of each patch from the shard that cast them, and adds up the counts of rays over the
+/// hemisphere.
+void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int threads, Archive& sum)
 {
     LineCounts counts(patches);
     std::vector<ShadowRaySums> sights;
-    std::vector<SharedRange> light_ranges(shares.size());
-    std::vector<SharedRange> hemisphere_ranges(shares.size());
+    std::vector<SharedRange> light_ranges(shards.size());
+    std::vector<SharedRange> hemisphere_ranges(shards.size());
     const Blocks blocks = GatheredLight::blocks(patches);
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-        const Archive::Inner inner(*shares[k], "balanced reuse");
-        visit_inner(*shares[k], "to lights", light_ranges[k]);
-        visit_inner(*shares[k], "hemisphere", hemisphere_ranges[k]);
-        std::vector<ShadowRaySums> share;
-        shares[k]->growing_list<double>("sights", share);
+    for (std::size_t k = 0; k < shards.size(); ++k) {
+        const Archive::Inner inner(*shards[k], "balanced reuse");
+        visit_inner(*shards[k], "to lights", light_ranges[k]);
+        visit_inner(*shards[k], "hemisphere", hemisphere_ranges[k]);
+        std::vector<ShadowRaySums> shard;
+        shards[k]->growing_list<double>("sights", shard);
         if (k == 0)
-            sights = share;
-        if (share.size() != sights.size() || light_ranges[k].end > blocks.count())
+            sights = shard;
+        if (shard.size() != sights.size() || light_ranges[k].end > blocks.count())
             throw ArchiveError("the shares do not fit together; expected all shares of one run");
         for (std::uint64_t i = blocks.first(light_ranges[k].first); i < blocks.first(light_ranges[k].end); ++i)
-            if (i < share.size()) // none if the light of the sources was sent before
-                sights[i] = share[i];
-        LineCounts share_counts(patches);
-        visit_inner(*shares[k], "fresh counts", share_counts);
-        counts.add(std::move(share_counts), threads);
+            if (i < shard.size()) // empty if the light of the sources was distributed before
+                sights[i] = shard[i];
+        LineCounts shard_counts(patches);
+        visit_inner(*shards[k], "fresh counts", shard_counts);
+        counts.add(std::move(shard_counts), threads);
     }
     const Archive::Inner inner(sum, "balanced reuse");
     SharedRange whole = united(light_ranges);
@@ -72,24 +76,24 @@ void join_rays(const std::vector<Archive*>& shares, std::uint32_t patches, int t
     visit_inner(sum, "fresh counts", counts);
 }
 
-/// Each share has refined its rows; the others are as they were.
-void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archive& sum)
+/// Takes each row from the shard that refined it.
+void join_rows(const std::vector<Archive*>& shards, std::uint32_t patches, Archive& sum)
 {
     ExchangeEstimate all{PairMatrix<float>(patches), PairMatrix<float>(patches)};
-    ExchangeEstimate share{PairMatrix<float>(patches), PairMatrix<float>(patches)};
-    std::vector<SharedRange> ranges(shares.size());
-    for (std::size_t k = 0; k < shares.size(); ++k) {
+    ExchangeEstimate shard{PairMatrix<float>(patches), PairMatrix<float>(patches)};
+    std::vector<SharedRange> ranges(shards.size());
+    for (std::size_t k = 0; k < shards.size(); ++k) {
         {
-            const Archive::Inner inner(*shares[k], "pair rays");
-            ranges[k].visit(*shares[k]);
+            const Archive::Inner inner(*shards[k], "pair rays");
+            ranges[k].visit(*shards[k]);
         }
-        const Archive::Inner inner(*shares[k], "line reuse");
-        share.exchange.visit<float>(*shares[k], "exchange");
-        share.variance.visit<float>(*shares[k], "variance");
+        const Archive::Inner inner(*shards[k], "line reuse");
+        shard.exchange.visit<float>(*shards[k], "exchange");
+        shard.variance.visit<float>(*shards[k], "variance");
         const std::uint64_t end = std::min<std::uint64_t>(ranges[k].end, patches);
         for (auto i = static_cast<std::uint32_t>(std::min<std::uint64_t>(ranges[k].first, end)); i < end; ++i) {
-            std::copy_n(share.exchange.row(i), i + 1, all.exchange.row(i));
-            std::copy_n(share.variance.row(i), i + 1, all.variance.row(i));
+            std::copy_n(shard.exchange.row(i), i + 1, all.exchange.row(i));
+            std::copy_n(shard.variance.row(i), i + 1, all.variance.row(i));
         }
     }
     {
@@ -104,16 +108,16 @@ void join_rows(const std::vector<Archive*>& shares, std::uint32_t patches, Archi
 
 } // namespace
 
-void add_up_shares(const std::vector<Archive*>& shares, const std::vector<std::string>& parts, std::uint32_t patches,
+void add_up_shares(const std::vector<Archive*>& shards, const std::vector<std::string>& parts, std::uint32_t patches,
                    int threads, Archive& sum)
 {
     const std::string stage = parts.empty() ? "" : parts.back();
     if (stage == "pair counts")
-        add_up_pair_counts(shares, patches, sum);
+        add_up_pair_counts(shards, patches, sum);
     else if (stage == "balanced reuse")
-        join_rays(shares, patches, threads, sum);
+        join_rays(shards, patches, threads, sum);
     else if (stage == "pair rays")
-        join_rows(shares, patches, sum);
+        join_rows(shards, patches, sum);
     else
         throw ArchiveError("the shares are not finished; expected shares whose runs ended by themselves");
 }
