@@ -1,7 +1,11 @@
-// A patch of area A that reflects the share rho adds rho^2 s^2 / (A m) to the error (1), up to a factor that all
-// patches share, if the mean of m rays tells what power it gets, and each ray alone a power with standard deviation A
-// s: the variance of its radiosity is rho^2 s^2 / m, and it counts by its area. So for a given number of rays in all
-// the sum is smallest with m in proportion to rho s sqrt(A) (Neyman 1934), and not to A, as global lines have it.
+// Neyman allocation (Neyman 1934). Let a single ray from a patch of area A and reflectance rho estimate the power that
+// it receives with standard deviation A s. Then m rays give its radiosity the variance rho^2 s^2 / m, which adds rho^2
+// s^2 A / m to the error (1), up to a factor that all patches share. For a given total number of rays, the sum over the
+// patches is smallest with m in proportion to rho s sqrt(A), and not to A, as with global lines.
+//
+// The standard deviations s are estimated in rounds. The first rounds are small; each round distributes its rays by
+// water-filling, so that together with the earlier rays they come as near as possible to the optimum. After each round
+// the light is estimated roughly, and after the last the linear system (R1) is solved.
 
 #include "radiosity/reuse/balanced_reuse.h"
 
@@ -31,8 +35,8 @@ using Field = std::vector<Rgb>;
 
 constexpr std::uint64_t rounds = 3;
 
-/// How many rays have been cast when each round ends. So many that most patches have an opinion, and not more: in large
-/// runs the first rounds are small.
+/// Total number of rays at the end of each round. The early rounds cast as many as give most patches an estimate, and
+/// no more: in large runs they are a small part of all rays.
 std::array<std::uint64_t, rounds> ends_of_rounds(std::uint64_t rays, std::uint64_t patches)
 {
     const std::uint64_t first = std::max(std::min(rays / 10, 16 * patches), std::min(rays / 2, 2 * patches));
@@ -40,11 +44,11 @@ std::array<std::uint64_t, rounds> ends_of_rounds(std::uint64_t rays, std::uint64
     return {first, second, rays};
 }
 
-constexpr double bytes_per_ray = 10.0; // noted at both ends, and some of them again until they are sorted
-// The solution is not linear in the counts: with so few rays its bias is about 0.1 % / (1 - R_ave).
+constexpr double bytes_per_ray = 10.0; // a note at both ends, and for some rays another one until they are sorted
+// The solution is not linear in the counts: with this number of rays its bias is about 0.1 % / (1 - R_ave).
 constexpr double least_rays_at_once = 24.0; // per patch
 
-/// Of a run with so many rays. Measured, not derived.
+/// [bytes] Memory of a run with this number of rays, without the counts. An empirical formula.
 double bytes_without_counts(const Scene& scene, double rays)
 {
     constexpr double bytes_per_patch = 540.0;
@@ -53,18 +57,19 @@ double bytes_without_counts(const Scene& scene, double rays)
            bytes_of_buffers * std::min(rays, 1e6);
 }
 
-/// Numbers for each patch, of the rays to the lights and of those over the hemisphere.
-struct BothKinds
+/// Values per patch for the shadow rays and for the rays over the hemisphere.
+struct PatchValues
 {
     std::vector<double> light;
     std::vector<double> hemisphere;
 
-    explicit BothKinds(std::uint32_t patches) : light(large_vector<double>(patches)), hemisphere(light) {}
+    explicit PatchValues(std::uint32_t patches) : light(large_vector<double>(patches)), hemisphere(light) {}
 };
 
-/// How many rays, on the average, each patch gets so that all get `budget`: `least` at least, and then by importance
-/// and what they had before.
-BothKinds shared_out(double budget, const BothKinds& importance, const BothKinds& had, const BothKinds& least)
+/// Expected numbers of rays that add up to `budget`. Every patch gets `least`, and the rest goes by water-filling
+/// according to importance and the rays that it had before.
+PatchValues distribute_rays(double budget, const PatchValues& importance, const PatchValues& had,
+                            const PatchValues& least)
 {
     const std::size_t n = importance.light.size();
     WaterFilling fill;
@@ -82,19 +87,19 @@ BothKinds shared_out(double budget, const BothKinds& importance, const BothKinds
     });
     const double rest = std::max(0.0, budget - given);
     const double level = fill.level(rest);
-    BothKinds result = least;
+    PatchValues result = least;
     double more = 0.0;
     const auto lacks = [&](double wants, double has, double gets) { return std::max(0.0, level * wants - has - gets); };
     for_all([&](double wants, double has, double gets, std::size_t, bool) { more += lacks(wants, has, gets); });
-    const double scale = more > 0.0 ? rest / more : 0.0; // the level is right to a few percent
+    const double scale = more > 0.0 ? rest / more : 0.0; // corrects the level, which is exact to a few percent only
     for_all([&](double wants, double has, double gets, std::size_t i, bool light) {
         (light ? result.light : result.hemisphere)[i] += scale * lacks(wants, has, gets);
     });
     return result;
 }
 
-/// Makes what is received and what is lost add up to what is emitted [W], in one channel. What is lost, the rays of the
-/// sources tell; where none was, the power received is scaled.
+/// Makes received and lost power add up to the emitted power [W], in one channel. Rays of the sources have estimated
+/// the losses, which are scaled; if there were none, the received power is scaled.
 void close_balance(double emitted, double received, double& scale, double& escaped, double& behind)
 {
     const double lost = escaped + behind;
@@ -109,14 +114,14 @@ void close_balance(double emitted, double received, double& scale, double& escap
     }
 }
 
-/// Rays dealt out, and the part of them that this run casts.
-struct Cast
+/// The rays of one kind in a round, and the part of them that this run casts.
+struct RayBatch
 {
     std::uint64_t first_item = 0;
     Allotment allotment;
-    SharedRange range; ///< of blocks
+    SharedRange range; ///< range of blocks of this run
 
-    explicit Cast(std::uint32_t patches) : allotment(patches) {}
+    explicit RayBatch(std::uint32_t patches) : allotment(patches) {}
 
     void visit(Archive& archive, std::string_view name)
     {
@@ -209,10 +214,10 @@ private:
     bool is_last() const { return round_ + 1 == rounds; }
     std::uint64_t light_blocks() const { return GatheredLight::blocks(n_).count(); }
 
-    /// Deals out the rays of the next round, or of the next part of the last one.
+    /// Plans the rays of the next round, or of the next part of the last one.
     void plan()
     {
-        BothKinds expected(n_);
+        PatchValues expected(n_);
         if (part_ == 0) {
             const auto cast_before = static_cast<double>(next_item_ - rays_.first_item);
             expected = expected_rays(std::max(0.0, static_cast<double>(ends_[round_]) - cast_before));
@@ -223,34 +228,36 @@ private:
         expected.hemisphere = expected_;
         for (double& rays : expected.hemisphere)
             rays /= static_cast<double>(parts_);
-        const Shard shard = is_last() ? run_.shard : Shard{}; // each shard does the first rounds, which are small
+        const Shard shard =
+            is_last() ? run_.shard : Shard{}; // early rounds are small: each shard does all of their work
         to_lights_.first_item = next_item_;
         const double offset = bits_to_unit(bits_from(sequence_.item(next_item_)));
         to_lights_.allotment = Allotment(expected.light, offset);
         to_lights_.range = SharedRange::of(light_blocks(), shard);
         next_item_ += to_lights_.allotment.rays();
         hemisphere_.first_item = next_item_;
-        constexpr double below_one = 0x1.fffffffffffffp-1; // together they are as many as planned
+        constexpr double below_one =
+            0x1.fffffffffffffp-1; // offsets that add up to 1 make the total number of rays as planned
         hemisphere_.allotment = Allotment(expected.hemisphere, std::min(1.0 - offset, below_one));
         hemisphere_.range = SharedRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
         next_item_ += hemisphere_.allotment.rays();
     }
 
-    BothKinds expected_rays(double budget) const
+    PatchValues expected_rays(double budget) const
     {
-        BothKinds had(n_);
-        BothKinds least(n_);
-        BothKinds importance(n_);
+        PatchValues had(n_);
+        PatchValues least(n_);
+        PatchValues importance(n_);
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.lamp_power());
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
-            constexpr double dark = 0.01;     // what black patches receive is wanted too, if not as precisely
-            constexpr double exponent = 0.35; // of the area, while nothing is known of the light
+            constexpr double dark = 0.01;     // the irradiance of black patches matters too, though less
+            constexpr double exponent = 0.35; // of the area, as long as the light is unknown
             const double worth = round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i))
                                             : elementary::pow(scene_.area(i), exponent);
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
-            // A ray over the hemisphere counts for the patch that it meets, too, and its noise is denoised best.
+            // A ray over the hemisphere counts for both of its ends, and denoising removes most of its noise.
             constexpr double left_of_variance = 0.35;
             importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
             importance.light[i] = sees_light ? worth * light[i] : 0.0;
@@ -260,15 +267,17 @@ private:
                 least.hemisphere[i] = rays_.indirect ? 1.0 : 0.0;
                 least.light[i] = sees_light ? 1.0 : 0.0;
             }
-            constexpr double to_see_losses = 1.0 / 32.0; // of the rays, from the sources
+            constexpr double to_see_losses =
+                1.0 / 32.0; // fraction of the rays that leave the sources, to estimate losses
             if (light_)
                 least.hemisphere[i] = std::max(least.hemisphere[i], to_see_losses * budget * scene_.area(i) *
                                                                         mean(scene_.emittance(i)) / source);
         });
-        return shared_out(budget, importance, had, least);
+        return distribute_rays(budget, importance, had, least);
     }
 
-    /// [W/m^2] Of what single rays over the hemisphere of each patch find, by the light that is known so far.
+    /// [W/m^2] Standard deviation of the radiosity that a single ray over the hemisphere of each patch finds, by the
+    /// present estimate of the light.
     std::vector<double> hemisphere_deviations() const
     {
         constexpr double enough = 32.0;
@@ -325,7 +334,8 @@ private:
         count_rays(scene_, hemisphere_.allotment, sequence_, hemisphere_.first_item, hemisphere_.range, run_, fresh_);
     }
 
-    /// Puts the fresh counts to the others. Those of an earlier part have been solved for and are forgotten.
+    /// Adds the counts of this round to those of the earlier ones. Counts of an earlier part are not kept after its
+    /// solution.
     void take_fresh_counts()
     {
         const Blocks blocks = ray_blocks(hemisphere_.allotment);
@@ -369,7 +379,7 @@ private:
         return result;
     }
 
-    /// Some bounces, with rows as they were counted: good enough to know where more rays are worth it.
+    /// Some Jacobi iterations with the counts as they are: accurate enough to distribute rays.
     Field rough_radiosity() const
     {
         constexpr int bounces = 3;
@@ -395,7 +405,8 @@ private:
         return radiosity;
     }
 
-    /// Calls take(weight of a ray, rays, patch) for what the rays of patch i found: other patches, or nothing.
+    /// Calls take(weight of a ray, number of rays, patch) for each patch at the other end of patch i's rays, and for
+    /// `nothing`.
     template <class Take>
     void for_row(std::uint32_t i, const std::vector<double>& density, const Take& take) const
     {
@@ -407,7 +418,7 @@ private:
     }
     static constexpr std::uint32_t nothing = Scene::no_patch;
 
-    /// (R1) with the present counts, and its share of the light.
+    /// Solves (R1) with the present counts, and adds the fraction 1 / parts_ of the light to the state.
     void solve_part()
     {
         if (part_ == 0) {
@@ -427,20 +438,21 @@ private:
             }
             return solution.converged;
         };
-        // White patches that the rays join only with each other keep their light for ever: no solution exists.
+        // If the rays join white patches only with each other, their light stays there for ever: no solution exists.
         if (!solved(0.0) && !solved(1.0))
             throw no_solution(scene_);
     }
 
-    /// What a patch reflects of what it gets over its hemisphere: the mean over rays that count differently. That few
-    /// rays agree does not prove that one more would: theirs is at least that of the rays around them.
+    /// Adds the variance of the light reflected from the hemisphere, a mean over rays of unequal weights. The variance
+    /// of a single ray is taken to be at least that of the surrounding patches' rays, as a few rays may agree by
+    /// chance.
     void add_variance(const Field& radiosity)
     {
         constexpr double enough = 64.0;
         const std::vector<double> density = densities();
         const double share = 1.0 / static_cast<double>(parts_);
         Field variances = large_vector<Rgb>(n_);
-        std::vector<RaySums> rays = large_vector<RaySums>(n_); // their value: the variance of one
+        std::vector<RaySums> rays = large_vector<RaySums>(n_); // `value` sums the variance of a single ray
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             double weight = 0.0;
             double squared_weight = 0.0;
@@ -451,7 +463,7 @@ private:
                 const Rgb light = j != nothing ? radiosity[j] : Rgb{};
                 weight += rays_of_weight * w;
                 squared_weight += rays_of_weight * w * w;
-                sum += w * light; // rays that found nothing are dark
+                sum += w * light; // rays that meet no patch are dark
                 cross += (w * w) * light;
                 squares += (w * w) * (light * light);
             });
@@ -493,7 +505,7 @@ private:
         }
     }
 
-    /// The sources have sent their light, and the patches have it.
+    /// Moves the direct light from the sources to the patches, with a closed balance.
     void receive_light(PowerState& state) const
     {
         if (!light_)
@@ -537,19 +549,19 @@ private:
     const Field rho_;
     const SurfaceTree& patches_;
     const std::array<std::uint64_t, rounds> ends_;
-    std::optional<GatheredLight> light_; ///< none if direct light has been sent before
+    std::optional<GatheredLight> light_; ///< empty if the direct light was distributed before
 
     std::uint64_t round_ = 0;
     std::uint64_t part_ = 0; ///< of the last round
     std::uint64_t parts_ = 1;
     std::uint64_t next_item_; ///< of the sequence
-    Cast to_lights_;
-    Cast hemisphere_;
-    std::vector<double> expected_;       ///< rays over the hemispheres in all parts of the last round
-    std::vector<double> rays_of_counts_; ///< that left each patch
+    RayBatch to_lights_;
+    RayBatch hemisphere_;
+    std::vector<double> expected_;       ///< rays over the hemispheres, for all parts of the last round
+    std::vector<double> rays_of_counts_; ///< number of rays that left each patch
     LineCounts counts_;
-    LineCounts fresh_; ///< of the round under way
-    Field source_;     ///< [W/m^2] when direct light has arrived
+    LineCounts fresh_; ///< of the current round
+    Field source_;     ///< [W/m^2] unshot after the direct light has arrived
     Field guess_;      ///< [W/m^2] radiosity
     Field variance_;   ///< [(W/m^2)^2] of the radiosity
 };

@@ -1,13 +1,13 @@
-// A block of patches i with areas a_i, values y_i and variances s_i^2 is fitted by f = sum of q_k <q_k, y>, with
-// <x, y> = sum of a_i x_i y_i and orthonormal polynomials q_1 ... q_p of where the patches are (Gram-Schmidt).
-// The expected error of f, sum of a_i (f_i - truth_i)^2, is that of
+// A block of patches i with areas a_i, radiosities y_i and variances s_i^2 is fitted by f = sum of q_k <q_k, y>, where
+// <x, y> = sum of a_i x_i y_i, and q_1 ... q_p are orthonormal polynomials in the coordinates of the patches
+// (Gram-Schmidt). The expected error of f, sum of a_i (f_i - truth_i)^2, is that of
 //
 //   sum of a_i (f_i - y_i)^2 + 2 T - N,    T = sum of a_i^2 s_i^2 h_i,  N = sum of a_i s_i^2,        (R6)
 //
-// where h_i = sum of q_k(i)^2 is the leverage of patch i: Stein's unbiased risk estimate. For patches that stay as they
-// are T = N. The fits are the best of many and look better than they are, so T has a price above 2, found by
-// trying (cost-complexity pruning, Breiman et al. 1984). The constant among the polynomials
-// keeps the sum of a_i y_i.
+// where h_i = sum of q_k(i)^2 is the leverage of patch i: Stein's unbiased risk estimate. For patches that are not
+// fitted, T = N. A chosen fit is the best of many, so its estimated risk is too low; an empirical price above 2 for T
+// compensates this (cost-complexity pruning, Breiman et al. 1984). The constant polynomial preserves the sum of a_i
+// y_i.
 
 #include "radiosity/reuse/denoising.h"
 
@@ -28,10 +28,10 @@ namespace {
 constexpr int trees = 4;
 constexpr double price = 2.5;
 constexpr int most_degree = 2;
-constexpr std::uint32_t most_of_block = 1024; // the noise that the fit of one leaves is nothing beside that of others
-constexpr std::uint32_t least_of_block = 8;   // is not cut: which of a few patches are fitted together, noise decides
+constexpr std::uint32_t most_of_block = 1024; // larger blocks would not reduce the noise noticeably
+constexpr std::uint32_t least_of_block = 8; // not cut further: noise would decide which few patches are fitted together
 
-constexpr std::size_t coordinate_count = 6; // position and direction
+constexpr std::size_t coordinate_count = 6; // position and normal
 constexpr std::size_t most_polynomials = 1 + coordinate_count + 6;
 using Coordinates = std::array<double, coordinate_count>;
 
@@ -76,16 +76,16 @@ struct Extent
     }
 };
 
-/// Where the patches are.
-class Places
+/// Coordinates of the patches.
+class PatchCoordinates
 {
 public:
-    explicit Places(const Scene& scene)
+    explicit PatchCoordinates(const Scene& scene)
         : scene_(scene),
           surfaces_(with_room<Coordinates>(scene.surfaces().size())),
           centres_(with_room<Vec3>(scene.patch_count()))
     {
-        constexpr double turn = 0.1; // patches with normals that differ by 1 are as far apart as so many diagonals
+        constexpr double turn = 0.1; // a unit difference of normals counts like this fraction of the diagonal
         for (const Surface& surface : scene.surfaces()) {
             const Vec3 centre = surface.centre();
             const Vec3 normal = turn * scene.bounds().diagonal() * surface.normal();
@@ -104,7 +104,7 @@ public:
         result[2] = centres_[patch].z;
         return result;
     }
-    /// Of at least one patch.
+    /// Bounding box of the patches; there must be at least one.
     Extent extent(const std::uint32_t* first, const std::uint32_t* last) const
     {
         Extent result(of_patch(*first));
@@ -119,7 +119,7 @@ private:
     std::vector<Vec3> centres_;
 };
 
-/// Sum of a b, in four parts that compilers can add at once.
+/// Sum of a_k b_k, in four partial sums for vector instructions.
 double sum_of_products(const std::vector<double>& a, const std::vector<double>& b)
 {
     constexpr std::size_t lanes = 4;
@@ -133,19 +133,20 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// Polynomials fitted to patches, one after the other.
+/// A least-squares fit to a block of patches, to which polynomials are added one by one.
 class Fit
 {
 public:
-    Fit(const Scene& scene, const Places& places, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& variance)
-        : scene_(scene), places_(places), radiosity_(radiosity), variance_(variance)
+    Fit(const Scene& scene, const PatchCoordinates& coordinates, const std::vector<Rgb>& radiosity,
+        const std::vector<Rgb>& variance)
+        : scene_(scene), coordinates_(coordinates), radiosity_(radiosity), variance_(variance)
     {
     }
 
     void begin(const std::uint32_t* first, const std::uint32_t* last)
     {
         count_ = static_cast<std::size_t>(last - first);
-        const Extent box = places_.extent(first, last);
+        const Extent box = coordinates_.extent(first, last);
         const double width = box.length(box.longest());
         const double scale = width > 0.0 ? 2.0 / width : 0.0;
         for (std::vector<double>& x : at_)
@@ -159,7 +160,7 @@ public:
         const Vec3 along_u = normalized(surface.edge_u);
         const Vec3 across = cross(surface.normal(), along_u);
         for (std::size_t k = 0; k < count_; ++k) {
-            Coordinates x = places_.of_patch(first[k]);
+            Coordinates x = coordinates_.of_patch(first[k]);
             for (std::size_t d = 0; d < coordinate_count; ++d)
                 x[d] = scale * (x[d] - 0.5 * (box.low[d] + box.high[d]));
             if (one_surface) {
@@ -180,8 +181,8 @@ public:
         used_ = 0;
     }
 
-    /// Adds the polynomials of this degree, those of a lower one being there; of directions only linear ones. False if
-    /// that would take more parameters than half the number of patches.
+    /// Adds all polynomials of this degree; those of lower degrees must be there. Normals have linear polynomials only.
+    /// Returns false if the fit would have more parameters than half the number of patches.
     bool add_degree(int degree)
     {
         if (degree == 0) {
@@ -210,12 +211,13 @@ public:
     double total_area() const { return total_area_; }
     double area(std::size_t k) const { return area_[k]; }
     Rgb found(std::size_t k) const { return found_[k]; }          ///< y
-    Rgb noise(std::size_t k) const { return noise_[k]; }          ///< v
+    Rgb noise(std::size_t k) const { return noise_[k]; }          ///< s^2
     Rgb value(std::size_t k) const { return value_[k]; }          ///< f
     double leverage(std::size_t k) const { return leverage_[k]; } ///< h
 
 private:
-    /// Takes from the polynomial what the others have of it and adds the rest, by Gram and Schmidt.
+    /// Orthogonalises the polynomial against the basis (Gram-Schmidt), and adds it to basis and fit. A polynomial that
+    /// depends on the others has no effect. Returns false if the basis is as large as allowed.
     bool add()
     {
         weighted_.resize(count_);
@@ -227,7 +229,8 @@ private:
             products[b] = sum_of_products(weighted_, basis_[b]);
             square -= products[b] * products[b];
         }
-        constexpr double tiny = 1e-6; // nothing new: the patches lie in a plane, or in a line
+        constexpr double tiny =
+            1e-6; // of its square: the rest is rounding, as if all patches lie in a plane or on a line
         if (!(square > tiny * total_area_))
             return true;
         if (2 * (used_ + 1) > count_)
@@ -252,26 +255,27 @@ private:
     }
 
     const Scene& scene_;
-    const Places& places_;
+    const PatchCoordinates& coordinates_;
     const std::vector<Rgb>& radiosity_;
     const std::vector<Rgb>& variance_;
     std::size_t count_ = 0;
     double total_area_ = 0.0;
-    std::array<std::vector<double>, coordinate_count> at_; ///< about -1 ... 1; within a surface the first two
-    std::size_t linear_ = 0;                               ///< coordinates that have linear polynomials
-    std::size_t squared_ = 0;                              ///< and quadratic ones
+    std::array<std::vector<double>, coordinate_count>
+        at_;                  ///< scaled to about -1 ... 1; within one surface only the first two
+    std::size_t linear_ = 0;  ///< number of coordinates with linear polynomials
+    std::size_t squared_ = 0; ///< number of coordinates with quadratic polynomials
     std::vector<double> area_;
     std::vector<Rgb> found_;
     std::vector<Rgb> noise_;
-    std::vector<double> polynomial_;                          ///< to be added
-    std::vector<double> weighted_;                            ///< a times it
-    std::array<std::vector<double>, most_polynomials> basis_; ///< q, the first used_
+    std::vector<double> polynomial_;                          ///< the next one to add
+    std::vector<double> weighted_;                            ///< area times polynomial
+    std::array<std::vector<double>, most_polynomials> basis_; ///< q; the first used_ are valid
     std::size_t used_ = 0;
     std::vector<Rgb> value_;
     std::vector<double> leverage_;
 };
 
-/// What a fit leaves, and what of it is noise [W^2/m^2].
+/// Residual of a fit, and the noise in it [W^2/m^2].
 struct Residual
 {
     Rgb found; ///< sum of a (f - y)^2
@@ -284,7 +288,7 @@ class Denoising
 {
 public:
     Denoising(const Scene& scene, int threads, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& variance)
-        : scene_(scene), places_(scene), threads_(threads), radiosity_(radiosity), variance_(variance)
+        : scene_(scene), coordinates_(scene), threads_(threads), radiosity_(radiosity), variance_(variance)
     {
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             if (sum(variance[i]) > 0.0)
@@ -293,31 +297,31 @@ public:
                          [&](std::uint32_t i, std::uint32_t j) { return group(i) < group(j); });
     }
 
-    /// The fits of one tree: radiosity and variance become those of the patches that are fitted.
+    /// Fits the blocks of one tree: sets `radiosity` and `variance` of all patches that are fitted.
     void fit_tree(int number, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
     {
         order_ = patches_;
         shift_ = 0.25 + 0.5 * (number + 0.5) / trees;
         std::vector<Block> blocks;
-        for_groups([&](std::uint32_t begin, std::uint32_t end) { cut_down({begin, end, 0}, blocks); });
+        for_groups([&](std::uint32_t begin, std::uint32_t end) { divide({begin, end, 0}, blocks); });
         parallel_blocks(blocks.size(), threads_, [&](std::uint64_t b) {
-            Fit fit(scene_, places_, radiosity_, variance_);
+            Fit fit(scene_, coordinates_, radiosity_, variance_);
             prune(blocks[static_cast<std::size_t>(b)], fit, radiosity, variance);
         });
     }
 
 private:
-    /// Patches that are one behind the other in the order of the tree.
+    /// A range of consecutive patches in tree order.
     struct Block
     {
         std::uint32_t begin;
         std::uint32_t end;
-        int cuts; ///< within its surface that led to it
+        int cuts; ///< number of cuts within its surface that led to it
 
         std::uint32_t size() const { return end - begin; }
     };
 
-    /// Patches of one material, on one side.
+    /// Key of the material and the side of a patch.
     std::uint32_t group(std::uint32_t i) const
     {
         return 2 * scene_.file().material[scene_.surface_of(i)] + (scene_.is_front(i) ? 0 : 1);
@@ -334,7 +338,7 @@ private:
         }
     }
 
-    static Residual left_by(const Fit& fit)
+    static Residual residual_of(const Fit& fit)
     {
         Residual result;
         for (std::size_t k = 0; k < fit.size(); ++k) {
@@ -347,41 +351,44 @@ private:
         return result;
     }
 
-    void cut_down(Block block, std::vector<Block>& blocks)
+    void divide(Block block, std::vector<Block>& blocks)
     {
-        const std::vector<Block> halves = block.size() > most_of_block ? parts(block) : std::vector<Block>();
+        const std::vector<Block> halves = block.size() > most_of_block ? split(block) : std::vector<Block>();
         for (const Block& half : halves)
-            cut_down(half, blocks);
+            divide(half, blocks);
         if (halves.empty())
             blocks.push_back(block);
     }
 
-    /// Cuts a block across its longest extent, first between surfaces, then within one. Empty if it is in one place.
-    std::vector<Block> parts(Block block)
+    /// Cuts a block across its longest extent, between surfaces if it has several, otherwise within its surface. Empty
+    /// if all positions are the same.
+    std::vector<Block> split(Block block)
     {
         const std::uint32_t* const first = order_.data() + block.begin;
         const std::uint32_t* const last = order_.data() + block.end;
         const bool one = scene_.surface_of(*first) == scene_.surface_of(last[-1]);
-        const auto place = [&](std::uint32_t i) { return one ? places_.of_patch(i) : places_.of_surface(i); };
-        Extent box(place(*first));
+        const auto coordinates = [&](std::uint32_t i) {
+            return one ? coordinates_.of_patch(i) : coordinates_.of_surface(i);
+        };
+        Extent box(coordinates(*first));
         for (const std::uint32_t* patch = first; patch != last; ++patch)
-            box.include(place(*patch));
+            box.include(coordinates(*patch));
         const std::size_t d = box.longest();
         constexpr int shifted_cuts = 2;
         const double at = box.low[d] + (block.cuts < shifted_cuts ? shift_ : 0.5) * box.length(d);
         if (!(at > box.low[d]))
             return {};
         const auto second = std::stable_partition(order_.begin() + block.begin, order_.begin() + block.end,
-                                                  [&](std::uint32_t i) { return place(i)[d] < at; });
+                                                  [&](std::uint32_t i) { return coordinates(i)[d] < at; });
         const auto middle = static_cast<std::uint32_t>(second - order_.begin());
         const int cuts = block.cuts + (one ? 1 : 0);
         return {{block.begin, middle, cuts}, {middle, block.end, cuts}};
     }
 
-    /// Fits the parts of a block, or all of it if that has less risk. Returns the risk.
+    /// Fits the two parts of a block, or the whole block if that has less risk. Returns the estimated risk.
     double prune(Block block, Fit& fit, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
     {
-        const std::vector<Block> halves = block.size() > least_of_block ? parts(block) : std::vector<Block>();
+        const std::vector<Block> halves = block.size() > least_of_block ? split(block) : std::vector<Block>();
         double risk = 0.0;
         for (const Block& half : halves)
             risk += prune(half, fit, radiosity, variance);
@@ -393,7 +400,7 @@ private:
         const std::uint32_t* const patches = order_.data() + block.begin;
         fit.begin(patches, order_.data() + block.end);
         for (int degree = 0; degree <= most_degree && fit.add_degree(degree); ++degree) {
-            const Residual residual = left_by(fit);
+            const Residual residual = residual_of(fit);
             if (!(residual.risk() < risk) || !is_sound(fit, patches, residual))
                 continue;
             risk = residual.risk();
@@ -402,12 +409,11 @@ private:
         return risk;
     }
 
-    /// False for a fit that takes a patch below what it emits, or further than noise can have taken it, however well
-    /// that does for the others.
+    /// False for a fit that makes a patch darker than its emittance, or changes it more than noise can explain.
     bool is_sound(const Fit& fit, const std::uint32_t* patches, const Residual& residual) const
     {
         constexpr double far = 6.0;    // standard deviations
-        constexpr double least = 0.01; // of the variance of the others: few rays may have none
+        constexpr double least = 0.01; // of the variance of the others: the few rays of a patch may have none
         const double usual = sum(residual.noise) / fit.total_area();
         for (std::size_t k = 0; k < fit.size(); ++k) {
             const Rgb difference = fit.found(k) - fit.value(k);
@@ -432,22 +438,22 @@ private:
     }
 
     const Scene& scene_;
-    const Places places_;
+    const PatchCoordinates coordinates_;
     const int threads_;
     const std::vector<Rgb>& radiosity_;
     const std::vector<Rgb>& variance_;
-    std::vector<std::uint32_t> patches_; ///< that have variance, group by group, surface by surface
-    std::vector<std::uint32_t> order_;   ///< of the present tree
-    double shift_ = 0.0;                 ///< where its first cuts are, 0 ... 1
+    std::vector<std::uint32_t> patches_; ///< patches with variance, sorted by group, then by surface
+    std::vector<std::uint32_t> order_;   ///< patches in the order of the current tree
+    double shift_ = 0.0;                 ///< relative position of its first cuts, 0 ... 1
 };
 
-/// [1] Of each patch the reflectance by that of its material; empty without textures.
+/// [1] Reflectance of each patch divided by that of its material; empty without textures.
 std::vector<Rgb> texture_detail(const Scene& scene)
 {
     std::vector<Rgb> result;
     if (scene.file().textures.empty())
         return result;
-    constexpr double least = 1e-3; // black has no light to be smoothed
+    constexpr double least = 1e-3; // the light of black patches needs no smoothing
     const auto ratio = [](double a, double b) { return b > 0.0 && a > least * b ? a / b : 1.0; };
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const Rgb rho = scene.reflectance(i);
@@ -466,7 +472,7 @@ Rgb without_detail(Rgb a, Rgb b)
 
 void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
 {
-    // Sunlight is not estimated by lines, and its shadows have edges, as textures have.
+    // Sunlight has no noise, and its shadows have sharp edges, like textures; so both are removed before the fit.
     const auto sunlight = [&](std::uint32_t i) { return scene.reflectance(i) * scene.sunlight(i); };
     const std::vector<Rgb> detail = texture_detail(scene);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)

@@ -1,9 +1,9 @@
-// With y = sqrt(rho) H, H the irradiance, (R1) becomes symmetric:
+// With y = sqrt(rho) H, where H is the irradiance, (R1) becomes symmetric:
 //
 //   a_i y_i - sqrt(rho_i) sum over j of G_ij sqrt(rho_j) y_j = sqrt(rho_i) sum over j of G_ij S_j
 //
-// and black patches are no exception. With rows that add up to a and reflectances below 1 the matrix is positive
-// definite.
+// Black patches need no special case. If the rows add up to a and all reflectances are below 1, the matrix is positive
+// definite, and conjugate gradients apply, here with the diagonal as preconditioner.
 
 #include "radiosity/reuse/exchange_solver.h"
 
@@ -123,19 +123,20 @@ void distribute(const Scene& scene, const Exchange& exchange, const std::vector<
         state.unshot[i] += scene.reflectance(i) * incident - sent;
         state.escaped += escaped;
         state.behind += behind;
-        // Counted areas are right on the average only: what arrives everywhere is not quite what was sent.
+        // Counted areas are right only on the average: the power received everywhere is not exactly the power sent.
         state.emitted += incident + escaped + behind - sent;
     }
 }
 
 namespace {
 
-/// One channel of it. With H' = max(0, H - mu (1 - rho)) the power absorbed falls as mu grows, convex and piecewise
-/// linear: Newton's iteration from mu = 0 comes to its root from below, one piece after another.
+/// The same for one channel. With H' = max(0, H - mu (1 - rho)), the absorbed power is a decreasing, convex and
+/// piecewise linear function of mu. So Newton's iteration from mu = 0 approaches the solution from below, segment by
+/// segment.
 void remove_negative_light(const Scene& scene, double Rgb::*channel, PowerState& state)
 {
     const auto patches = scene.patch_count();
-    double wanted = 0.0; // [W] absorbed
+    double wanted = 0.0; // [W] absorbed power
     bool any = false;
     for (std::uint32_t i = 0; i < patches; ++i) {
         wanted += (1.0 - scene.reflectance(i).*channel) * state.incident[i].*channel;

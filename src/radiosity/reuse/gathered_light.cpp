@@ -1,3 +1,8 @@
+// A light cut lists the clusters of lights that a patch may see, with their irradiances. The shadow rays of a patch are
+// distributed over the cut by systematic sampling, in proportion to irradiance; in each cluster the tree then chooses a
+// light by power, and the item a point on the patch and one on the light. Visible fractions come from the traced rays,
+// and sums of g - 1 correct the approximate irradiances of the clusters (R5).
+
 #include "radiosity/reuse/gathered_light.h"
 
 #include "geometry/elementary.h"
@@ -18,18 +23,18 @@ namespace multipath {
 
 namespace {
 
-// Larger angles mean fewer clusters per patch and more noise, from 0.4 on. Found by trying, in a room with 2,600
+// Larger angles give fewer clusters per patch, and from 0.4 on more noise. Chosen by experiment in a room with 2,600
 // lights.
 constexpr double cluster_angle = 0.3;
-// Lights that are seen wider than so have kernels that vary much: rays go into their solid angles (RayPair).
+// The kernels of lights that are seen under a larger angle vary much: rays sample their solid angle instead (RayPair).
 constexpr double single_angle = 0.5;
 
-constexpr double enough_rays = 16.0; // of a patch, to tell which share of its lights it sees
+constexpr double enough_rays = 16.0; // of a patch, for its own estimate of the visible fraction
 
 constexpr std::uint32_t patches_per_block = 256;
 constexpr std::size_t rays_at_a_time = 4096;
 
-/// Rays to lights, traced together.
+/// Shadow rays that are traced together.
 class RaysToLights
 {
 public:
@@ -38,40 +43,40 @@ public:
     {
     }
 
-    /// A ray for each item: of `rays` in all, from number `first` on, by systematic sampling of the clusters that
-    /// begins at `offset` in [0, 1).
+    /// Adds one ray for each item: rays number `first` and following of `rays` in total, by systematic sampling of the
+    /// clusters with an offset in [0, 1).
     void add(std::uint32_t patch, const std::vector<Item>& items, std::uint64_t first, std::uint64_t rays,
-             double offset, ShadowRaySums& sight)
+             double offset, ShadowRaySums& patch_sums)
     {
         const FlatPiece receiver = piece_of(scene_.patch(patch).shape);
         const double step = cuts_.irradiance(patch) / static_cast<double>(rays);
         const SeenCluster* cluster = cuts_.begin(patch);
-        double begin = 0.0; // of the cluster in the sum of all
+        double begin = 0.0; // of the cluster, in the cumulative irradiance
         double number = static_cast<double>(first) + offset;
-        sight.rays += static_cast<double>(items.size());
+        patch_sums.rays += static_cast<double>(items.size());
         for (const Item& item : items) {
             const double at = number * step;
             while (cluster + 1 < cuts_.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
                 begin += static_cast<double>((cluster++)->irradiance);
             const double x = (at - begin) / static_cast<double>(cluster->irradiance);
-            add_ray(patch, receiver, *cluster, std::clamp(x, 0.0, 0x1.fffffffffffffp-1), item, sight);
+            add_ray(patch, receiver, *cluster, std::clamp(x, 0.0, 0x1.fffffffffffffp-1), item, patch_sums);
             number += 1.0;
         }
     }
 
     std::size_t size() const { return lines_.size(); }
 
-    void trace(std::vector<ShadowRaySums>& sights)
+    void trace(std::vector<ShadowRaySums>& sums)
     {
         scene_.intersector().hits_on_targets(from_.data(), to_.data(), lines_.data(), lines_.size(), hits_);
         for (std::size_t k = 0; k < targets_.size(); ++k) {
             const Target& target = targets_[k];
             if (!hits_.is_hit(k) || hits_[k].front != target.front)
                 continue;
-            ShadowRaySums& sight = sights[target.patch];
+            ShadowRaySums& patch_sums = sums[target.patch];
             const Rgb emittance = scene_.emittance(scene_.first_patch(target.light));
-            sight.free += 1.0;
-            sight.light += (target.kernel / mean(emittance)) * emittance;
+            patch_sums.free += 1.0;
+            patch_sums.light += (target.kernel / mean(emittance)) * emittance;
         }
         lines_.clear();
         from_.clear();
@@ -82,16 +87,16 @@ public:
 private:
     struct Target
     {
-        std::uint32_t patch; ///< whose light is asked for
+        std::uint32_t patch; ///< patch that gathers the light
         std::uint32_t light; ///< surface
-        bool front;          ///< the side of to_ that a free ray meets
+        bool front;          ///< side of the surface in to_ that an unblocked ray meets
         double kernel;       ///< g
     };
 
     void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
-                 ShadowRaySums& sight)
+                 ShadowRaySums& patch_sums)
     {
-        const auto promised = static_cast<double>(seen.irradiance);
+        const auto assumed = static_cast<double>(seen.irradiance);
         const std::uint32_t leaf = tree_.choose(seen.node, x);
         const LightTree::Cluster& light = tree_.cluster(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
@@ -103,7 +108,7 @@ private:
             const RayPair pair(scene_, receiver.area <= light.area ? dark : bright,
                                receiver.area <= light.area ? bright : dark);
             const RayPair::Ray ray = pair.ray(item);
-            const double exchange = promised * receiver.area * light.area / light.power;
+            const double exchange = assumed * receiver.area * light.area / light.power;
             target = {patch, surface, pair.to_front(), ray.weight / pair.mean_weight(exchange)};
             to = pair.to_surface();
             lines_.push_back(ray.line);
@@ -114,15 +119,15 @@ private:
             const double square = dot(d, d);
             const double cosines =
                 std::max(0.0, dot(receiver.normal, d)) * std::max(0.0, -dot(tree_.piece(leaf).normal, d));
-            target.kernel = cosines / (pi * square * square) * tree_.cluster(seen.node).power / promised;
+            target.kernel = cosines / (pi * square * square) * tree_.cluster(seen.node).power / assumed;
             lines_.push_back({start, d});
             from_.push_back(scene_.surface_of(patch));
             if (leaf != seen.node) {
-                sight.error += target.kernel - 1.0;
-                sight.square += (target.kernel - 1.0) * (target.kernel - 1.0);
+                patch_sums.error += target.kernel - 1.0;
+                patch_sums.square += (target.kernel - 1.0) * (target.kernel - 1.0);
             }
         }
-        sight.kernel += target.kernel;
+        patch_sums.kernel += target.kernel;
         if (target.kernel > 0.0) {
             targets_.push_back(target);
             to_.push_back(to);
@@ -137,16 +142,16 @@ private:
     const LightCuts& cuts_;
     std::vector<Line> lines_;
     std::vector<std::uint32_t> from_; ///< surfaces
-    std::vector<std::uint32_t> to_;   ///< surfaces that free rays meet: those of the lights, or of the patches
+    std::vector<std::uint32_t> to_;   ///< surfaces that unblocked rays meet: of the lights, or of the patches
     std::vector<Target> targets_;
     FirstHits hits_;
 };
 
-/// What is to be made of a mean error that m rays tell with this variance each, if errors of about `typical` are to be
-/// expected.
-double trust(double typical, double rays, double variance)
+/// Shrinkage factor (empirical Bayes) for a mean error that is estimated by m rays with this variance each, if errors
+/// are typically about `typical`.
+double shrinkage(double typical, double rays, double variance)
 {
-    constexpr double least = 0.01; // rays that happen to agree are few
+    constexpr double least = 0.01; // prevents overconfidence if a few rays happen to agree
     return typical * typical * rays / (typical * typical * rays + variance + least);
 }
 
@@ -189,7 +194,7 @@ GatheredLight::GatheredLight(const Scene& scene, const SceneLights& lights)
       cuts_(lights.cuts()),
       patches_(lights.patches()),
       threads_(lights.threads()),
-      sights_(scene.patch_count())
+      sums_(scene.patch_count())
 {
 }
 
@@ -217,12 +222,12 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
             for (std::uint64_t first = 0; first < count; first += buffer.items.size()) {
                 buffer.items.resize(static_cast<std::size_t>(std::min<std::uint64_t>(rays_at_a_time, count - first)));
                 sequence.generate(first_item + rays.first_ray(i) + first, buffer.items);
-                buffer.rays.add(i, buffer.items, first, count, offset, sights_[i]);
+                buffer.rays.add(i, buffer.items, first, count, offset, sums_[i]);
                 if (buffer.rays.size() >= rays_at_a_time)
-                    buffer.rays.trace(sights_);
+                    buffer.rays.trace(sums_);
             }
         }
-        buffer.rays.trace(sights_);
+        buffer.rays.trace(sums_);
     };
     const auto report = [&](std::uint64_t block, int) {
         run.count_lines(rays.first_ray(static_cast<std::uint32_t>(patches.first(block + 1))) -
@@ -234,24 +239,23 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
 template <class Value, class Make>
 std::vector<Value> GatheredLight::of_patches(const Make& make) const
 {
-    std::vector<Value> result = large_vector<Value>(sights_.size());
-    parallel_numbers(static_cast<std::uint32_t>(sights_.size()), threads_,
-                     [&](std::uint32_t i) { result[i] = make(i); });
+    std::vector<Value> result = large_vector<Value>(sums_.size());
+    parallel_numbers(static_cast<std::uint32_t>(sums_.size()), threads_, [&](std::uint32_t i) { result[i] = make(i); });
     return result;
 }
 
 std::vector<RaySums> GatheredLight::visible_shares() const
 {
     const auto free = of_patches<RaySums>([&](std::uint32_t i) {
-        const ShadowRaySums& sight = sights_[i];
-        return RaySums{sight.rays, sight.rays, sight.free, sight.free};
+        const ShadowRaySums& patch_sums = sums_[i];
+        return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.free, patch_sums.free};
     });
     return pooled(patches_, free, enough_rays, threads_);
 }
 
 std::vector<double> GatheredLight::deviations() const
 {
-    // That all rays of some patches agree does not prove that one more would.
+    // Prevents a zero if all rays of some patches agree, which few rays may do by chance.
     constexpr double least_variance = 0.002;
     const std::vector<RaySums> free = visible_shares();
     return of_patches<double>([&](std::uint32_t i) {
@@ -263,23 +267,23 @@ std::vector<double> GatheredLight::deviations() const
 std::vector<Rgb> GatheredLight::incident() const
 {
     const std::vector<RaySums> shares = visible_shares();
-    const auto errors = of_patches<RaySums>([&](std::uint32_t i) { // of the unoccluded light
-        const ShadowRaySums& sight = sights_[i];
-        return RaySums{sight.rays, sight.rays, sight.error, sight.square};
+    const auto errors = of_patches<RaySums>([&](std::uint32_t i) { // of the unoccluded irradiance
+        const ShadowRaySums& patch_sums = sums_[i];
+        return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.error, patch_sums.square};
     });
     const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, threads_);
-    constexpr double error_around = 0.1; // typical ones, as a share
+    constexpr double error_around = 0.1; // typical errors, relative
     constexpr double error_alone = 0.03;
     const Rgb power = scene_.lamp_power();
     auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
-        const ShadowRaySums& sight = sights_[i];
+        const ShadowRaySums& patch_sums = sums_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
-        if (sight.kernel > 0.0) {
+        if (patch_sums.kernel > 0.0) {
             const double error = around[i].value / around[i].weight;
-            const double own = sight.error / sight.rays - error;
-            const double correction = 1.0 + trust(error_around, around[i].rays, variance(around[i])) * error +
-                                      trust(error_alone, sight.rays, variance(errors[i])) * own;
-            return (unoccluded * correction / sight.kernel) * sight.light;
+            const double own = patch_sums.error / patch_sums.rays - error;
+            const double correction = 1.0 + shrinkage(error_around, around[i].rays, variance(around[i])) * error +
+                                      shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own;
+            return (unoccluded * correction / patch_sums.kernel) * patch_sums.light;
         }
         if (unoccluded > 0.0 && shares[i].weight > 0.0)
             return (unoccluded * shares[i].value / shares[i].weight / mean(power)) * power;
@@ -292,7 +296,7 @@ std::vector<Rgb> GatheredLight::incident() const
 
 void GatheredLight::visit(Archive& archive)
 {
-    archive.list<double>("sights", sights_);
+    archive.list<double>("sights", sums_);
 }
 
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
@@ -301,7 +305,7 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
     const SceneLights lights(scene, threads);
     GatheredLight light(scene, lights);
-    // Shadows are smooth to the eye; of very many patches it sees several as one.
+    // Smooth shadows look better than noise; of very many patches the eye averages several.
     const double rays = std::clamp(64.0 * n, 262144.0, std::max(4194304.0, 4.0 * n));
     std::uint64_t item = 0;
     std::vector<double> expected(n);

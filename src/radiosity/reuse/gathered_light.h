@@ -69,8 +69,8 @@ public:
 
     /// [W/m^2] Approximate irradiance without obstacles, mean of the channels.
     double unoccluded(std::uint32_t patch) const { return cuts_.irradiance(patch); }
-    double cluster_bytes() const { return cuts_.bytes(); }                 ///< memory of the light cuts
-    double rays(std::uint32_t patch) const { return sights_[patch].rays; } ///< cast so far
+    double cluster_bytes() const { return cuts_.bytes(); }               ///< memory of the light cuts
+    double rays(std::uint32_t patch) const { return sums_[patch].rays; } ///< cast so far
 
     /// The blocks of patches that `cast` processes one by one.
     static Blocks blocks(std::uint32_t patches);
@@ -99,7 +99,7 @@ private:
     const LightCuts& cuts_;
     const SurfaceTree& patches_;
     int threads_;
-    std::vector<ShadowRaySums> sights_; ///< per patch
+    std::vector<ShadowRaySums> sums_; ///< per patch
 };
 
 /// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected direct light. Independent of

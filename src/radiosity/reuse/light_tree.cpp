@@ -1,3 +1,7 @@
+// The cut of a patch is found by descending from the root: a cluster that is seen under a small angle is used as a
+// whole, otherwise its children are visited. The irradiance from a cluster is that of a point light of the projected
+// area of all its surfaces, from a single light the exact exchange. Parts below the horizon of the patch are left out.
+
 #include "radiosity/reuse/light_tree.h"
 
 #include "geometry/intersector/shared_planes.h"
@@ -38,7 +42,7 @@ LightTree::Cluster cluster_of(const FlatPiece& piece, double emittance)
     return result;
 }
 
-/// Of two; their radius is left to the caller.
+/// The union of two clusters, without its radius.
 LightTree::Cluster sum_of(const LightTree::Cluster& a, const LightTree::Cluster& b)
 {
     LightTree::Cluster result;
@@ -50,7 +54,8 @@ LightTree::Cluster sum_of(const LightTree::Cluster& a, const LightTree::Cluster&
     result.area_vector = a.area_vector + b.area_vector;
     for (std::size_t m = 0; m < result.second_moment.size(); ++m)
         result.second_moment[m] = a.second_moment[m] + b.second_moment[m];
-    constexpr double least = 1.0 / 3.0; // of a thousand round lamps not all parts can be told apart
+    constexpr double least =
+        1.0 / 3.0; // lower bound, so that the cut does not contain every one of a thousand round lamps
     result.coherence = std::max(least, length(result.area_vector) / result.area);
     return result;
 }
@@ -59,7 +64,8 @@ LightTree::Cluster sum_of(const LightTree::Cluster& a, const LightTree::Cluster&
 
 double LightTree::Cluster::projected_area(Vec3 d) const
 {
-    // With the cosine c of each surface: (sum of A c + sqrt(sum of A * sum of A c^2)) / 2, by Cauchy and Schwarz.
+    // With the cosine c of each surface, sum of A max(0, c) <= (sum of A c + sqrt(sum of A * sum of A c^2)) / 2 (Cauchy
+    // and Schwarz).
     const std::array<double, 6>& m = second_moment;
     const double square = m[0] * d.x * d.x + m[1] * d.y * d.y + m[2] * d.z * d.z +
                           2.0 * (m[3] * d.x * d.y + m[4] * d.x * d.z + m[5] * d.y * d.z);
@@ -73,8 +79,8 @@ LightTree::LightTree(const Scene& scene)
           scene.bounds().diagonal(), 1)
 {
     const std::vector<SurfaceTree::Node>& nodes = tree_.nodes();
-    for (std::uint32_t place = 0; place < lights_.size(); ++place)
-        pieces_.push_back(piece_of(scene.surfaces()[lights_[tree_.surface(place)]]));
+    for (std::uint32_t index = 0; index < lights_.size(); ++index)
+        pieces_.push_back(piece_of(scene.surfaces()[lights_[tree_.surface(index)]]));
     if (empty())
         return;
     clusters_.resize(nodes.size());
@@ -86,9 +92,9 @@ LightTree::LightTree(const Scene& scene)
             continue;
         }
         clusters_[k] = sum_of(clusters_[nodes[k].first_child], clusters_[nodes[k].first_child + 1]);
-        for (std::uint32_t place = begin; place < nodes[k].end; ++place)
+        for (std::uint32_t index = begin; index < nodes[k].end; ++index)
             clusters_[k].radius = std::max(clusters_[k].radius,
-                                           length(pieces_[place].centre - clusters_[k].centre) + pieces_[place].radius);
+                                           length(pieces_[index].centre - clusters_[k].centre) + pieces_[index].radius);
     }
 }
 
@@ -106,7 +112,8 @@ std::uint32_t LightTree::choose(std::uint32_t node, double x) const
 
 namespace {
 
-/// [m^2] Of a light in the plane of the patch: its part that lies on the patch, if the two are in contact.
+/// [m^2] Area of a light that lies on the patch, if the two are in contact. The light must be in the plane of the
+/// patch.
 double contact_area(const Scene& scene, std::uint32_t patch, std::uint32_t light, double touching)
 {
     const Surface shape = scene.patch(patch).shape;
@@ -120,7 +127,7 @@ double contact_area(const Scene& scene, std::uint32_t patch, std::uint32_t light
     return area;
 }
 
-/// How far the bounds reach above the plane of the patch, and below.
+/// Range of the heights of a box above the plane of the patch.
 HeightRange heights_above(const FlatPiece& patch, const Bounds& bounds)
 {
     const Vec3 n = patch.normal;
@@ -130,13 +137,14 @@ HeightRange heights_above(const FlatPiece& patch, const Bounds& bounds)
     return {middle - extent, middle + extent};
 }
 
-/// The height of a centre above a plane; of what the plane cuts, at least about that of the centre of the part above.
+/// Height of the centre of a light above the plane. If the plane cuts the light, at least about that of
+/// the centre of the part above.
 double seen_above(double height, HeightRange range)
 {
     return range.low < 0.0 ? std::max(height, 0.25 * range.high) : height;
 }
 
-/// Cuts of consecutive patches.
+/// Light cuts of consecutive patches.
 struct BlockOfCuts
 {
     std::vector<SeenCluster> clusters;
@@ -195,7 +203,8 @@ public:
     }
 
 private:
-    /// [W/m^2] From a single light, as exchange_area().
+    /// [W/m^2] Irradiance from a single light by exchange_area(). The power of a light in contact is added to `contact`
+    /// instead.
     double leaf_irradiance(std::uint32_t patch, const FlatPiece& receiver, std::uint32_t leaf, Rgb& contact) const
     {
         const FlatPiece& light = tree_.piece(leaf);
@@ -204,7 +213,7 @@ private:
             return 0.0;
         const Vec3 d = light.centre - receiver.centre;
         const double reach = -dot(light.normal, d);
-        // No corner is farther from the centre, along any direction, than by two thirds of both edges.
+        // No corner is farther from the centre, in any direction, than two thirds of both edges together.
         const double extent = (std::abs(dot(light.normal, receiver.surface.edge_u)) +
                                std::abs(dot(light.normal, receiver.surface.edge_v))) /
                               1.5;

@@ -1,7 +1,7 @@
-// The walk of the multi-path method uses each line once and forgets it. But what a line tells, which patches see each
-// other, stays true. So here the lines are only counted, and the exchange between all pairs of patches is estimated
-// from the counts; the light follows from linear equations. Noise remains where the lines leave doubt: pairs that see
-// each other in part. Half of the lines, rays between their points, go there.
+// The walk of the multi-path method uses each line once and then forgets it. But the information of a line, which
+// patches see each other, remains valid. So here the lines are only counted. The counts give an estimate of the
+// exchange between all pairs of patches, and a linear system gives the light. Noise remains for pairs that see each
+// other in part; half of the lines, as rays between points of these pairs, reduce it.
 
 #include "radiosity/reuse/line_reuse.h"
 
@@ -31,7 +31,7 @@ ExchangeLosses losses(const PairCounts& counts, double crossing_area)
     return result;
 }
 
-/// Radiosity good enough to know where more lines are worth it.
+/// Radiosity accurate enough to distribute rays.
 Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& losses, const Field& rho,
                       const Field& source, int threads)
 {
@@ -46,13 +46,13 @@ Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& loss
     return radiosity;
 }
 
-/// What the lines tell so far, first the global ones, then also the rays.
+/// The exchange estimated so far, first from global lines, then also from rays.
 struct CountedExchange
 {
-    std::uint64_t lines = 0; ///< global ones cast; 0 before all are counted
+    std::uint64_t lines = 0; ///< number of global lines; 0 until all are counted
     ExchangeEstimate estimate;
     ExchangeLosses losses;
-    Field first_guess; ///< [W/m^2] of the light
+    Field first_guess; ///< [W/m^2] radiosity
 
     explicit CountedExchange(std::uint32_t patches)
         : estimate{PairMatrix<float>(patches), PairMatrix<float>(patches)},
@@ -74,14 +74,15 @@ struct CountedExchange
     }
 };
 
-/// The exchange with rows that add up to the areas of the patches.
+/// The exchange after the closure: its rows add up to the areas of the patches.
 struct ClosedExchange
 {
     PairMatrix<float> pairs;
     ExchangeLosses losses;
 };
 
-/// Takes `change` [m^2] from what is lost, in proportion; what meets nothing at all escapes.
+/// Adds `change` [m^2] to the lost exchange of a patch, in proportion to its parts. If nothing is lost yet, the change
+/// escapes if the patch faces no other patch, and is ignored otherwise.
 void change_losses(double change, bool meets_nothing, double& escaping, double& behind)
 {
     const double lost = escaping + behind;
@@ -115,8 +116,8 @@ ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, C
     return {std::move(result.exchange), std::move(losses)};
 }
 
-/// Negative estimates set to zero. What the rows then lack or have too much becomes self-exchange, which makes every
-/// row dominated by its diagonal: a solution exists, whatever the noise.
+/// Sets negative estimates to zero. The resulting errors of the row sums become self-exchange, so that the diagonal
+/// dominates every row and a solution exists, however large the noise is.
 void clamp_to_positive(PairMatrix<float>& pairs)
 {
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
@@ -129,7 +130,9 @@ void clamp_to_positive(PairMatrix<float>& pairs)
 double reuse_bytes(const Scene& scene)
 {
     const auto pairs = static_cast<double>(PairMatrix<float>::pair_count(scene.patch_count()));
-    constexpr double counted = sizeof(PairCount) + sizeof(float); // bytes of a pair, then those of its estimate, too
+    constexpr double counted =
+        sizeof(PairCount) +
+        sizeof(float); // bytes of a pair while lines are counted; the next line includes its estimate
     constexpr double estimated = counted + 2 * sizeof(float);
     return std::max(estimated * pairs, counted * pairs + estimation_bytes(scene));
 }

@@ -30,37 +30,38 @@ namespace {
 
 constexpr std::size_t dimensions = 6;
 
-/// A surface as a point in space and direction.
-struct Place
+/// A surface as a point in the space of positions and normals.
+struct PlacedSurface
 {
     std::array<float, dimensions> at;
     std::uint32_t surface;
 };
 
-std::vector<Place> places(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal)
+std::vector<PlacedSurface> placed_surfaces(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape,
+                                           double diagonal)
 {
-    constexpr double turn = 0.05; // of the diagonal, for a normal
-    std::vector<Place> result = with_room<Place>(count);
+    constexpr double turn = 0.05; // scale of the normals, as a fraction of the diagonal
+    std::vector<PlacedSurface> result = with_room<PlacedSurface>(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const Surface surface = shape(i);
         const Vec3 centre = surface.centre();
         const Vec3 normal = turn * diagonal * surface.normal();
-        Place place{{}, i};
+        PlacedSurface placed{{}, i};
         std::size_t d = 0;
         for (const double x : {centre.x, centre.y, centre.z, normal.x, normal.y, normal.z})
-            place.at[d++] = static_cast<float>(x);
-        result.push_back(place);
+            placed.at[d++] = static_cast<float>(x);
+        result.push_back(placed);
     }
     return result;
 }
 
-/// Splits first ... last - 1 in the middle of their longest extent, or into halves where that would leave hardly any on
-/// one side. Returns the first of the second part.
-Place* split(Place* first, Place* last)
+/// Splits the range at the middle of its longest extent, or at the median if one side would be nearly empty. Returns
+/// the first element of the second part.
+PlacedSurface* split(PlacedSurface* first, PlacedSurface* last)
 {
     std::array<float, dimensions> low = first->at;
     std::array<float, dimensions> high = first->at;
-    for (const Place* p = first; p != last; ++p)
+    for (const PlacedSurface* p = first; p != last; ++p)
         for (std::size_t d = 0; d < dimensions; ++d) {
             low[d] = std::min(low[d], p->at[d]);
             high[d] = std::max(high[d], p->at[d]);
@@ -70,12 +71,12 @@ Place* split(Place* first, Place* last)
         if (high[d] - low[d] > high[longest] - low[longest])
             longest = d;
     const float middle = 0.5f * (low[longest] + high[longest]);
-    Place* cut = std::partition(first, last, [&](const Place& p) { return p.at[longest] < middle; });
+    PlacedSurface* cut = std::partition(first, last, [&](const PlacedSurface& p) { return p.at[longest] < middle; });
     const std::ptrdiff_t few = (last - first) / 64;
     if (cut - first > few && last - cut > few)
         return cut;
     cut = first + (last - first) / 2;
-    std::nth_element(first, cut, last, [&](const Place& a, const Place& b) {
+    std::nth_element(first, cut, last, [&](const PlacedSurface& a, const PlacedSurface& b) {
         return a.at[longest] < b.at[longest] || (a.at[longest] == b.at[longest] && a.surface < b.surface);
     });
     return cut;
@@ -86,25 +87,25 @@ Place* split(Place* first, Place* last)
 SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal,
                          std::uint32_t most_of_leaf)
 {
-    std::vector<Place> placed = places(count, shape, diagonal);
+    std::vector<PlacedSurface> placed = placed_surfaces(count, shape, diagonal);
     nodes_.push_back({0, count, 0, 0});
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
         const Node node = nodes_[k];
         if (node.end - node.begin <= most_of_leaf) {
-            // Split leaves any order, which is not the same with every standard library.
+            // split() does not define the order within a part, which depends on the standard library.
             std::sort(placed.begin() + node.begin, placed.begin() + node.end,
-                      [](const Place& a, const Place& b) { return a.surface < b.surface; });
+                      [](const PlacedSurface& a, const PlacedSurface& b) { return a.surface < b.surface; });
             continue;
         }
         nodes_[k].first_child = static_cast<std::uint32_t>(nodes_.size());
-        const Place* const middle = split(placed.data() + node.begin, placed.data() + node.end);
+        const PlacedSurface* const middle = split(placed.data() + node.begin, placed.data() + node.end);
         const auto cut = static_cast<std::uint32_t>(middle - placed.data());
         nodes_.push_back({node.begin, cut, k, 0});
         nodes_.push_back({cut, node.end, k, 0});
     }
     order_ = with_room<std::uint32_t>(placed.size());
-    for (const Place& place : placed)
-        order_.push_back(place.surface);
+    for (const PlacedSurface& one : placed)
+        order_.push_back(one.surface);
 }
 
 std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)

@@ -28,7 +28,7 @@ public:
                 std::uint32_t most_of_leaf);
 
     const std::vector<Node>& nodes() const { return nodes_; } ///< parents before their children; the root is first
-    std::uint32_t surface(std::uint32_t place) const { return order_[place]; } ///< by index in tree order
+    std::uint32_t surface(std::uint32_t index) const { return order_[index]; } ///< by index in tree order
 
 private:
     std::vector<std::uint32_t> order_;

@@ -46,7 +46,7 @@ void add_up_pair_counts(const std::vector<Archive*>& shards, std::uint32_t patch
 void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int threads, Archive& sum)
 {
     LineCounts counts(patches);
-    std::vector<ShadowRaySums> sights;
+    std::vector<ShadowRaySums> shadow_ray_sums;
     std::vector<SharedRange> light_ranges(shards.size());
     std::vector<SharedRange> hemisphere_ranges(shards.size());
     const Blocks blocks = GatheredLight::blocks(patches);
@@ -57,12 +57,12 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
         std::vector<ShadowRaySums> shard;
         shards[k]->growing_list<double>("sights", shard);
         if (k == 0)
-            sights = shard;
-        if (shard.size() != sights.size() || light_ranges[k].end > blocks.count())
+            shadow_ray_sums = shard;
+        if (shard.size() != shadow_ray_sums.size() || light_ranges[k].end > blocks.count())
             throw ArchiveError("the shares do not fit together; expected all shares of one run");
         for (std::uint64_t i = blocks.first(light_ranges[k].first); i < blocks.first(light_ranges[k].end); ++i)
             if (i < shard.size()) // empty if the light of the sources was distributed before
-                sights[i] = shard[i];
+                shadow_ray_sums[i] = shard[i];
         LineCounts shard_counts(patches);
         visit_inner(*shards[k], "fresh counts", shard_counts);
         counts.add(std::move(shard_counts), threads);
@@ -72,7 +72,7 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
     visit_inner(sum, "to lights", whole);
     whole = united(hemisphere_ranges);
     visit_inner(sum, "hemisphere", whole);
-    sum.growing_list<double>("sights", sights);
+    sum.growing_list<double>("sights", shadow_ray_sums);
     visit_inner(sum, "fresh counts", counts);
 }
 
