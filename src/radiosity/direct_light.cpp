@@ -38,6 +38,7 @@ struct Sources
             }
         }
     }
+    /// The patch for x in [0, 1).
     std::uint32_t at(double x) const
     {
         const auto above = std::upper_bound(power_before.begin(), power_before.end(), x * power_before.back());
@@ -46,8 +47,8 @@ struct Sources
     }
 };
 
-/// The point of the patch for (a, b) in the unit square. Unlike square_to_uniform_surface, it folds the square along its
-/// diagonal onto a triangle, so that the grid of snapped_to_grid() stays regular from border to border.
+/// The point of the patch for (a, b) in the unit square. Unlike square_to_uniform_surface, it folds the square along
+/// its diagonal onto a triangle, so that the grid of snapped_to_grid() stays regular from border to border.
 Vec3 point_on(const Surface& shape, double a, double b)
 {
     if (shape.shape == Shape::triangle && a + b > 1.0)

@@ -24,6 +24,7 @@ double rounding_offset(std::uint64_t seed, std::size_t pass)
     return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
 }
 
+/// Successive passes over the patches, in one range of items.
 class Passes
 {
 public:

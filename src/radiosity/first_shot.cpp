@@ -230,7 +230,7 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
         wanted += deserved;
         const std::uint64_t rays = rounding.up_to(wanted);
         if (rays > 0) {
-            // The only ray that a patch worth 0.3 rays gets in three of ten cases carries the power of a whole ray.
+            // A patch that deserves 0.3 rays gets one in three of ten cases, with the power of a whole ray.
             const double sharers = deserved < 1.0 ? deserved : static_cast<double>(rays);
             shots.push_back({i, rays, (share / sharers) * state.unshot[i]});
         }

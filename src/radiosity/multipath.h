@@ -62,6 +62,7 @@ public:
     /// (M2).
     PowerWalk(const Scene& scene, double crossings_per_area, bool bidirectional, const PowerState& state);
 
+    /// Lets power flow along the segments, one after the other.
     void follow(const std::vector<Segment>& segments);
     void follow(const Segment& segment) { follow(segment, total_); }
 
@@ -89,7 +90,9 @@ private:
         prefetch(first);
         prefetch(first + sizeof(WalkingPower) - 1); // an entry spans two cache lines, or three small ones
     }
+    /// Patch i sends to j (M1), and if power flows both ways, j to i what it had before the exchange (M2).
     void exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const;
+    /// The patch sends along a segment that ends at `where`, at no patch.
     void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
 
     bool bidirectional_;

@@ -243,6 +243,8 @@ private:
         next_item_ += hemisphere_.allotment.rays();
     }
 
+    /// Expected numbers of rays for the next round: importance rho s sqrt(A) by the rounds so far. The first round
+    /// knows no s, and gives at least one ray of each kind to every patch that can use it.
     PatchValues expected_rays(double budget) const
     {
         PatchValues had(n_);
@@ -312,6 +314,8 @@ private:
         return result;
     }
 
+    /// Sets the number of parts of the last round, so that the counts of each part fit into the memory, but with at
+    /// least 24 rays per patch. Throws InputError if a shard would need more than one part.
     void cut_into_parts(const std::vector<double>& hemisphere)
     {
         double rays = 0.0;
@@ -366,6 +370,8 @@ private:
         }
     }
 
+    /// The result of a run that is stopped: solves with the rays so far, except in a shard, in the first round, and
+    /// after the first part.
     BalancedResult stopped()
     {
         BalancedResult result{next_item_ - rays_.first_item, false, {}};

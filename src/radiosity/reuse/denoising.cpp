@@ -424,6 +424,8 @@ private:
         return true;
     }
 
+    /// Replaces the patches by the fit. Their variance is the part of the noise that the fit retains, plus the
+    /// estimated squared bias of the fit.
     void take(const Fit& fit, const std::uint32_t* patches, const Residual& residual, std::vector<Rgb>& radiosity,
               std::vector<Rgb>& variance) const
     {

@@ -283,7 +283,7 @@ std::vector<Rgb> GatheredLight::incident() const
             const double own = patch_sums.error / patch_sums.rays - error;
             const double correction = 1.0 + shrinkage(error_around, around[i].rays, variance(around[i])) * error +
                                       shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own;
-            return (unoccluded * correction / patch_sums.kernel) * patch_sums.light;
+            return (unoccluded * correction / patch_sums.kernel) * patch_sums.light; // (R5)
         }
         if (unoccluded > 0.0 && shares[i].weight > 0.0)
             return (unoccluded * shares[i].value / shares[i].weight / mean(power)) * power;
