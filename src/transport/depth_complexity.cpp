@@ -14,7 +14,7 @@ namespace multipath {
 
 double crossings_per_line(const Scene& scene, const GlobalLines& lines)
 {
-    const double area = scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // a crossing is one, whatever the sides
+    const double area = scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // of surfaces, not of their sides
     return lines.expected_crossings(area, 1);                                 // (G1)
 }
 
@@ -35,11 +35,12 @@ double pairs_along_line(const Scene& scene, const GlobalLines& lines)
 
 namespace {
 
-constexpr double ordinary_surfaces = 16.0; ///< along a line, or on each other
+constexpr double ordinary_surfaces = 16.0; ///< largest number along a line, or coincident, in an ordinary scene
 
 constexpr std::uint64_t trial_rays = 64;
 
-/// Surfaces that lie on the point, of `surface`; those only looked at count little.
+/// Cost of the coincident surfaces at a point of `surface`: their number, plus a sixteenth of the candidates that the
+/// intersector looks through to find them.
 double faces_on(const Scene& scene, std::uint32_t surface, Vec3 point)
 {
     const Intersector& intersector = scene.intersector();
@@ -47,7 +48,8 @@ double faces_on(const Scene& scene, std::uint32_t surface, Vec3 point)
            static_cast<double>(intersector.surfaces_around(surface, point)) / 16.0;
 }
 
-/// All that lies along the line of a ray which starts below another face, since this decides what it meets.
+/// Number of surfaces along the whole line of a ray if it starts at a point covered by another face, 0 otherwise: the
+/// order of all of them decides what such a ray meets.
 double faces_along(const Scene& scene, std::uint32_t surface, const Line& ray)
 {
     if (scene.intersector().coincident_surfaces(surface, ray.origin).empty())
@@ -58,8 +60,8 @@ double faces_along(const Scene& scene, std::uint32_t surface, const Line& ray)
     return static_cast<double>(hits.size());
 }
 
-/// Mean number of surfaces that a ray from a source is compared with: on its start, on the point that it meets first,
-/// and along its line if that is needed.
+/// Mean number of surfaces that a ray from a source is compared with: at its start, at its first hit, and along its
+/// line if its start is covered. The sources are chosen in proportion to their power.
 double faces_on_source_rays(const Scene& scene)
 {
     std::vector<std::uint32_t> sources;
@@ -88,7 +90,7 @@ double faces_on_source_rays(const Scene& scene)
     return faces / trial_rays;
 }
 
-/// Mean number of other surfaces on the centre of a patch.
+/// Mean number of other surfaces that coincide with the centre of a patch.
 double faces_on_patches(const Scene& scene)
 {
     double faces = 0.0;

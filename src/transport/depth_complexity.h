@@ -5,19 +5,26 @@
 
 namespace multipath {
 
-// How many surfaces lie behind each other, or on each other. The work and memory of a line grow with it.
+// Depth complexity: the number of surfaces along a line, or coincident at a point. The time and memory that a line
+// takes grow with it.
 
-/// Mean number of surfaces that a line meets, by integral geometry.
+/// Mean number of surfaces that a cast line crosses, by integral geometry (G1).
 double crossings_per_line(const Scene& scene, const GlobalLines& lines);
 
-/// Mean number of pairs of surfaces along a line, measured with a few random lines, always the same.
+/// Mean number of pairs of surfaces along a cast line, estimated with a few random lines. Deterministic.
 double pairs_along_line(const Scene& scene, const GlobalLines& lines);
 
-// The share of lines, and of rays from the sources, and of rays to every patch that cost no more than all of them do in
-// ordinary scenes: 1 in those. A line is compared with all surfaces along it, a ray with all that lie on its two ends.
+// The share [1] of the wanted lines that costs no more than all of them do in an ordinary scene: 1 in ordinary scenes,
+// less where very many surfaces coincide or follow each other along a line. A global line is compared with all surfaces
+// along it, a ray with all surfaces that coincide with its two ends.
 
+/// Affordable share of global lines.
 double affordable_lines(const Scene& scene);
+
+/// Affordable share of rays from the sources.
 double affordable_source_rays(const Scene& scene);
+
+/// Affordable share of rays to every patch.
 double affordable_patch_rays(const Scene& scene);
 
 } // namespace multipath

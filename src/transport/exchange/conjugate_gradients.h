@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <vector>
 
-// Conjugate gradients with a preconditioner (Hestenes and Stiefel 1952) for one system of equations, or for one in each
-// channel of colour. Value: double or Rgb.
+// Preconditioned conjugate gradients (Hestenes and Stiefel 1952). Value is double for one system of linear equations,
+// or Rgb for three that are solved side by side, one for each colour channel.
 
 namespace multipath {
 
-/// 0 where the divisor is.
+/// a / b, or 0 where b is 0.
 inline double quotient(double a, double b)
 {
     return b != 0.0 ? a / b : 0.0;
@@ -24,7 +24,7 @@ inline Rgb quotient(Rgb a, Rgb b)
     return {quotient(a.r, b.r), quotient(a.g, b.g), quotient(a.b, b.b)};
 }
 
-/// In all channels.
+/// True if a <= b, in all channels.
 inline bool at_most(double a, double b)
 {
     return a <= b;
@@ -35,6 +35,7 @@ inline bool at_most(Rgb a, Rgb b)
     return a.r <= b.r && a.g <= b.g && a.b <= b.b;
 }
 
+/// Inner product, in each channel.
 template <class Value>
 Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
 {
@@ -44,9 +45,10 @@ Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
     return sum;
 }
 
-/// Moves x towards the solution of A x = b, where A is symmetric and positive definite, and `residual` is b - A x.
-/// matrix(x, y) sets y to A x; precondition(i, r_i) is about r_i / A_ii. Ends at done(residual, sum over i of r_i
-/// precondition(i, r_i)), or after most_steps. True if it was done, and the matrix not found to be indefinite.
+/// Improves the guess x of the solution of A x = b, where A is symmetric and positive definite and `residual` is b - A
+/// x. matrix(x, y) sets y to A x; precondition(i, r_i) returns about r_i / A_ii. Stops when done(residual, sum over i
+/// of r_i precondition(i, r_i)) is true, or after most_steps. Returns true if it is true in the end and no step has
+/// shown that A is indefinite. The same bits for any number of threads.
 template <class Value, class Matrix, class Precondition, class Done>
 bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition, std::vector<Value> residual,
                          int most_steps, const Done& done, int threads, std::vector<Value>& x)

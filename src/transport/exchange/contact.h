@@ -6,9 +6,10 @@
 
 namespace multipath {
 
-/// Of two patches in one plane whose sides are turned towards each other: is it across a gap of no width, as between a
-/// box and the floor that it stands on, or are they back to back, as on a sheet made of two faces? Decided as for rays,
-/// at a point that both patches share; false where the overlap is too narrow to find one.
-bool in_contact(const Scene& scene, std::uint32_t one, std::uint32_t other);
+/// For two patches of opposite orientation in one plane: true if their fronts face each other across a gap of no width,
+/// like the bottom of a box and the floor below it; false if they are back to back, like the two faces of a thin sheet.
+/// A ray from a point that both patches contain decides it. False also where the overlap is too narrow to find such a
+/// point.
+bool in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b);
 
 } // namespace multipath

@@ -32,23 +32,23 @@ void DenseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector
         y[i] = Rgb{products[0][i], products[1][i], products[2][i]} + self_exchange_[i] * x[i];
 }
 
-// Least squares with constraints (R3): to minimise the sum of d_ij^2 / var_ij over all pairs, where sum over j of (G_ij
-// + d_ij) is given for every i, Lagrange's multipliers mu give d_ij = var_ij (mu_i + mu_j). They solve
+// Least-squares closure (R3): minimise the sum of d_ij^2 / var_ij over all pairs, subject to a given sum over j of
+// (G_ij + d_ij) for every i. With Lagrange multipliers mu the solution is d_ij = var_ij (mu_i + mu_j). They solve
 //
-//   (sum over j of var_ij) mu_i + sum over j of var_ij mu_j = what row i lacks,
+//   (sum over j of var_ij) mu_i + sum over j of var_ij mu_j = deficit of row i,
 //
-// with the variance of the wanted sum, if it is not certain, added to the first bracket. The matrix is symmetric and
-// has no negative eigenvalue: conjugate gradients.
+// the wanted sum minus the present one. If a wanted sum is itself uncertain, its variance is added to the first
+// bracket. The matrix is symmetric and has no negative eigenvalue, so conjugate gradients solve the system.
 
 namespace {
 
 using Vector = std::vector<double>;
 
-/// Solution of (diagonal + matrix) x = right.
+/// Solution x of (diagonal + matrix) x = right.
 Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vector& right, int threads)
 {
     constexpr int most_steps = 40;
-    constexpr double tolerance = 1e-4; // of the residual; far finer than what the variances are known to
+    constexpr double tolerance = 1e-4; // of the residual; far finer than the variances are known
     const double wanted = tolerance * tolerance * dot(right, right);
     const auto times = [&](const Vector& x, Vector& image) {
         image = symmetric_product(matrix, {x}, threads)[0];
@@ -73,14 +73,14 @@ Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_
     const Vector ones(n, 1.0);
     const Vector sums = symmetric_product(exchange, {ones}, threads)[0];
     Vector diagonal = symmetric_product(variance, {ones}, threads)[0];
-    Vector lacking(n);
+    Vector deficit(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const bool can_change = diagonal[i] + sum_variance[i] > 0.0;
-        lacking[i] = can_change ? row_sums[i] - sums[i] : 0.0;
-        // The smallest part more keeps the division sound.
+        deficit[i] = can_change ? row_sums[i] - sums[i] : 0.0;
+        // A tiny addition avoids division by zero.
         diagonal[i] += sum_variance[i] + 1e-14 * row_sums[i] * row_sums[i] + 1e-300;
     }
-    const Vector multiplier = solve(variance, diagonal, lacking, threads);
+    const Vector multiplier = solve(variance, diagonal, deficit, threads);
 
     constexpr std::uint32_t rows_at_a_time = 64;
     parallel_ranges(n, rows_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {

@@ -8,18 +8,19 @@
 
 namespace multipath {
 
-/// Part of each patch's exchange that reaches no other patch [m^2].
+/// Exchange areas [m^2] of each patch that lead to no other patch; one number per patch.
 struct ExchangeLosses
 {
-    std::vector<double> escaping;
-    std::vector<double> behind;
+    std::vector<double> escaping; ///< towards nothing
+    std::vector<double> behind;   ///< towards backs, sides without a patch
 };
 
-/// The exchange of all pairs in memory.
+/// Exchange with the exchange areas of all pairs of patches in memory.
 class DenseExchange : public Exchange
 {
 public:
-    /// Refers to the matrix, whose diagonal must be zero. The self-exchange makes up what the rows lack of row_area.
+    /// Keeps a reference to `pairs` [m^2], whose diagonal must be zero. The self-exchange is what each row, with its
+    /// losses, lacks of row_area [m^2]; it is negative for a row that exceeds it.
     DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses losses, std::vector<double> row_area, int threads);
 
     std::uint32_t size() const override { return pairs_.size(); }
@@ -36,16 +37,17 @@ private:
     std::vector<double> self_exchange_;
 };
 
-/// Estimates that agree with what is known for certain.
+/// Exchange areas after least-squares closure.
 struct Reconciled
 {
     PairMatrix<float> exchange;     ///< [m^2]
-    std::vector<double> sum_change; ///< [m^2] by how much each row now adds up to less than wanted
+    std::vector<double> sum_change; ///< [m^2] per row: the wanted sum minus the sum of the row now
 };
 
-/// Changes the estimates as little as possible, measured by their variances, so that every row has the sum that it must
-/// have [m^2], the area of the patch less what is lost. Symmetric; pairs that are certain stay. `sum_variance` [m^4] is
-/// how uncertain each wanted sum is: it takes its part of the change.
+/// Enforces closure by least squares (R3), a smoothing of exchange areas as in Larsen and Howell (1986): changes the
+/// estimates by the smallest squares, weighted by the inverse variances, that give each row its sum in `row_sums`
+/// [m^2], the area of the patch without its losses. The result is symmetric; pairs of variance 0 stay. A wanted sum of
+/// `sum_variance` > 0 [m^4] is itself an estimate and takes its part of the change.
 Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
                       const std::vector<double>& sum_variance, int threads);
 

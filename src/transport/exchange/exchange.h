@@ -8,18 +8,21 @@
 
 namespace multipath {
 
-/// How light is exchanged between the patches of a scene: symmetric areas G_ij = A_i F_ij [m^2], the power that goes
-/// from i to j, and from j to i, for a radiosity of 1 W/m^2. Immutable; the same for any number of threads.
+/// The exchange areas of a scene: a symmetric matrix G_ij = A_i F_ij [m^2]. G_ij is the power [W] that patch j receives
+/// from patch i of radiosity 1 W/m^2, and the other way round. Immutable. Products have the same bits for any number of
+/// threads.
 class Exchange
 {
 public:
     virtual ~Exchange() = default;
 
-    virtual std::uint32_t size() const = 0;
+    virtual std::uint32_t size() const = 0; ///< number of patches
 
-    /// y_i = sum over j of G_ij x_j for every patch i; power [W] for a radiosity x.
+    /// Sets y = G x: the power [W] that each patch receives if x is the radiosity [W/m^2]. x and y have size()
+    /// elements.
     virtual void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const = 0;
 
+    /// Returns G x.
     std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const
     {
         std::vector<Rgb> y = large_vector<Rgb>(size());
@@ -27,15 +30,17 @@ public:
         return y;
     }
 
-    /// [m^2] G_ii; not zero only where rounding or noise is put into it.
+    /// G_ii [m^2]. Flat patches do not see themselves, so it only holds rounding errors and noise of the row.
     virtual double self_exchange(std::uint32_t patch) const = 0;
 
-    /// [m^2] Share of the patch's exchange that leaves the scene, and that meets surfaces from behind.
+    /// Exchange area [m^2] of the patch with the outside of the scene.
     virtual double escaping(std::uint32_t patch) const = 0;
+
+    /// Exchange area [m^2] of the patch with backs, sides of surfaces without a patch.
     virtual double behind(std::uint32_t patch) const = 0;
 
-    /// [m^2] Sum over j of G_ij + escaping + behind: the area of the patch, or an estimate of it from the same lines. A
-    /// row divided by it adds up to one, whatever the noise.
+    /// Sum over j of G_ij, plus escaping and behind [m^2]: the area of the patch, or an estimate of it from the same
+    /// lines. A row divided by it adds up to one, whatever the noise.
     virtual double row_area(std::uint32_t patch) const = 0;
 };
 

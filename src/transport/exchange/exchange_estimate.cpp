@@ -9,17 +9,18 @@ namespace multipath {
 
 namespace {
 
-/// Which block of its surface a cell belongs to; below ceil(cells_u / cells) * ceil(cells_v / cells).
+/// Index of the block of its surface to which a cell belongs, below blocks_in_surface(grid, cells).
 std::uint32_t block_in_surface(const Tessellation& grid, std::uint32_t cell, std::uint32_t cells)
 {
     const Surface unit = {grid.shape, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const Vec3 place = grid.cell(unit, cell).centre();
+    const Vec3 centre = grid.cell(unit, cell).centre();
     const auto along = [&](double x, std::uint32_t count) {
         return std::min(static_cast<std::uint32_t>(x * count), count - 1) / cells;
     };
-    return along(place.x, grid.cells_u) * ((grid.cells_v - 1) / cells + 1) + along(place.y, grid.cells_v);
+    return along(centre.x, grid.cells_u) * ((grid.cells_v - 1) / cells + 1) + along(centre.y, grid.cells_v);
 }
 
+/// ceil(cells_u / cells) * ceil(cells_v / cells).
 std::uint32_t blocks_in_surface(const Tessellation& grid, std::uint32_t cells)
 {
     return ((grid.cells_u - 1) / cells + 1) * ((grid.cells_v - 1) / cells + 1);
@@ -54,23 +55,25 @@ PatchBlocks surface_blocks(const Scene& scene)
     return patch_blocks(scene, std::numeric_limits<std::uint32_t>::max());
 }
 
-// The exchange G of a pair with nothing in between is known exactly. Of the lines through both patches a share V is
-// free of obstacles; G V is wanted. Counting the free lines alone, G V ~ a * joined (a: area per crossing), suffers
-// from the chance by which lines meet the two patches at all. That chance shows in all lines through them, whose
-// expectation G / a is known; so it can be taken out (a control variate):
+// The unoccluded exchange G of a pair is known exactly. A share V of the lines through both patches is free of
+// obstacles, and G V is wanted. The plain estimate from the free lines, G V ~ a * joined (a: area per crossing), has
+// the noise of how many lines happen to pass through the two patches at all. The number of all lines through them has
+// the same noise, and its expectation G / a is known. So it serves as a control variate:
 //
 //   G V ~ beta G + a (joined - beta * through)          (R2)
 //
-// is right on the average for any beta, and has no error at all where beta = V = 1 or beta = V = 0, the fate of most
-// pairs. The best beta is V itself; neighbouring pairs tell it well enough. So beta is taken from blocks of patches,
-// each share leaning on the one of the larger blocks around it where lines are few.
+// is unbiased for any beta that is independent of these lines, and exact if beta = V = 1 or beta = V = 0, the case of
+// most pairs. The best beta is V itself. It is estimated from the lines between blocks of neighbouring patches, without
+// those of the pair itself (leave-one-out). The estimates of small blocks shrink towards those of the larger blocks
+// around them where lines are few (shrinkage, empirical Bayes).
 
 namespace {
 
-constexpr std::uint32_t fine_cells = 2;
-constexpr std::uint32_t middle_cells = 4;
-constexpr double prior_lines = 1.0; ///< how many lines the share of the larger blocks is worth
+constexpr std::uint32_t fine_cells = 2;   ///< along an edge of a block
+constexpr std::uint32_t middle_cells = 4; ///< likewise
+constexpr double prior_lines = 1.0;       ///< weight of the prior from the larger blocks, as a number of lines
 
+/// The sum of the PairCounts between two blocks.
 struct BlockCount
 {
     double joined = 0.0;
@@ -84,7 +87,7 @@ struct BlockCount
     }
 };
 
-/// Shares of free lines between blocks of one size.
+/// Counts of lines between blocks of one size.
 struct BlockLevel
 {
     explicit BlockLevel(PatchBlocks patch_blocks) : blocks(std::move(patch_blocks)), counts(blocks.count) {}
@@ -93,22 +96,23 @@ struct BlockLevel
     PairMatrix<BlockCount> counts;
 };
 
-/// For each block of the finer level the one that holds it.
-std::vector<std::uint32_t> holders(const PatchBlocks& fine, const PatchBlocks& coarse)
+/// For each block of the finer level, the block of the coarser level that contains it.
+std::vector<std::uint32_t> parent_blocks(const PatchBlocks& fine, const PatchBlocks& coarse)
 {
-    std::vector<std::uint32_t> holder(fine.count);
+    std::vector<std::uint32_t> parent(fine.count);
     for (std::size_t patch = 0; patch < fine.block_of.size(); ++patch)
-        holder[fine.block_of[patch]] = coarse.block_of[patch];
-    return holder;
+        parent[fine.block_of[patch]] = coarse.block_of[patch];
+    return parent;
 }
 
-/// Patches first ... end - 1 lie on the same side of one surface.
+/// The patches first ... end - 1 of one side of a surface.
 struct PatchRange
 {
     std::uint32_t first;
     std::uint32_t end;
 };
 
+/// The patches of each side.
 std::vector<PatchRange> sides(const PatchBlocks& surfaces)
 {
     std::vector<PatchRange> ranges(surfaces.count);
@@ -121,8 +125,8 @@ std::vector<PatchRange> sides(const PatchBlocks& surfaces)
     return ranges;
 }
 
-/// Calls visit(i, j) for all patches i and the patches j of surfaces before its own. Patches of one surface never see
-/// each other. Different surfaces at the same time.
+/// Calls visit(i, j) for every patch i and all patches j of the sides before its own; patches of one side never see
+/// each other. Sides run in parallel.
 template <class Visit>
 void for_pairs_of_surfaces(const std::vector<PatchRange>& ranges, int threads, const Visit& visit)
 {
@@ -134,16 +138,16 @@ void for_pairs_of_surfaces(const std::vector<PatchRange>& ranges, int threads, c
     });
 }
 
-/// Sums of the finer level's counts.
+/// Adds the counts of the finer level to those of the coarser one.
 void add_counts(const BlockLevel& fine, BlockLevel& coarse)
 {
-    const std::vector<std::uint32_t> holder = holders(fine.blocks, coarse.blocks);
+    const std::vector<std::uint32_t> parent = parent_blocks(fine.blocks, coarse.blocks);
     for (std::uint32_t a = 0; a < fine.blocks.count; ++a)
         for (std::uint32_t b = 0; b <= a; ++b)
-            coarse.counts.at(holder[a], holder[b]) += fine.counts.at(a, b);
+            coarse.counts.at(parent[a], parent[b]) += fine.counts.at(a, b);
 }
 
-/// The share of free lines between blocks; `prior(a, b)` is what to expect of it without any line.
+/// Estimated share of free lines between blocks: the posterior mean, with prior(a, b) weighted like prior_lines lines.
 template <class Prior>
 PairMatrix<double> shares(const BlockLevel& level, const Prior& prior)
 {
@@ -156,34 +160,35 @@ PairMatrix<double> shares(const BlockLevel& level, const Prior& prior)
     return share;
 }
 
-/// The shares between the blocks of the finest level, each leaning on those of the coarser ones.
-PairMatrix<double> lean_on_coarser(const BlockLevel& fine, const BlockLevel& middle, const BlockLevel& coarse)
+/// The shares of free lines between the blocks of the finest level, each shrunk towards the share of the coarser
+/// blocks.
+PairMatrix<double> shrunk_shares(const BlockLevel& fine, const BlockLevel& middle, const BlockLevel& coarse)
 {
     BlockCount all;
     for (std::uint32_t a = 0; a < coarse.blocks.count; ++a)
         for (std::uint32_t b = 0; b <= a; ++b)
             all += coarse.counts.at(a, b);
     const double overall = (all.joined + 1.0) / (all.through + 1.0);
-    const auto leaning_on = [](const PatchBlocks& blocks, const PatchBlocks& around, const PairMatrix<double>& share) {
-        return [holder = holders(blocks, around), &share](std::uint32_t a, std::uint32_t b) {
-            return share.at(holder[a], holder[b]);
+    const auto prior_from = [](const PatchBlocks& blocks, const PatchBlocks& around, const PairMatrix<double>& share) {
+        return [parent = parent_blocks(blocks, around), &share](std::uint32_t a, std::uint32_t b) {
+            return share.at(parent[a], parent[b]);
         };
     };
     const PairMatrix<double> by_surface = shares(coarse, [&](std::uint32_t, std::uint32_t) { return overall; });
-    const PairMatrix<double> by_middle = shares(middle, leaning_on(middle.blocks, coarse.blocks, by_surface));
-    return shares(fine, leaning_on(fine.blocks, middle.blocks, by_middle));
+    const PairMatrix<double> by_middle = shares(middle, prior_from(middle.blocks, coarse.blocks, by_surface));
+    return shares(fine, prior_from(fine.blocks, middle.blocks, by_middle));
 }
 
-/// What the share of a block would be without the lines of one of its pairs.
-double share_without(const PairCount& count, const BlockCount& block, double share)
+/// Leave-one-out estimate: the share of free lines between two blocks without the lines of one of their pairs.
+double leave_one_out_share(const PairCount& count, const BlockCount& block, double share)
 {
     const double joined = share * (block.through + prior_lines) - static_cast<double>(count.joined);
     const double through = block.through + prior_lines - static_cast<double>(count.through);
     return std::clamp(joined / through, 0.0, 1.0); // rounding
 }
 
-/// How far the deviation of a patch's own counts is trusted: little where few lines cross it, since noise that exceeds
-/// the exchange itself would make the equations unstable.
+/// Weight [1] of the counts of a patch itself: small if few lines cross it, since noise larger than the exchange would
+/// make the linear system unstable.
 double trust(double lines_across)
 {
     constexpr double few = 16.0;
@@ -218,7 +223,7 @@ ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& 
     });
     add_counts(fine, middle);
     add_counts(middle, coarse);
-    const PairMatrix<double> share = lean_on_coarser(fine, middle, coarse);
+    const PairMatrix<double> share = shrunk_shares(fine, middle, coarse);
 
     std::vector<double> trusted(n);
     for (std::uint32_t i = 0; i < n; ++i)
@@ -233,12 +238,12 @@ ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& 
         const std::uint32_t b = fine.blocks.block_of[j];
         const PairCount& count = counts.pairs.at(i, j);
         const BlockCount& around = fine.counts.at(a, b);
-        const double beta = share_without(count, around, share.at(a, b));
+        const double beta = leave_one_out_share(count, around, share.at(a, b));
         const double deviation = static_cast<double>(count.joined) - beta * static_cast<double>(count.through);
         estimate.exchange.at(i, j) =
             static_cast<float>(beta * free_exchange + trusted[i] * trusted[j] * crossing_area * deviation);
 
-        // Unanimous lines do not prove that all would agree: as if one in twenty more had dissented, both ways.
+        // Pseudo-counts of 0.05 for each outcome keep p (1 - p) > 0 where all lines agree.
         const double p = (around.joined + beta + 0.05) / (around.through + 1.1);
         estimate.variance.at(i, j) = static_cast<float>(crossing_area * free_exchange * p * (1.0 - p));
     });

@@ -1,3 +1,11 @@
+// Sparse counts of lines. Each row is the sorted list of the patches that its lines reached, with repetitions: 4 bytes
+// per line and end. New lines are appended as 8-byte keys (row, column), which are radix-sorted and merged into the
+// rows from time to time.
+//
+// The rows are partitioned into up to 256 parts, each with a mutex. A thread sorts the ends of its lines by part and
+// adds them part by part; it leaves parts that another thread holds for last. The order of the threads does not change
+// the result: counts are integers, and rows are sorted.
+
 #include "transport/exchange/line_counts.h"
 
 #include "parallel/blocks.h"
@@ -13,52 +21,52 @@ namespace multipath {
 
 namespace {
 
-constexpr int digit_bits = 11; // the places of all digits then stay in the first-level cache
+constexpr int digit_bits = 11; // the offsets of all digit values then stay in the first-level cache
 constexpr std::size_t digit_values = std::size_t{1} << digit_bits;
 
-using DigitPlaces = std::array<std::uint32_t, digit_values>;
+using DigitOffsets = std::array<std::uint32_t, digit_values>;
 
 std::size_t digit(std::uint64_t key, int shift)
 {
     return static_cast<std::size_t>(key >> shift) & (digit_values - 1);
 }
 
-/// Where the keys with each value of the digit begin.
-DigitPlaces places_of(const std::vector<std::uint64_t>& keys, int shift)
+/// Offset of the first key with each value of the digit, in the order sorted by this digit.
+DigitOffsets offsets_of(const std::vector<std::uint64_t>& keys, int shift)
 {
-    DigitPlaces places{};
+    DigitOffsets offsets{};
     for (const std::uint64_t key : keys)
-        ++places[digit(key, shift)];
+        ++offsets[digit(key, shift)];
     std::uint32_t begin = 0;
-    for (std::uint32_t& place : places) {
-        const std::uint32_t count = place;
-        place = begin;
+    for (std::uint32_t& offset : offsets) {
+        const std::uint32_t count = offset;
+        offset = begin;
         begin += count;
     }
-    return places;
+    return offsets;
 }
 
 } // namespace
 
 void sort_keys(std::vector<std::uint64_t>& keys, int bits)
 {
-    // Few keys do not pay for the places; more than 2^32 would not fit into them.
+    // For few keys the offsets do not pay; for more than 2^32 keys their type is too small.
     if (keys.size() < digit_values / 4 || keys.size() > 0xffffffffu) {
         std::sort(keys.begin(), keys.end());
         return;
     }
     std::vector<std::uint64_t> sorted(keys.size());
     for (int shift = 0; shift < bits; shift += digit_bits) {
-        DigitPlaces places = places_of(keys, shift);
+        DigitOffsets offsets = offsets_of(keys, shift);
         for (const std::uint64_t key : keys)
-            sorted[places[digit(key, shift)]++] = key;
+            sorted[offsets[digit(key, shift)]++] = key;
         keys.swap(sorted);
     }
 }
 
 namespace {
 
-/// How many bits the numbers 0 ... count - 1 take.
+/// Number of bits that hold 0 ... count - 1.
 int bits_for(std::uint64_t count)
 {
     int bits = 0;
@@ -85,24 +93,24 @@ void CountRows::add(std::uint32_t row, std::uint32_t end)
     else if (end == Segment::behind)
         ++behind_[row];
     else
-        waiting_.push_back(std::uint64_t{row} << column_bits_ | end);
+        unsorted_.push_back(std::uint64_t{row} << column_bits_ | end);
 }
 
 void CountRows::merge()
 {
-    if (waiting_.empty())
+    if (unsorted_.empty())
         return;
     CountRows fresh(rows(), 0);
-    fresh.reached_.reserve(waiting_.size());
-    sort_keys(waiting_, row_bits_ + column_bits_);
+    fresh.reached_.reserve(unsorted_.size());
+    sort_keys(unsorted_, row_bits_ + column_bits_);
     const std::uint64_t column_mask = (std::uint64_t{1} << column_bits_) - 1;
-    for (const std::uint64_t key : waiting_) {
+    for (const std::uint64_t key : unsorted_) {
         fresh.reached_.push_back(static_cast<std::uint32_t>(key & column_mask));
         fresh.row_begin_[(key >> column_bits_) + 1] = fresh.reached_.size();
     }
-    for (std::uint32_t i = 0; i < rows(); ++i) // rows without a line begin where the one before ends
+    for (std::uint32_t i = 0; i < rows(); ++i) // rows without lines end where the row before them ends
         fresh.row_begin_[i + 1] = std::max(fresh.row_begin_[i + 1], fresh.row_begin_[i]);
-    std::vector<std::uint64_t>().swap(waiting_); // gives its memory back
+    std::vector<std::uint64_t>().swap(unsorted_); // frees its memory
     add(fresh);
 }
 
@@ -144,14 +152,11 @@ void CountRows::visit(Archive& archive)
         throw ArchiveError("the state is damaged: no such rows of counts");
 }
 
-// The patches are dealt out to some hundred parts. A thread sorts the ends of its lines by parts and hands each part
-// what belongs to it; a part that is just busy is visited later. Which thread comes first changes nothing: counts are
-// integers, and rows are sorted.
-
 namespace {
 
-constexpr std::uint32_t most_parts = 256; // many times the threads, so that they rarely meet
+constexpr std::uint32_t most_parts = 256; // many times the threads, so that these rarely contend for a part
 
+/// Bits of the number of patches per part, so that there are at most most_parts parts.
 int bits_of_part(std::uint32_t patches)
 {
     int bits = 0;
@@ -192,7 +197,7 @@ void LineCounts::add(const std::vector<Segment>& segments)
         end_of_part[p + 1] += end_of_part[p];
     std::vector<LineEnd> by_part(ends.size());
     for (const LineEnd& end : ends)
-        by_part[end_of_part[end.patch >> part_bits_]++] = end; // moves the beginning of a part to its end
+        by_part[end_of_part[end.patch >> part_bits_]++] = end; // advances from the begin of the part to its end
 
     const auto add_to = [&](std::size_t p) {
         add(by_part.data() + (p > 0 ? end_of_part[p - 1] : 0), by_part.data() + end_of_part[p], parts_[p]);
@@ -214,7 +219,7 @@ void LineCounts::add(const std::vector<Segment>& segments)
 void LineCounts::add(const LineEnd* first, const LineEnd* last, Part& part) const
 {
     for (const LineEnd* end = first; end != last; ++end)
-        part.counts.add(place(end->patch), end->other);
+        part.counts.add(row_in_part(end->patch), end->other);
 }
 
 void LineCounts::merge(int threads)
@@ -242,12 +247,13 @@ namespace {
 
 constexpr std::uint64_t rays_per_block = 4096;
 
-/// Rays of several patches and what they join.
+/// A block of rays of several patches and the segments that they make, in reusable buffers.
 struct CountedRays
 {
     RayBlock rays;
     std::vector<Segment> segments;
 
+    /// Traces rays number first_ray ... first_ray + count - 1 of the allotment.
     void trace(const Scene& scene, const Allotment& allotment, const Sequence& sequence, std::uint64_t first_item,
                std::uint64_t first_ray, std::size_t count)
     {
@@ -277,7 +283,8 @@ Blocks ray_blocks(const Allotment& rays)
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
                 SharedRange& range, const RunControl& run, LineCounts& counts)
 {
-    // Until they are merged, notes take 16 bytes a ray more; each time all that was there before is copied.
+    // Unsorted lines take 16 more bytes per ray, but each merge copies all counts. So merges become rarer as counts
+    // grow.
     constexpr std::uint64_t fewest_blocks_per_merge = 256;
     constexpr std::uint64_t merges_per_doubling = 8;
     const Blocks blocks = ray_blocks(rays);

@@ -1,3 +1,8 @@
+// Counts of all pairs of patches along global lines. A line through k surfaces has up to k (k - 1) / 2 facing pairs,
+// neighbours or not. Threads trace blocks of lines and record their pairs; the records are added to the matrix by one
+// thread at a time. Lines with many crossings are the exception: their pairs would take too much memory, so only their
+// passages are kept, and the pairs are enumerated while they are added.
+
 #include "transport/exchange/pair_counts.h"
 
 #include "parallel/blocks.h"
@@ -10,9 +15,9 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t many_crossings = 64; ///< of a line, whose pairs are then too many to note before they are counted
+constexpr std::size_t many_crossings = 64; ///< a line with more crossings has too many pairs to record them
 
-/// What the lines of one block met.
+/// The pairs and losses of one block of lines.
 struct PairBlock
 {
     struct Pair
@@ -25,7 +30,7 @@ struct PairBlock
         std::uint32_t patch;
         bool behind;
     };
-    /// Of a line that has many.
+    /// The passages of one line, as a range of `passages`.
     struct Passages
     {
         std::size_t first;
@@ -36,10 +41,10 @@ struct PairBlock
     std::vector<Passage> passages;
     std::vector<Pair> pairs;
     std::vector<Loss> losses;
-    std::vector<Passages> long_lines; ///< whose pairs are not in `pairs`
+    std::vector<Passages> long_lines; ///< lines with many crossings, whose pairs are not in `pairs`
 };
 
-/// Calls visit(place in a PairMatrix, joined) for every facing pair along one line, neighbours or not.
+/// Calls visit(index in a PairMatrix, joined) for every facing pair along one line, neighbours or not.
 template <class Visit>
 void for_each_pair(const Passage* passages, std::size_t count, const Visit& visit)
 {
@@ -53,8 +58,8 @@ void for_each_pair(const Passage* passages, std::size_t count, const Visit& visi
     }
 }
 
-/// Notes where power would be lost along one line.
-void note_losses(const Passage* passages, std::size_t count, PairBlock& block)
+/// Records the patches along one line that send power to no patch, in either direction of the line.
+void record_losses(const Passage* passages, std::size_t count, PairBlock& block)
 {
     for (std::size_t a = 0; a < count; ++a) {
         const std::uint32_t from = passages[a].leaves;
@@ -66,17 +71,18 @@ void note_losses(const Passage* passages, std::size_t count, PairBlock& block)
     }
 }
 
-/// Notes all facing pairs of one line and where power would be lost.
-void note(std::size_t first, std::size_t count, PairBlock& block)
+/// Records the facing pairs and the losses of one line, whose passages are first ... first + count - 1 of the block.
+void record(std::size_t first, std::size_t count, PairBlock& block)
 {
     const Passage* passages = block.passages.data() + first;
-    note_losses(passages, count, block);
+    record_losses(passages, count, block);
     if (count > many_crossings)
         block.long_lines.push_back({first, count});
     else
         for_each_pair(passages, count, [&](std::size_t index, bool joined) { block.pairs.push_back({index, joined}); });
 }
 
+/// Adds the records of a block to the counts.
 void add(const PairBlock& block, PairCounts& counts)
 {
     PairCount* pairs = counts.pairs.row(0);
@@ -138,7 +144,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         find_passages(scene, lists, block.passages);
         std::size_t first = 0;
         for (std::size_t line = 0; line < lists.size(); ++line) {
-            note(first, lists[line].size(), block);
+            record(first, lists[line].size(), block);
             first += lists[line].size();
         }
     };

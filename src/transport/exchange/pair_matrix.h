@@ -9,8 +9,8 @@
 
 namespace multipath {
 
-/// One value for each unordered pair of n patches, a patch with itself included: the lower triangle, row by row. Zero
-/// at first; memory that was never written takes no room.
+/// Symmetric matrix over n patches with one value for each unordered pair, the diagonal included: the lower triangle,
+/// row by row. Initially zero; pages that were never written take no memory.
 template <class Value>
 class PairMatrix
 {
@@ -22,11 +22,11 @@ public:
     Value& at(std::uint32_t i, std::uint32_t j) { return values_[index(i, j)]; }
     const Value& at(std::uint32_t i, std::uint32_t j) const { return values_[index(i, j)]; }
 
-    /// The pairs (i, 0), (i, 1) ... (i, i).
+    /// The values of the pairs (i, 0), (i, 1) ... (i, i), and those of the next rows after them.
     Value* row(std::uint32_t i) { return values_.data() + pair_count(i); }
     const Value* row(std::uint32_t i) const { return values_.data() + pair_count(i); }
 
-    /// For a checkpoint: the values, made of such numbers.
+    /// Saves to or restores from a checkpoint. `Number` is the type of the numbers of which a Value consists.
     template <class Number>
     void visit(Archive& archive, std::string_view name)
     {

@@ -20,13 +20,13 @@
 
 namespace multipath {
 
-// Between points x, y that are uniform on their patches a ray weighs cos cos' / r^2. Where the patches come close this
-// grows without bound and a few rays would decide everything. There the direction is drawn uniformly from the solid
-// angle of the larger patch at x instead; then the weight is the solid angle times the cosine at x.
+// A ray between points x, y that are uniform on their patches has the weight cos cos' / r^2. For patches close to each
+// other this kernel is unbounded, and a few rays would dominate the mean. For such pairs the direction is uniform in
+// the solid angle of the larger patch seen from x instead; the weight is then the solid angle times the cosine at x.
 
 namespace {
 
-/// No point of the shape is farther from its centre.
+/// Upper bound of the distance of a point of the shape from its centre.
 double radius(const Surface& shape)
 {
     return length(shape.edge_u) + length(shape.edge_v);
@@ -87,9 +87,10 @@ RayPair::Ray RayPair::into_solid_angle(Vec3 start, double u, double v) const
     return {{start, d}, all * std::max(0.0, dot(from_normal_, d))};
 }
 
-// A pair whose exchange is known with the variance s^2 / m after m rays adds s^2 / m (rho_i^2 B_j^2 / A_i + rho_j^2
-// B_i^2 / A_j) to the error (1), up to factors that all pairs share. For a given number of rays in all the sum is
-// smallest when m is proportional to s times the root of the bracket.
+// Neyman allocation (Neyman 1934). If m rays estimate the exchange of a pair with variance s^2 / m, the pair adds s^2 /
+// m (rho_i^2 B_j^2 / A_i + rho_j^2 B_i^2 / A_j) to the error (1), up to factors common to all pairs. For a given total
+// number of rays the sum over the pairs is smallest if m is proportional to s times the root of the bracket, the
+// importance of the pair. The global lines count as rays that a pair already has, so water-filling finds the rest.
 
 namespace {
 
@@ -102,29 +103,29 @@ struct RowOfRays
         std::uint64_t rays;
     };
 
-    std::uint64_t first_ray = 0; ///< number among the rays of all rows
-    std::uint64_t end_ray = 0;
-    std::vector<Target> targets; ///< that get any
+    std::uint64_t first_ray = 0; ///< number of its first ray among the rays of all rows
+    std::uint64_t end_ray = 0;   ///< first_ray of the next row
+    std::vector<Target> targets; ///< those that get any rays
 };
 
-/// Which pair of patches gets how many rays, so that the error (1) becomes as small as so many rays can make it. Rows
-/// that have their rays may be refined while others are asked for.
+/// Allots rays to pairs of patches so that the error (1) becomes as small as possible. row() is thread-safe, also while
+/// other rows of the estimate are being refined.
 class PairRayAllotment
 {
 public:
-    /// The estimate must come from lines of `crossing_area`; `radiosity` [W/m^2] need only be roughly right. Keeps
-    /// references to the estimate and to `unoccluded`.
+    /// The estimate must come from estimate_exchange with the same `crossing_area` [m^2]; `radiosity` [W/m^2] need only
+    /// be roughly right. Keeps references to the estimate and to `unoccluded`.
     PairRayAllotment(const ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
                      double crossing_area, const std::vector<Rgb>& radiosity);
 
-    /// Looks at all rows, before any of them is refined. `seed` of the rounding to whole rays.
+    /// Allots `rays` rays, before any row is refined. `seed`: of the rounding to whole rays.
     void allot(std::uint64_t rays, std::uint64_t seed, int threads);
 
-    bool any() const { return level_ > 0.0; }
+    bool any() const { return level_ > 0.0; } ///< true if some pair gets rays
     RowOfRays row(std::uint32_t i) const;
-    SharedRange rows_of(Shard shard) const; ///< those with its part of the rays
+    SharedRange rows_of(Shard shard) const; ///< the rows of a shard, with about equal numbers of rays for all shards
 
-    void visit(Archive& archive); ///< for a checkpoint
+    void visit(Archive& archive); ///< saves to or restores from a checkpoint
 
 private:
     double importance(std::uint32_t i, std::uint32_t j, double spread) const;
@@ -136,11 +137,11 @@ private:
     const ExchangeEstimate& estimate_;
     const PairMatrix<float>& unoccluded_;
     double crossing_area_;
-    std::vector<Rgb> receives_;  ///< rho^2 / A
-    std::vector<Rgb> sends_;     ///< B^2
-    double level_ = 0.0;         ///< lines and rays that a pair should have for its importance
-    double rate_ = 0.0;          ///< rays per ray deserved, so that their number comes out
-    std::vector<double> before_; ///< rays before each row, and after the last
+    std::vector<Rgb> receives_;  ///< per patch: rho^2 / A
+    std::vector<Rgb> sends_;     ///< per patch: B^2
+    double level_ = 0.0;         ///< water level: lines and rays of a pair, per importance
+    double rate_ = 0.0;          ///< factor of all deserved rays that makes their sum exact
+    std::vector<double> before_; ///< per row: expected rays of all rows before it; then the total
 };
 
 double sum_of_products(Rgb a, Rgb b)
@@ -160,13 +161,14 @@ PairRayAllotment::PairRayAllotment(const ExchangeEstimate& estimate, const Scene
     }
 }
 
-/// How much a pair deserves to be looked at. `spread` [m^4]: the variance of the exchange if one ray told it.
+/// Importance of a pair. `spread` [m^4] is the variance of its exchange if estimated by a single ray.
 double PairRayAllotment::importance(std::uint32_t i, std::uint32_t j, double spread) const
 {
     return std::sqrt(spread * (sum_of_products(receives_[i], sends_[j]) + sum_of_products(receives_[j], sends_[i])));
 }
 
-/// Calls visit(j, importance, lines) for the pairs (i, j < i) that leave doubt; the estimate is worth so many lines.
+/// Calls visit(j, importance, lines) for the pairs (i, j < i) whose exchange is uncertain. `lines` is the expected
+/// number of global lines through the pair, from which its estimate comes.
 template <class Visit>
 void PairRayAllotment::for_uncertain_pairs(std::uint32_t i, const Visit& visit) const
 {
@@ -183,7 +185,7 @@ void PairRayAllotment::for_uncertain_pairs(std::uint32_t i, const Visit& visit) 
 
 double PairRayAllotment::water_level(std::uint64_t rays, int threads) const
 {
-    constexpr std::uint32_t parts = 32; // sums of each part in order: the same bits for any number of threads
+    constexpr std::uint32_t parts = 32; // added in order: the same bits for any number of threads
     const std::uint32_t n = estimate_.exchange.size();
     std::vector<WaterFilling> levels(parts);
     parallel_blocks(parts, threads, [&](std::uint64_t part) {
@@ -197,6 +199,7 @@ double PairRayAllotment::water_level(std::uint64_t rays, int threads) const
     return all.level(static_cast<double>(rays));
 }
 
+/// The rays that the water level gives to the pairs (i, j < i), not rounded.
 std::vector<double> PairRayAllotment::deserved_rays(std::uint32_t i) const
 {
     std::vector<double> row(i);
@@ -225,7 +228,7 @@ RowOfRays PairRayAllotment::row(std::uint32_t i) const
 {
     const std::vector<double> deserved = deserved_rays(i);
     RowOfRays row;
-    SystematicRounding rounding(before_[i]); // goes on from the row before
+    SystematicRounding rounding(before_[i]); // continues the running sum of the rows before
     row.first_ray = rounding.given();
     double sum = 0.0;
     for (std::uint32_t j = 0; j < deserved.size(); ++j) {
@@ -262,13 +265,13 @@ void PairRayAllotment::visit(Archive& archive)
         throw ArchiveError("the state is damaged: no such rows");
 }
 
-/// Rays of several pairs, traced together.
-class SightBlock
+/// Traces the shadow rays of several pairs together, in reusable buffers.
+class VisibilityBlock
 {
 public:
-    explicit SightBlock(const Scene& scene) : scene_(scene) {}
+    explicit VisibilityBlock(const Scene& scene) : scene_(scene) {}
 
-    /// Adds the rays of a pair.
+    /// Adds `rays` rays of a pair, one for each item. Rays of weight 0 are skipped.
     void add(const RayPair& pair, const Item* items, std::uint64_t rays)
     {
         pairs_.push_back({pair.to_front(), weights_.size(), 0});
@@ -284,8 +287,8 @@ public:
         pairs_.back().end = weights_.size();
     }
 
-    /// Of each pair the visible share, weighted like the light that the rays would carry; below zero if they tell
-    /// nothing. Forgets the rays.
+    /// Traces all rays. Returns for each pair the share of unoccluded rays, by weight, or -1 if none of its rays has a
+    /// weight. Removes all pairs.
     std::vector<double> visible_shares()
     {
         scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
@@ -303,8 +306,8 @@ public:
 private:
     struct PairOfBlock
     {
-        bool to_front;
-        std::size_t begin, end; ///< its rays
+        bool to_front;          ///< see RayPair::to_front
+        std::size_t begin, end; ///< range of its rays
     };
 
     double visible_share(const PairOfBlock& pair) const
@@ -328,12 +331,13 @@ private:
     FirstHits hits_;
 };
 
-/// Takes what some rays tell of a pair into its estimate, weighted by what both are worth.
+/// Combines the estimate of a pair with that of its rays, whose visible share is `share`. Each is weighted by its
+/// number of lines or rays.
 void refine(ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, double crossing_area, std::uint32_t i,
             const RowOfRays::Target& target, double share)
 {
     const auto free_exchange = static_cast<double>(unoccluded.at(i, target.patch));
-    const double lines = free_exchange / crossing_area; // what the first estimate is worth
+    const double lines = free_exchange / crossing_area; // expected number, of the first estimate
     const double part = static_cast<double>(target.rays) / (static_cast<double>(target.rays) + lines);
     float& exchange = estimate.exchange.at(i, target.patch);
     exchange = static_cast<float>((1.0 - part) * static_cast<double>(exchange) + part * free_exchange * share);
@@ -364,17 +368,17 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     if (!allotment.any())
         return;
 
-    BlockBuffers<SightBlock> sights(run.threads, SightBlock(scene));
-    const auto cast_row = [&](std::uint32_t i, SightBlock& sight) {
+    BlockBuffers<VisibilityBlock> blocks(run.threads, VisibilityBlock(scene));
+    const auto cast_row = [&](std::uint32_t i, VisibilityBlock& block) {
         const RowOfRays row = allotment.row(i);
         std::vector<Item> items(static_cast<std::size_t>(row.end_ray - row.first_ray));
         sequence.generate(plan.first_item + row.first_ray, items);
         const Item* next = items.data();
         for (const RowOfRays::Target& target : row.targets) {
-            sight.add(RayPair(scene, i, target.patch), next, target.rays);
+            block.add(RayPair(scene, i, target.patch), next, target.rays);
             next += target.rays;
         }
-        const std::vector<double> shares = sight.visible_shares();
+        const std::vector<double> shares = block.visible_shares();
         for (std::size_t k = 0; k < shares.size(); ++k)
             if (shares[k] >= 0.0)
                 refine(estimate, unoccluded, crossing_area, i, row.targets[k], shares[k]);
@@ -382,7 +386,7 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     };
     std::vector<std::uint64_t> cast(n);
     shared_blocks(
-        rows, run, [&](std::uint64_t i, int slot) { cast[i] = cast_row(static_cast<std::uint32_t>(i), sights[slot]); },
+        rows, run, [&](std::uint64_t i, int slot) { cast[i] = cast_row(static_cast<std::uint32_t>(i), blocks[slot]); },
         [&](std::uint64_t i, int) { run.count_lines(cast[i]); });
 }
 

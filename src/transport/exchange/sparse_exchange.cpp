@@ -20,7 +20,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         unit_ += a;
     for (const double d : density)
         factors_.push_back({static_cast<float>(d * unit_), 1.0f});
-    std::vector<double> wanted = area; // by the rays that were counted
+    std::vector<double> wanted = area; // row sums of step 1: the areas without the share of unseen rays
     if (unseen_rays > 0.0)
         for (std::uint32_t i = 0; i < size(); ++i) {
             const CountRow row = counts_.row(i);
@@ -37,6 +37,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
     });
 }
 
+/// [m^2] Exchange area of a patch for rays that reached no patch.
 double SparseExchange::lost(std::uint32_t patch, std::uint64_t rays) const
 {
     const Factors& f = factors_[patch];
@@ -45,7 +46,7 @@ double SparseExchange::lost(std::uint32_t patch, std::uint64_t rays) const
                : unit_ * static_cast<double>(rays) * static_cast<double>(f.scale) / static_cast<double>(f.density);
 }
 
-/// [m^2] Of the row, without what is not seen.
+/// [m^2] Sum of row i after step 1, its losses included.
 double SparseExchange::row_sum(std::uint32_t i) const
 {
     const auto density = static_cast<double>(factors_[i].density);
@@ -58,14 +59,14 @@ double SparseExchange::row_sum(std::uint32_t i) const
     return unit_ * static_cast<double>(factors_[i].scale) * sum + lost(i, escaped);
 }
 
-/// Step 1.
+/// Step 1: finds the factors x for which the row sums are `wanted` [m^2].
 void SparseExchange::balance(const std::vector<double>& wanted, int threads)
 {
-    // x_i is multiplied by wanted / sum to the power of 3/4, where the root alone would converge for certain, and by
-    // the change before to the power of 1/16: the heavy ball of Polyak (1964). Where the pairs of a row are spread over
-    // the scene, as by rays, errors become a quarter of what they were in each step. What is left leaks out of closed
-    // spaces, where bright surfaces multiply it; groups of patches that exchange with each other alone, like two that
-    // face each other, hardly converge.
+    // Each step multiplies x_i by (wanted / sum)^(3/4) and by the previous change of x_i to the power of 1/16, the
+    // momentum of Polyak's heavy ball (1964). With the power 1/2 alone convergence is certain, but slower. Where the
+    // pairs of a row are spread over the scene, as those of rays are, each step divides the errors by about 4. Errors
+    // that remain make closed spaces leak, and bright surfaces multiply the leak. Groups of patches that exchange with
+    // each other only, like two that face each other, hardly converge.
     constexpr int most_steps = 16;
     constexpr double small_leak = 2e-7; // [1] share of the area
     const auto root = [](double x) { return std::sqrt(x); };
@@ -78,8 +79,8 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
         const double missing = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
             const double sum = row_sum(i);
             const auto scale = static_cast<double>(factors_[i].scale);
-            const double turn = root(root(root(root(scale / static_cast<double>(before[i])))));
-            const double change = sum > 0.0 ? root(wanted[i] / sum) * root(root(wanted[i] / sum)) * turn : 1.0;
+            const double momentum = root(root(root(root(scale / static_cast<double>(before[i])))));
+            const double change = sum > 0.0 ? root(wanted[i] / sum) * root(root(wanted[i] / sum)) * momentum : 1.0;
             next[i] = static_cast<float>(scale * change);
             return std::abs(wanted[i] - sum);
         });
@@ -91,7 +92,7 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
     }
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         const double sum = row_sum(i);
-        constexpr double below_one = 1.0 - 1.5e-7; // never more, however it is rounded
+        constexpr double below_one = 1.0 - 1.5e-7; // keeps the sum below `wanted` after rounding to float
         const double limit = std::min(1.0, below_one * wanted[i] / sum);
         next[i] = sum > 0.0 ? static_cast<float>(static_cast<double>(factors_[i].scale) * limit) : 1.0f;
     });
@@ -100,14 +101,14 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
 
 void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const
 {
-    // To numbers that suit single precision, by a power of two: exact.
+    // Scale the light by a power of two, which is exact, into the range of single precision.
     const double sum_of_all = parallel_sum<double>(
         size(), threads, [&](std::uint32_t i) { return std::abs(x[i].r) + std::abs(x[i].g) + std::abs(x[i].b); });
     int exponent = 0;
     std::frexp(sum_of_all, &exponent);
     const double unit_of_light = std::ldexp(1.0, exponent);
     const double to_single = std::ldexp(1.0, -exponent);
-    struct Sender // small, for it is asked for at random places
+    struct Sender // small, since it is read at random indices
     {
         float r, g, b; ///< scaled light
         float density;
@@ -120,7 +121,7 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
         return unseen_[i] * x[i];
     });
     if (unseen_sum_ > 0.0)
-        spread = (1.0 / unseen_sum_) * spread; // for each m^2 that is not seen
+        spread = (1.0 / unseen_sum_) * spread; // [W/m^2] of unseen area
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         const auto density = static_cast<double>(factors_[i].density);
         Rgb sum;

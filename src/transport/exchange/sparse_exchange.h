@@ -8,23 +8,25 @@
 
 namespace multipath {
 
-/// Exchange areas counted by rays (R4), closed so that no light is made or lost: symmetric, nowhere negative, and with
-/// rows that add up to the areas of the patches. With d_i rays per m^2 of patch i, and C_ij of all rays between i and
-/// j, from whichever end, the estimate is C_ij / (d_i + d_j): of all ways to weigh the two kinds of rays, this balance
-/// heuristic of Veach and Guibas (1995) is never much worse than the best. Two steps lead from it to the exchange:
+/// Exchange areas estimated from counts of rays (R4), closed so that light is conserved: symmetric, nowhere negative,
+/// and with rows that add up to the areas of the patches. With d_i rays per m^2 of patch i, and C_ij rays between i and
+/// j, started at either end, the estimate of A_i F_ij is C_ij / (d_i + d_j): the balance heuristic of Veach and Guibas
+/// (1995), which is never much worse than the best combination of the two kinds of rays. Two steps close it:
 ///
-/// 1. G_ij = x_i x_j C_ij / (d_i + d_j), with one factor per patch, found by the symmetric form of the iteration of
-///    Sinkhorn and Knopp (1967). The factors take out the noise of how many rays of others happened to meet each patch.
-///    No row gets more than its area.
-/// 2. What a row still lacks, s_i, is exchange that no ray has shown. It is spread over all patches that lack some:
-///    s_i s_j / sum of s. With tens of rays per patch this is a small part of the whole, see unseen_share(). What only
-///    rounding makes it lack, a patch exchanges with itself, so that no light gets into closed spaces.
+/// 1. G_ij = x_i x_j C_ij / (d_i + d_j), with one factor per patch, by symmetric matrix balancing after Sinkhorn and
+/// Knopp
+///    (1967). The factors remove the noise of how many rays of other patches happened to meet each patch. No row sum
+///    exceeds its area.
+/// 2. The deficit s_i of a row is exchange that no ray has sampled. It is spread over all patches with a deficit:
+///    s_i s_j / sum of s. With tens of rays per patch this is a small part of the whole, see unseen_share(). A deficit
+///    from rounding alone becomes self-exchange, so that no light gets into closed spaces.
 class SparseExchange : public Exchange
 {
 public:
-    /// Refers to the counts, which must be merged. `area` [m^2] and `density` [rays/m^2] per patch, of the rays that
-    /// left it. `unseen_rays`: how many rays per patch to take as not seen, over those that were counted. With more
-    /// than none, light can get from every patch to every other, however few rays there are, at the price of a bias.
+    /// Keeps a reference to the counts, which must be merged. `area` [m^2] and `density` [rays/m^2] are per patch; the
+    /// density is that of the rays that left it. `unseen_rays` is a pseudo-count: so many rays per patch, besides those
+    /// counted, are taken to have reached unknown patches. If it is positive, light can get from every patch to every
+    /// other, however few rays there are, at the price of a bias.
     SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& density,
                    double unseen_rays, int threads);
 
@@ -35,16 +37,16 @@ public:
     double behind(std::uint32_t patch) const override { return lost(patch, counts_.behind(patch)); }
     double row_area(std::uint32_t patch) const override { return area_[patch]; }
 
-    /// [1] Share of all exchange that no ray has shown: how far the result rests on step 2.
+    /// Share [1] of all exchange that no ray has sampled, which step 2 adds.
     double unseen_share() const;
 
 private:
-    /// Single precision serves as well and is half to read: the exchange is symmetric in any case, and adds up to the
-    /// areas by step 2.
+    /// Single precision suffices and halves the memory to be read: the exchange stays exactly symmetric, and step 2
+    /// makes its rows add up to the areas.
     struct Factors
     {
-        float density; ///< [rays per unit_] d
-        float scale;   ///< x
+        float density; ///< d [rays per unit_]
+        float scale;   ///< x [1]
     };
 
     double lost(std::uint32_t patch, std::uint64_t rays) const;
@@ -53,11 +55,11 @@ private:
 
     const LineCounts& counts_;
     std::vector<double> area_;
-    double unit_ = 0.0; ///< [m^2] of all patches: in single precision, numbers must not be too large or small
+    double unit_ = 0.0; ///< [m^2] total area, the unit of areas that keeps numbers within the range of floats
     std::vector<Factors> factors_;
-    std::vector<double> own_;    ///< [m^2] what rounding makes the row lack
-    std::vector<double> unseen_; ///< [m^2] s
-    double unseen_sum_ = 0.0;    ///< [m^2]
+    std::vector<double> own_;    ///< [m^2] self-exchange: the deficit that is only rounding
+    std::vector<double> unseen_; ///< [m^2] s, the other deficits
+    double unseen_sum_ = 0.0;    ///< [m^2] sum of s
 };
 
 } // namespace multipath

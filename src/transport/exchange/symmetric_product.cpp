@@ -1,6 +1,7 @@
-// Only the lower triangle is stored. Its rows are cut into bands of about equal size, a number that does not depend on
-// the threads; each band is read once and gives parts of all products, since an element (i, j) belongs to row i and to
-// row j. The parts are added in the order of the bands.
+// Only the lower triangle is stored, so each element (i, j) contributes to y_i and, mirrored, to y_j. The rows are cut
+// into 32 bands with about equal numbers of elements, whatever the number of threads. Each band is read once and gives
+// partial sums of all products; these are added in the order of the bands, so the result has the same bits for any
+// number of threads.
 
 #include "transport/exchange/symmetric_product.h"
 
@@ -16,13 +17,13 @@ namespace {
 
 constexpr std::uint32_t bands = 32;
 
-/// The first row of a band: the triangle above it holds the share band / bands of all elements.
+/// The first row of a band: the triangle of the rows before it holds the share band / bands of all elements.
 std::uint32_t first_row(std::uint32_t n, std::uint32_t band)
 {
     return static_cast<std::uint32_t>(std::lround(n * std::sqrt(static_cast<double>(band) / bands)));
 }
 
-/// Three vectors at a time where there are so many: a row is then read once for all of them.
+/// Multiplies a row with all vectors, three at a time if there are as many, so that the row is read once for the three.
 void multiply(const RowKernel& kernel, const float* row, std::uint32_t count, std::vector<RowProduct>& products)
 {
     std::size_t k = 0;

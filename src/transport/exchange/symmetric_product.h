@@ -7,12 +7,12 @@
 
 namespace multipath {
 
-/// The products of a symmetric matrix with some vectors, all of its size. Rows in parallel, each summed in a fixed
+/// The products of a symmetric matrix with several vectors of its size, in the order of the vectors. Sums have a fixed
 /// order: the same bits for any number of threads.
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads);
 
-/// The same by a kernel of one's choice: also the same bits.
+/// The same with the given kernel. All kernels give the same bits.
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads,
                                                    const RowKernel& kernel);

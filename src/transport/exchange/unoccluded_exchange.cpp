@@ -1,7 +1,8 @@
-// Surfaces are cut into equal cells, so where two grids have a step in common (a wall and the floor along their edge,
-// floor and ceiling both ways) the exchange depends on the difference of the cell numbers along it only. Every pair of
-// cells gets a place number that is a sum of one number for each of the two cells; pairs that are moved along a common
-// step have the same place, and only the first of them is computed.
+// Translation invariance saves most of the work. Surfaces are cut into grids of equal cells. If the grids of two
+// surfaces have a step in common (a wall and the floor along their common edge, floor and ceiling in both directions),
+// the exchange of two cells depends only on the difference of their indices along it (a Toeplitz matrix). Every pair of
+// cells gets a slot, the sum of one number for each of the two cells. Pairs that differ by a translation share a slot,
+// and only the first of them is computed.
 
 #include "transport/exchange/unoccluded_exchange.h"
 
@@ -27,7 +28,7 @@ struct Side
     std::uint32_t surface;
     std::uint32_t first_patch;
     std::uint32_t patch_count;
-    FlatPiece whole;
+    FlatPiece whole; ///< of the surface, with this side as its front
     FlatPolygon outline;
 };
 
@@ -47,12 +48,14 @@ std::vector<Side> sides_of(const Scene& scene)
     return sides;
 }
 
+/// True if one of the sides lies in the plane of the other, within `touching` [scene units].
 bool in_one_plane(const Side& a, const Side& b, double touching)
 {
     return heights(a.outline, b.whole.centre, b.whole.normal).within(touching) ||
            heights(b.outline, a.whole.centre, a.whole.normal).within(touching);
 }
 
+/// True if the sides may see each other: each has a point in front of the plane of the other, or they lie in one plane.
 bool may_exchange(const Side& a, const Side& b, double touching)
 {
     if (a.surface == b.surface)
@@ -65,11 +68,12 @@ bool may_exchange(const Side& a, const Side& b, double touching)
 /// One direction of a surface's grid.
 struct GridAxis
 {
-    Vec3 step; ///< from a cell to the next
+    Vec3 step; ///< from a cell to the next one
     std::uint32_t cells;
 };
 
-/// Cell (i, j) has number i * axes[1].cells + j. Triangles, whose cells are not all turned alike, are one axis.
+/// The two axes of a surface's grid; cell (i, j) has number i * axes[1].cells + j. The cells of a triangle have two
+/// orientations and no common step; all of them count as one axis with the step 0.
 std::array<GridAxis, 2> grid_of(const Scene& scene, std::uint32_t surface)
 {
     const Surface& s = scene.surfaces()[surface];
@@ -86,59 +90,60 @@ bool almost_equal(Vec3 a, Vec3 b)
     return dot(d, d) < rounding * rounding * dot(a, a);
 }
 
-/// What a step along a grid's axis adds to the place number, and whether steps count from the far end.
+/// The contribution of one grid axis to the slot.
 struct Stride
 {
-    std::size_t stride = 0;
-    bool reversed = false;
+    std::size_t stride = 0; ///< per step
+    bool reversed = false;  ///< steps are counted from the last cell
 };
 
-/// Place numbers of the pairs of cells of two grids: place(cell of a) + place(cell of b).
-struct PairPlaces
+/// Slots of the pairs of cells of two grids: the sum of a number of the cell of a and one of the cell of b.
+struct PairSlots
 {
-    std::array<Stride, 2> a;
-    std::array<Stride, 2> b;
-    std::size_t count = 1;
-    bool any_shared = false;
+    std::array<Stride, 2> a; ///< per axis of grid a
+    std::array<Stride, 2> b; ///< per axis of grid b
+    std::size_t count = 1;   ///< number of slots
+    bool any_shared = false; ///< true if the grids have a step in common
 };
 
-PairPlaces places_of(const std::array<GridAxis, 2>& a, const std::array<GridAxis, 2>& b)
+PairSlots slots_of(const std::array<GridAxis, 2>& a, const std::array<GridAxis, 2>& b)
 {
-    PairPlaces places;
+    PairSlots slots;
     for (std::size_t y = 2; y-- > 0;) {
-        places.b[y].stride = places.count;
+        slots.b[y].stride = slots.count;
         std::size_t range = b[y].cells;
         for (std::size_t x = 0; x < 2; ++x) {
             const bool same = almost_equal(a[x].step, b[y].step);
-            if (places.a[x].stride > 0 || !(same || almost_equal(-a[x].step, b[y].step)))
+            if (slots.a[x].stride > 0 || !(same || almost_equal(-a[x].step, b[y].step)))
                 continue;
-            // With equal steps the difference of the numbers counts, with opposite ones the sum.
-            places.a[x] = {places.count, same};
+            // For equal steps the difference of the indices matters, for opposite ones their sum.
+            slots.a[x] = {slots.count, same};
             range += a[x].cells - 1;
-            places.any_shared = true;
+            slots.any_shared = true;
             break;
         }
-        places.count *= range;
+        slots.count *= range;
     }
     for (std::size_t x = 2; x-- > 0;)
-        if (places.a[x].stride == 0) {
-            places.a[x].stride = places.count;
-            places.count *= a[x].cells;
+        if (slots.a[x].stride == 0) {
+            slots.a[x].stride = slots.count;
+            slots.count *= a[x].cells;
         }
-    return places;
+    return slots;
 }
 
-std::vector<std::size_t> place_of_cells(const std::array<GridAxis, 2>& axes, const std::array<Stride, 2>& strides)
+/// For every cell of a grid its number in the sum that is the slot.
+std::vector<std::size_t> numbers_of_cells(const std::array<GridAxis, 2>& axes, const std::array<Stride, 2>& strides)
 {
     const auto along = [&](std::size_t k, std::uint32_t i) {
         return strides[k].stride * (strides[k].reversed ? axes[k].cells - 1 - i : i);
     };
-    std::vector<std::size_t> places;
-    places.reserve(std::size_t{axes[0].cells} * axes[1].cells);
+    std::vector<std::size_t> slots;
+    slots.reserve(std::size_t{axes[0].cells} * axes[1].cells);
     for (std::uint32_t i = 0; i < axes[0].cells; ++i)
         for (std::uint32_t j = 0; j < axes[1].cells; ++j)
-            places.push_back(along(0, i) + along(1, j));
-    return places;
+            slots.push_back(along(0, i) + along(1, j));
+    return slots;
 }
 
 /// Fills the matrix for the pairs of cells of two sides.
@@ -155,23 +160,23 @@ public:
 
     double touching() const { return touching_; }
 
-    /// The patches of `a` must have the higher numbers.
+    /// Fills in the pairs of `a`, whose patches must have the higher numbers, and `b`.
     void fill(const Side& a, const Side& b)
     {
         const auto a_grid = grid_of(scene_, a.surface);
         const auto b_grid = grid_of(scene_, b.surface);
-        const PairPlaces places = places_of(a_grid, b_grid);
-        if (places.any_shared)
-            fill_moved(a, place_of_cells(a_grid, places.a), b, place_of_cells(b_grid, places.b), places.count);
+        const PairSlots slots = slots_of(a_grid, b_grid);
+        if (slots.any_shared)
+            fill_slots(a, numbers_of_cells(a_grid, slots.a), b, numbers_of_cells(b_grid, slots.b), slots.count);
         else
             fill_each(a, b);
         if (in_one_plane(a, b, touching_))
-            keep_contacts(a, b);
+            clear_back_to_back(a, b);
     }
 
 private:
-    /// Patches that lie in one plane back to back see nothing of each other.
-    void keep_contacts(const Side& a, const Side& b)
+    /// Sets the exchange of patches that lie back to back in one plane to 0.
+    void clear_back_to_back(const Side& a, const Side& b)
     {
         for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {
             float* row = matrix_.row(i);
@@ -186,6 +191,7 @@ private:
         return static_cast<float>(exchange_area(pieces_[i], pieces_[j], touching_));
     }
 
+    /// Computes every pair.
     void fill_each(const Side& a, const Side& b)
     {
         for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {
@@ -195,15 +201,16 @@ private:
         }
     }
 
-    void fill_moved(const Side& a, const std::vector<std::size_t>& a_place, const Side& b,
-                    const std::vector<std::size_t>& b_place, std::size_t place_count)
+    /// Computes one pair per slot and copies it to the others.
+    void fill_slots(const Side& a, const std::vector<std::size_t>& a_number, const Side& b,
+                    const std::vector<std::size_t>& b_number, std::size_t slot_count)
     {
         constexpr float unknown = -1.0f;
-        std::vector<float> known(place_count, unknown);
+        std::vector<float> known(slot_count, unknown);
         for (std::uint32_t i = 0; i < a.patch_count; ++i) {
             float* row = matrix_.row(a.first_patch + i) + b.first_patch;
             for (std::uint32_t j = 0; j < b.patch_count; ++j) {
-                float& value = known[a_place[i] + b_place[j]];
+                float& value = known[a_number[i] + b_number[j]];
                 if (value == unknown)
                     value = exchange(a.first_patch + i, b.first_patch + j);
                 row[j] = value;
@@ -214,7 +221,7 @@ private:
     const Scene& scene_;
     PairMatrix<float>& matrix_;
     double touching_;
-    std::vector<FlatPiece> pieces_;
+    std::vector<FlatPiece> pieces_; ///< per patch
 };
 
 } // namespace

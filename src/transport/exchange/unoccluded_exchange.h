@@ -7,17 +7,19 @@
 
 namespace multipath {
 
-/// A F [m^2] of every pair of patches as if nothing stood between them: see exchange_area. Zero for patches of one
-/// surface, and of coincident ones that are turned away from each other. The same bits for any number of threads.
+/// The exchange area A_i F_ij [m^2] of every pair of patches without regard to obstacles (F1): see exchange_area. Zero
+/// for patches of the same surface, and for coincident patches that lie back to back. The same bits for any number of
+/// threads.
 PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads);
 
-/// The same, found when it is first asked for, so that lines can be cast before. Safe to share between threads; the
-/// scene must outlive it.
+/// The matrix of unoccluded_exchange, computed on first use, so that lines can be cast before. Thread-safe. The scene
+/// must outlive it.
 class UnoccludedExchange
 {
 public:
     UnoccludedExchange(const Scene& scene, int threads) : scene_(scene), threads_(threads) {}
 
+    /// The matrix [m^2]; the first call computes it.
     const PairMatrix<float>& table() const
     {
         std::call_once(found_, [this] { table_ = unoccluded_exchange(scene_, threads_); });

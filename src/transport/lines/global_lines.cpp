@@ -1,7 +1,12 @@
-// The six sides of the box are laid beside each other on the unit square, each as wide as its share of the area: the
-// four walls as one strip without a seam, then floor and ceiling. All of it is linear, so well-spread numbers give
-// well-spread points. A side without area, as the walls of a flat scene have it, has no width. Other layouts measure
-// equally good: the directions into the box jump from side to side in any case.
+// Global lines by (G1). Chords of the sphere connect two independent uniform points. Lines from the box start at a
+// uniform point of its surface in a cosine-distributed direction: the same density of lines, but none of them misses
+// the box.
+//
+// A uniform point of the box comes from a uniform point of the unit square. The six sides are laid out beside each
+// other on the square, each as wide as its share of the area: the four walls as one strip without a seam, then floor
+// and ceiling. The map is linear on each side, so low-discrepancy points stay well spread. A side without area, like
+// the walls of a flat scene, gets no width. Other layouts were no better: the directions jump from side to side in any
+// case.
 
 #include "transport/lines/global_lines.h"
 
@@ -16,10 +21,10 @@ namespace multipath {
 
 namespace {
 
-/// Turns the sphere so that its poles and meridians point nowhere in particular: the regular numbers of quasi-random
-/// sequences would otherwise send lines exactly along the edges and through the corners of rooms. A rotation about (1,
-/// 2, 3) with the cosine 2/7 (Rodrigues' formula).
-Vec3 turned(Vec3 p)
+/// Rotates the sphere about (1, 2, 3) by the angle of cosine 2/7 (Rodrigues' formula), so that its poles and meridians
+/// have no special direction. Otherwise the regular numbers of quasi-random sequences would send lines exactly along
+/// the edges and through the corners of rooms.
+Vec3 rotated(Vec3 p)
 {
     constexpr double cosine = 2.0 / 7.0;
     constexpr double sine = 0.95831484749990992;                                           // sqrt(1 - 4/49)
@@ -27,15 +32,15 @@ Vec3 turned(Vec3 p)
     return cosine * p + sine * cross(axis, p) + ((1.0 - cosine) * dot(axis, p)) * axis;
 }
 
-/// How far a ray from a point of the box goes inside it.
-double way_through(const Bounds& box, Vec3 from, Vec3 direction)
+/// Ray parameter at which a ray from a point of the box leaves it.
+double exit_distance(const Bounds& box, Vec3 from, Vec3 direction)
 {
-    const auto way = [](double low, double high, double at, double slope) {
+    const auto to_exit = [](double low, double high, double at, double slope) {
         return slope == 0.0 ? Bounds::infinity : ((slope > 0.0 ? high : low) - at) / slope;
     };
-    const double shortest =
-        std::min({way(box.low.x, box.high.x, from.x, direction.x), way(box.low.y, box.high.y, from.y, direction.y),
-                  way(box.low.z, box.high.z, from.z, direction.z)});
+    const double shortest = std::min({to_exit(box.low.x, box.high.x, from.x, direction.x),
+                                      to_exit(box.low.y, box.high.y, from.y, direction.y),
+                                      to_exit(box.low.z, box.high.z, from.z, direction.z)});
     return std::max(0.0, shortest); // rounding may put the point a little outside
 }
 
@@ -54,7 +59,6 @@ std::array<GlobalLines::Side, 6> GlobalLines::unrolled(const Bounds& box)
     const Vec3 a = box.low;
     const Vec3 b = box.high;
     const Vec3 size = box.size();
-    // The cross product of along and up points into the box.
     std::array<Side, 6> sides = {{{a, x, y, size.x, size.y, 0.0},
                                   {{b.x, a.y, a.z}, z, y, size.z, size.y, 0.0},
                                   {{b.x, a.y, b.z}, -x, y, size.x, size.y, 0.0},
@@ -74,8 +78,8 @@ Line GlobalLines::line(const Item& item) const
 
 Line GlobalLines::sphere_line(const Item& item) const
 {
-    const Vec3 from = box_.centre() + radius_ * turned(square_to_uniform_sphere(item[0], item[1]));
-    const Vec3 to = box_.centre() + radius_ * turned(square_to_uniform_sphere(item[2], item[3]));
+    const Vec3 from = box_.centre() + radius_ * rotated(square_to_uniform_sphere(item[0], item[1]));
+    const Vec3 to = box_.centre() + radius_ * rotated(square_to_uniform_sphere(item[2], item[3]));
     return chord(from, to);
 }
 
@@ -84,28 +88,29 @@ Line GlobalLines::box_line(const Item& item) const
     return box_line(item, square_to_cosine_hemisphere(item[2], item[3]));
 }
 
-/// `local`: the direction, with z into the box.
+/// The line of an item, given its direction `local` in the frame of the side, with +z into the box.
 Line GlobalLines::box_line(const Item& item, Vec3 local) const
 {
-    // A line must not run along an edge of the box, where it could miss both walls.
+    // A line must not start on an edge of the box: it could run along the edge and miss both walls.
     const auto inside = [](double share) { return std::clamp(share, 0x1p-30, 1.0 - 0x1p-30); };
     const double strip = item[0] * sides_.back().strip_end;
-    std::size_t number = 0; // of the side, without a branch: which one it is cannot be predicted
+    std::size_t number = 0; // of the side; branchless, since a branch could not be predicted
     for (std::size_t k = 0; k + 1 < sides_.size(); ++k)
         number += strip >= sides_[k].strip_end;
     const Side& side = sides_[number];
     const double area = side.width * side.height;
-    const Vec3 place = side.corner + inside(1.0 - (side.strip_end - strip) / area) * side.width * side.along +
+    const Vec3 point = side.corner + inside(1.0 - (side.strip_end - strip) / area) * side.width * side.along +
                        inside(item[1]) * side.height * side.up;
 
-    // Oblique to the edges (3-4-5 triangle), so that regular numbers do not aim exactly at the edges of rooms.
+    // The tangent is oblique to the edges (3-4-5 triangle), so that regular numbers do not aim exactly at the edges of
+    // rooms.
     const Vec3 normal = cross(side.along, side.up);
     const Vec3 tangent = 0.6 * side.along + 0.8 * side.up;
     const Vec3 direction = local.x * tangent + local.y * cross(normal, tangent) + local.z * normal;
 
-    // The walls of a room lie in the sides of its box: the line begins before and ends beyond them.
+    // The walls of a room lie in the sides of its box, so the line begins before and ends after the box.
     const Vec3 margin = radius_ / 8.0 * direction;
-    return chord(place - margin, place + way_through(box_, place, direction) * direction + margin);
+    return chord(point - margin, point + exit_distance(box_, point, direction) * direction + margin);
 }
 
 void GlobalLines::lines(const Item* items, std::size_t count, Line* lines) const
@@ -130,8 +135,8 @@ void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines
     warp_kernel().uniform_sphere(square, count, to);
     const Vec3 centre = box_.centre();
     for (std::size_t k = 0; k < count; ++k)
-        lines[k] = chord(centre + radius_ * turned({from.x[k], from.y[k], from.z[k]}),
-                         centre + radius_ * turned({to.x[k], to.y[k], to.z[k]}));
+        lines[k] = chord(centre + radius_ * rotated({from.x[k], from.y[k], from.z[k]}),
+                         centre + radius_ * rotated({to.x[k], to.y[k], to.z[k]}));
 }
 
 void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) const
@@ -146,7 +151,8 @@ void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) c
 
 std::uint64_t GlobalLines::lines_to_cast(std::uint64_t lines_met) const
 {
-    // Of the chords that meet the sphere, the share A_box / A_sphere meets the convex box inside it.
+    // The share A_box / A_sphere of the chords of a sphere meets the convex box inside it; all lines from the box meet
+    // it.
     return static_cast<std::uint64_t>(std::llround(static_cast<double>(lines_met) * area_of_starts() / box_.area()));
 }
 

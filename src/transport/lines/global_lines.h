@@ -10,32 +10,35 @@
 
 namespace multipath {
 
-/// Where global lines come from: two independent uniform points of the sphere around the scene's bounding box, or a
-/// uniform point of that box and a cosine-distributed direction into it.
+/// How global lines are sampled. `sphere`: chords between two independent uniform points of the sphere around the
+/// scene's bounding box. `box`: lines from a uniform point of the surface of that box in a cosine-distributed direction
+/// into it.
 enum class Chords { sphere, box };
 
-/// Global lines. Both kinds have the invariant density of integral geometry [San76], the same everywhere and in every
-/// direction; every line of the box meets it, of the sphere's only some do.
+/// Sampler of global lines. Both kinds of chords have the invariant density of integral geometry [San76], which is
+/// uniform in position and direction. All lines that start on the box meet it; of the chords of the sphere only some
+/// do.
 class GlobalLines
 {
 public:
     explicit GlobalLines(const Bounds& scene_box, Chords chords = Chords::sphere);
 
+    /// The line of one 4-D item. It begins before and ends after all surfaces along it.
     Line line(const Item& item) const;
 
-    /// The same lines for many items, faster.
+    /// Writes the lines of `count` items; the same lines, computed faster.
     void lines(const Item* items, std::size_t count, Line* lines) const;
 
-    /// How many chords to cast so that `lines_met` of them meet the scene's bounding box in expectation (N1).
+    /// Number of lines to cast so that `lines_met` of them meet the scene's bounding box in expectation (N1).
     std::uint64_t lines_to_cast(std::uint64_t lines_met) const;
 
-    /// Expected number of crossings of a flat patch of this area [m^2] by so many cast lines, both directions (G1).
+    /// Expected number of crossings of a flat patch of `area` [m^2], from either side, by `lines_cast` lines (G1).
     double expected_crossings(double area, std::uint64_t lines_cast) const;
 
-    double sphere_area() const; ///< [m^2]
+    double sphere_area() const; ///< [m^2] of the sphere around the box
 
 private:
-    /// A side of the box, spanned by two unit vectors.
+    /// A side of the box, spanned by two unit vectors whose cross product points into the box.
     struct Side
     {
         Vec3 corner;
@@ -43,7 +46,7 @@ private:
         Vec3 up;
         double width;
         double height;
-        double strip_end; ///< [m^2] area of the sides up to this one
+        double strip_end; ///< [m^2] cumulative area, this side included
     };
 
     static std::array<Side, 6> unrolled(const Bounds& box);
@@ -52,7 +55,7 @@ private:
     Line box_line(const Item& item, Vec3 local) const;
     void sphere_lines(const Item* items, std::size_t count, Line* lines) const;
     void box_lines(const Item* items, std::size_t count, Line* lines) const;
-    double area_of_starts() const; ///< [m^2]
+    double area_of_starts() const; ///< [m^2] of the surface on which the lines start, A_0 of (G1)
 
     Bounds box_;
     Chords chords_;

@@ -12,14 +12,15 @@ Passage passage_at(const Scene& scene, const Hit& hit)
 
 namespace {
 
-/// Writes the segments of one line, at most one more than hits; returns where the next one goes. What a line meets is
-/// hard to predict: nothing here branches on it.
-Segment* write_segments(const Scene& scene, HitLists::List hits, Segment* place)
+/// Writes the segments of one line to `out`, at most one more than it has hits, and returns the end of what was
+/// written. Branchless: every segment is stored, and `out` advances only past those that touch a patch, which cannot be
+/// predicted.
+Segment* write_segments(const Scene& scene, HitLists::List hits, Segment* out)
 {
     std::uint32_t from = Segment::outside;
     const auto write = [&](std::uint32_t to) {
-        *place = {from, to};
-        place += any(Segment::is_patch(from), Segment::is_patch(to));
+        *out = {from, to};
+        out += any(Segment::is_patch(from), Segment::is_patch(to));
     };
     for (const Hit& hit : hits) {
         const Passage passage = passage_at(scene, hit);
@@ -27,7 +28,7 @@ Segment* write_segments(const Scene& scene, HitLists::List hits, Segment* place)
         from = passage.leaves;
     }
     write(Segment::outside);
-    return place;
+    return out;
 }
 
 } // namespace

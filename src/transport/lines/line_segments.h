@@ -12,9 +12,9 @@
 
 namespace multipath {
 
-/// A stretch of a line between two surfaces that follow each other along it, or from the last one to infinity.
-/// `from` is the patch that the stretch leaves, `to` the patch that it reaches, each with the side that looks along
-/// the stretch. One of the two may be `behind` (a surface that has no patch on this side) or `outside` (nothing).
+/// The part of a line between two successive surfaces along it, or before the first or after the last one. `from` is
+/// the patch that the segment leaves, `to` the patch that it reaches, on the sides of the surfaces that face the
+/// segment. An end is `behind` if its surface has no patch on that side (a back), and `outside` if there is no surface.
 struct Segment
 {
     static constexpr std::uint32_t behind = 0xfffffffeu;
@@ -24,12 +24,12 @@ struct Segment
     std::uint32_t to;
 
     static bool is_patch(std::uint32_t end) { return end < behind; }
-    /// The facing pair of the paper: both ends can exchange power.
+    /// True for a facing pair of the paper: both ends are patches, which exchange power.
     bool joins_patches() const { return is_patch(from) && is_patch(to); }
 };
 
-/// What a line meets at one surface: the patch on the side where it arrives and the one on the side where it goes on,
-/// or Segment::behind where the side has none.
+/// The patches on the two sides of a surface at a hit: the one at which the line arrives and the one from which it goes
+/// on. Segment::behind stands for a side without a patch.
 struct Passage
 {
     std::uint32_t arrives_at;
@@ -38,13 +38,13 @@ struct Passage
 
 Passage passage_at(const Scene& scene, const Hit& hit);
 
-/// One passage for every hit of many lines, line after line. Replaces what `passages` held.
+/// Finds the passage of every hit of many lines, line after line. Replaces the contents of `passages`.
 void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages);
 
-/// Appends the segments of one line, given its hits in order. Those that touch no patch are left out.
+/// Appends the segments of one line, given its hits in order. Segments that touch no patch are left out.
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments);
 
-/// The segments of many lines, line after line. Replaces what `segments` held.
+/// Finds the segments of many lines, line after line. Replaces the contents of `segments`.
 void find_segments(const Scene& scene, const HitLists& lists, std::vector<Segment>& segments);
 
 /// The global lines of a stage, cut into blocks.
@@ -53,24 +53,24 @@ struct LineBlocks
     const Scene& scene;
     const GlobalLines& global_lines;
     const Sequence& sequence;
-    std::uint64_t first_item; ///< of the sequence, for the first line
+    std::uint64_t first_item; ///< item of the sequence that makes the first line
     Blocks lines;
 };
 
-/// How many lines make one piece of work for a thread: fewer than usual where they meet so many surfaces that a block
-/// would fill the memory. `notes_per_line`: how many things a line leaves behind that are kept until its block is done.
-inline std::uint64_t lines_per_block(double notes_per_line)
+/// Number of lines in a block: 4096, or fewer if a block would need too much memory. `records_per_line` is the mean
+/// number of records that a line makes and that are stored until its block is done.
+inline std::uint64_t lines_per_block(double records_per_line)
 {
     constexpr double most_lines = 4096.0;
-    constexpr double most_notes = 1u << 17;
-    return static_cast<std::uint64_t>(std::clamp(most_notes / notes_per_line, 1.0, most_lines));
+    constexpr double most_records = 1u << 17;
+    return static_cast<std::uint64_t>(std::clamp(most_records / records_per_line, 1.0, most_lines));
 }
 
-/// Successive global lines of a stage, as many as make one piece of work for a thread, with buffers that serve again.
+/// Traces one block of global lines at a time, in reusable buffers.
 class LineBlock
 {
 public:
-    /// Takes block `number`: what each of its lines meets, in order.
+    /// Traces block `number`. Returns the hits of each of its lines in order, valid until the next call.
     const HitLists& trace(const LineBlocks& blocks, std::uint64_t number)
     {
         items_.resize(blocks.lines.length(number));
@@ -81,7 +81,7 @@ public:
         return hits_;
     }
 
-    std::uint64_t lines() const { return items_.size(); } ///< of the block traced last
+    std::uint64_t lines() const { return items_.size(); } ///< number of lines in the block traced last
 
 private:
     std::vector<Item> items_;
@@ -89,7 +89,7 @@ private:
     HitLists hits_;
 };
 
-/// The segments of a block of lines, in order.
+/// The segments of a block of global lines, in order, in reusable buffers.
 struct SegmentBlock
 {
     LineBlock lines;

@@ -17,7 +17,7 @@ Line LocalRays::line(const Item& item) const
 
 Line LocalRays::line(const Item& item, Vec3 local) const
 {
-    // A ray must not start on the border itself, where rounding could put it outside a closed room.
+    // A ray must not start on the border of the patch, where rounding could put it outside a closed room.
     const auto inside = [](double x) { return std::clamp(x, 0x1p-30, 1.0 - 0x1p-30); };
     return {square_to_uniform_surface(shape_, inside(item[0]), inside(item[1])), axes_.turned(local)};
 }
@@ -33,14 +33,14 @@ void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* i
     WarpedPoints local;
     std::optional<LocalRays> rays;
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t place = k % warp_block;
-        if (place == 0) {
+        const std::size_t lane = k % warp_block;
+        if (lane == 0) {
             take_square(items + k, std::min(warp_block, count - k), 2, square);
             warp_kernel().cosine_hemisphere(square, std::min(warp_block, count - k), local);
         }
         if (k == 0 || patches[k] != patches[k - 1])
             rays.emplace(scene.patch(patches[k]));
-        lines[k] = rays->line(items[k], {local.x[place], local.y[place], local.z[place]});
+        lines[k] = rays->line(items[k], {local.x[lane], local.y[lane], local.z[lane]});
     }
 }
 

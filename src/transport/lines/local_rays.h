@@ -12,16 +12,17 @@
 
 namespace multipath {
 
-/// The rays that leave one patch.
+/// Sampler of the rays that leave the front of one patch.
 class LocalRays
 {
 public:
     explicit LocalRays(const Patch& patch);
 
-    /// The ray from a uniform point (item[0], item[1]) in a cosine-distributed direction (item[2], item[3]).
+    /// The ray from a uniform point, by item[0] and item[1], in a cosine-distributed direction, by item[2] and item[3].
     Line line(const Item& item) const;
 
-    /// The same for a direction found elsewhere: item[2], item[3] on the hemisphere about +z.
+    /// The same ray, given the direction `local` about +z that square_to_cosine_hemisphere makes of item[2] and
+    /// item[3].
     Line line(const Item& item, Vec3 local) const;
 
 private:
@@ -29,26 +30,28 @@ private:
     ObliqueAxes axes_;
 };
 
-/// The same for a single ray.
+/// The ray of LocalRays, for a patch of which a single one is needed.
 Line local_line(const Patch& patch, const Item& item);
 
-/// The same for many rays, faster: number k from patches[k] by items[k].
+/// Writes `count` rays: ray k leaves patches[k] and takes items[k]. The same rays as local_line, computed faster.
 void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines);
 
-/// Where the ray from a patch arrives: a patch, or Segment::behind or Segment::outside.
+/// Traces a ray that leaves a patch of `surface`. Returns the patch that it reaches, Segment::behind or
+/// Segment::outside.
 std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray);
 
-/// The patch that is met, or Segment::behind.
+/// The patch on the side of the surface that is hit, or Segment::behind if that side has none.
 std::uint32_t receiving_patch(const Scene& scene, const Hit& hit);
 
-/// Many rays from patches, traced together: what local_line and receiver find, faster. The memory serves again.
+/// Many rays from patches, traced together in reusable buffers: the results of local_line and receiver, computed
+/// faster.
 struct RayBlock
 {
-    std::vector<std::uint32_t> patches;   ///< from which the rays leave
-    std::vector<Item> items;              ///< numbers of each ray (see LocalRays)
-    std::vector<std::uint32_t> receivers; ///< of each ray a patch, or Segment::behind or Segment::outside
+    std::vector<std::uint32_t> patches;   ///< per ray: the patch that it leaves
+    std::vector<Item> items;              ///< per ray: its item (see LocalRays)
+    std::vector<std::uint32_t> receivers; ///< per ray: the patch that it reaches, Segment::behind or Segment::outside
 
-    /// Finds the receivers of all rays.
+    /// Sets `receivers`, given `patches` and `items`.
     void trace(const Scene& scene);
 
 private:

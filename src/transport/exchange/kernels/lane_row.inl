@@ -1,11 +1,11 @@
-// A row of a symmetric matrix times some vectors. Included once for each instruction set; parallel/lanes/plain.inl tells
-// what the functions of lanes do.
+// The product of a row of a symmetric matrix with one or three vectors. This file is included once for each instruction
+// set; parallel/lanes/plain.inl defines the functions of lanes.
 
 namespace multipath {
 namespace LANE_SET {
 namespace {
 
-constexpr std::uint32_t sum_count = 8; // whatever the lanes, so that all instruction sets add in the same order
+constexpr std::uint32_t sum_count = 8; // for any number of lanes, so that all instruction sets add in the same order
 
 template <int vectors>
 KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct* products)
