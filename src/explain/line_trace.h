@@ -11,12 +11,13 @@
 #include <optional>
 #include <vector>
 
-// The traces: what single lines of a run do, for readers who want to follow the method step by step. They are made by
-// the functions that the solver itself calls, in its order and with its items, so that what is told is what happens.
+// Traces: step-by-step records of what single lines of a run do, for readers who want to follow the method. They are
+// made with the functions that the solver itself calls, in its order and with its items, so they show what really
+// happens.
 
 namespace multipath {
 
-/// Which lines of a stage are told, counted from 0.
+/// The lines of a stage to be traced, numbered from 0: first ... first + count - 1.
 struct TracedRange
 {
     std::uint64_t first = 0;
@@ -25,144 +26,147 @@ struct TracedRange
     bool includes(std::uint64_t number) const { return number >= first && number - first < count; }
 };
 
-/// What a line's numbers are: where it stands in its stage and in the sequence.
+/// The number of a line in its stage, and the item of the sequence that makes it.
 struct LineOrigin
 {
     std::uint64_t number; ///< in its stage, from 0
-    std::uint64_t item;   ///< of the sequence
-    Item numbers;
+    std::uint64_t item;   ///< index in the sequence
+    Item numbers;         ///< the item itself
 };
 
-/// A line and a surface, with the patches on its two sides.
+/// An intersection of a line with a surface.
 struct Meeting
 {
     Hit hit;
     Vec3 point;
-    Passage patches;
+    Passage patches; ///< on the two sides of the surface
 };
 
+/// The intersection at a hit of the line.
 Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit);
 
-/// Throws SettingsError unless the stage has all these lines; `what` names them: "global lines".
+/// Throws SettingsError unless all lines of the range are among the `lines` of the stage. `what` names them in the
+/// message, as in "global lines".
 void require_in_stage(const TracedRange& range, std::uint64_t lines, const char* what);
 
-/// What a patch sends along a stretch of a line (M1).
+/// Power that a patch sends along a segment of a line (M1).
 struct Transfer
 {
     std::uint32_t from; ///< patch
     std::uint32_t to;   ///< patch, Segment::behind or Segment::outside
     Rgb forecast;       ///< [W] (G3)
-    Rgb held;           ///< [W] before
+    Rgb held;           ///< [W] by the sender before the transfer
 
     Rgb sent() const { return forecast + held; }
 };
 
-/// A stretch between two meetings that follow each other, or before the first or after the last one.
+/// A segment of a line, between two successive intersections or before the first or after the last one, with the power
+/// that is sent along it.
 struct Stretch
 {
-    std::size_t after; ///< number of meetings before it
+    std::size_t after; ///< number of intersections of the line before the segment
     Segment segment;
-    std::vector<Transfer> transfers; ///< two when power flows both ways (M2); all with what was held before either
-    Rgb from_holds;                  ///< [W] afterwards; black without a patch
-    Rgb to_holds;                    ///< [W] afterwards; black without a patch
+    std::vector<Transfer> transfers; ///< two if power flows both ways (M2), both of what was held before either
+    Rgb from_holds;                  ///< [W] held by segment.from afterwards; black if it is no patch
+    Rgb to_holds;                    ///< [W] held by segment.to afterwards; black if it is no patch
 };
 
-/// A chord of the sphere or of the box and everything that happens along it.
+/// The trace of a global line: its intersections, and what is sent along its segments.
 struct GlobalLine
 {
     LineOrigin origin;
     Vec3 from;
     Vec3 to;
-    std::vector<Meeting> meetings;  ///< in order
-    std::vector<Stretch> stretches; ///< those that touch a patch, in order
+    std::vector<Meeting> meetings;  ///< all intersections, in order
+    std::vector<Stretch> stretches; ///< the segments that touch a patch, in order
 };
 
-/// Some lines of the global pass of a run, with what the run does before.
+/// The traces of some lines of the global pass, with figures of the run up to that pass.
 struct GlobalTrace
 {
     std::vector<ShotPass> shot_passes;
     std::uint64_t local_lines = 0;    ///< N_l
     std::uint64_t lines_charged = 0;  ///< N_g (N1)
-    std::uint64_t lines_cast = 0;     ///< N_cast
-    double crossings_per_area = 0.0;  ///< [1/m^2] (G1), both directions
-    std::uint64_t unshot_patches = 0; ///< patches with a forecast
-    Rgb unshot;                       ///< [W] what the pass distributes
+    std::uint64_t lines_cast = 0;     ///< N_cast (N1)
+    double crossings_per_area = 0.0;  ///< [1/m^2] expected crossings by the lines cast, from either side (G1)
+    std::uint64_t unshot_patches = 0; ///< number of patches with unshot power, which have a forecast (G3)
+    Rgb unshot;                       ///< [W] power that the pass distributes
     std::vector<GlobalLine> lines;
 };
 
-/// Walks the lines of the global pass up to the last one of the range and tells those in it. Throws SettingsError
-/// for lines that the pass does not have, and what solve throws.
+/// Runs the global pass up to the last line of the range and traces the lines of the range. Throws SettingsError for
+/// lines that the pass does not have, and what solve throws.
 GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
-/// Some lines of the first direction of transillumination, with what the run does before.
+/// The traces of some lines along the first direction of transillumination, with figures of the run up to there.
 struct BundleTrace
 {
     std::uint64_t shot_lines = 0;    ///< rays of the first shot
-    std::uint64_t rays = 0;          ///< of the first estimate
-    std::uint64_t directions = 0;    ///< of the first iteration
-    std::uint64_t lines_to_meet = 0; ///< per direction, that meet the scene's box (N1)
-    std::uint64_t lines_cast = 0;    ///< along this direction
+    std::uint64_t rays = 0;          ///< rays of the first estimate
+    std::uint64_t directions = 0;    ///< directions of the first iteration
+    std::uint64_t lines_to_meet = 0; ///< lines per direction that meet the scene's box, in expectation (N1)
+    std::uint64_t lines_cast = 0;    ///< lines along this direction
     Vec3 direction;                  ///< unit vector
-    double section = 0.0;            ///< [m^2] for which each line stands
-    std::vector<GlobalLine> lines;   ///< whose transfers are forecasts: nothing is held
+    double section = 0.0;            ///< [m^2] cross-section that each line represents
+    std::vector<GlobalLine> lines;   ///< their transfers consist of a forecast only; no power is held
 };
 
-/// Tells lines of the first direction of the first iteration (P1). Throws SettingsError for lines that it does not
-/// have, and what solve throws.
+/// Traces lines along the first direction of the first iteration (P1). Throws SettingsError for lines that the
+/// direction does not have, and what solve throws.
 BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
-/// A ray of the (extended) first shot (S1).
+/// The trace of a ray of the (extended) first shot (S1).
 struct ShotRay
 {
     LineOrigin origin;
-    std::uint32_t shooter; ///< patch
+    std::uint32_t shooter; ///< patch that the ray leaves
     Line ray;
-    std::optional<Meeting> meeting;
-    std::uint32_t where; ///< patch, Segment::behind or Segment::outside
-    Rgb power;           ///< [W]
-    Rgb unshot;          ///< [W] of the patch where it arrives, afterwards
+    std::optional<Meeting> meeting; ///< its first intersection; empty if it leaves the scene
+    std::uint32_t where;            ///< where it arrives: a patch, Segment::behind or Segment::outside
+    Rgb power;                      ///< [W] that the ray carries
+    Rgb unshot;                     ///< [W] of the receiving patch afterwards; black if there is none
 };
 
-/// Some rays of one pass.
+/// The traces of some rays of one pass of the first shot.
 struct ShotTrace
 {
-    std::vector<ShotPass> shot_passes; ///< all of the run
-    std::size_t pass = 0;              ///< the one told, from 0
-    double threshold = 0.0;            ///< [W/m^2] (4)
-    std::size_t shooters = 0;          ///< patches that send rays in the pass
+    std::vector<ShotPass> shot_passes; ///< all passes of the run
+    std::size_t pass = 0;              ///< the pass of the rays, from 0
+    double threshold = 0.0;            ///< [W/m^2] the user's, or (4)
+    std::size_t shooters = 0;          ///< number of patches that send rays in the pass
     std::vector<ShotRay> rays;
 };
 
-/// Follows the rays of a pass (from 0) up to the last one of the range and tells those in it. Throws SettingsError for
-/// a pass or rays that the run does not have, and what solve throws.
+/// Runs pass number `pass` (from 0) of the first shot up to the last ray of the range and traces the rays of the range.
+/// Throws SettingsError for a pass or rays that the run does not have, and what solve throws.
 ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range);
 
-/// One segment of a told particle's path.
+/// The trace of one segment of a particle's path.
 struct ToldStep
 {
     ParticleStep step;
     Line ray;
-    std::optional<Meeting> meeting;
-    Rgb counted; ///< [W] what the estimator adds to the incident power of the patch
+    std::optional<Meeting> meeting; ///< where the ray arrives; empty if it leaves the scene
+    Rgb counted;                    ///< [W] that the estimator adds to the incident power of the receiving patch
 };
 
-/// A particle of local Monte Carlo from its source to its end (L1).
+/// The trace of a particle of local Monte Carlo from its source to its end (L1).
 struct ToldParticle
 {
-    LineOrigin origin;
+    LineOrigin origin; ///< of its first segment
     std::vector<ToldStep> steps;
 };
 
-/// Some particles of a run.
+/// The traces of some particles of a run.
 struct ParticleTrace
 {
-    std::uint64_t particles_in_all = 0;
-    std::size_t sources = 0; ///< patches that emit
+    std::uint64_t particles_in_all = 0; ///< total number of particles of the run
+    std::size_t sources = 0;            ///< number of patches that emit
     std::vector<ToldParticle> particles;
 };
 
-/// Follows the particles of the range, each from its source to its end. Throws SettingsError for particles that
-/// the run does not have, and what solve throws.
+/// Traces the particles of the range, each from its source to its end. Throws SettingsError for particles that the run
+/// does not have, and what solve throws.
 ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 } // namespace multipath

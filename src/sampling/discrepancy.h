@@ -6,7 +6,7 @@
 
 namespace multipath {
 
-/// Points of a sequence, for work that needs them all at once.
+/// Points of a sequence in memory.
 struct PointSet
 {
     int dimensions = 0;
@@ -19,7 +19,7 @@ struct PointSet
     }
 };
 
-/// The points first, first + 1, ..., first + count - 1 <= item_limit() - 1.
+/// The points first, first + 1, ..., first + count - 1 of a sequence; first + count must not exceed its item_limit().
 inline PointSet points_of(const Sequence& sequence, std::uint64_t first, std::uint64_t count)
 {
     PointSet points{sequence.dimensions(), {}};
@@ -30,20 +30,20 @@ inline PointSet points_of(const Sequence& sequence, std::uint64_t first, std::ui
     return points;
 }
 
-// How far a point set is from uniform. For every box [0, q) the local discrepancy is the share of the points in it
-// minus its volume; the measures differ in how they sum up over all corners q. Sources: Warnock, "Computational
-// investigations of low-discrepancy point sets" (1972); Niederreiter, "Random number generation and quasi-Monte Carlo
-// methods" (1992), theorem 2.6; De Clerck, "A method for exact calculation of the star discrepancy of plane sets"
-// (1986).
+// Discrepancy: the deviation of a point set from uniform. The local discrepancy of a box [0, q) is the share of the
+// points in it minus its volume; the L2 star discrepancy is its root mean square over all corners q, the star
+// discrepancy its largest absolute value. Sources: Warnock, "Computational investigations of low-discrepancy point
+// sets" (1972); Niederreiter, "Random number generation and quasi-Monte Carlo methods" (1992), theorem 2.6; De Clerck,
+// "A method for exact calculation of the star discrepancy of plane sets" (1986).
 
-/// Root of the mean square of the local discrepancy over all boxes. Takes time of order N^2 d.
+/// L2 star discrepancy of N points in d dimensions, in O(N^2 d) time.
 double l2_star_discrepancy(const PointSet& points);
 
-/// What independent random points have in root mean square: sqrt((2^-d - 3^-d) / N), the variance of "is the point in
-/// the box" averaged over all boxes.
+/// Root mean square of the L2 star discrepancy of N = `count` independent uniform points: sqrt((2^-d - 3^-d) / N), from
+/// the variance of the indicator of a box averaged over all boxes.
 double random_l2_star_discrepancy(std::size_t count, int dimensions);
 
-/// The largest local discrepancy, exact; time of order N log N in one dimension, N^2 in two. Absent for more.
+/// Exact star discrepancy, in O(N log N) time in one dimension and O(N^2) in two. Empty for more dimensions.
 std::optional<double> star_discrepancy(const PointSet& points);
 
 } // namespace multipath

@@ -7,13 +7,13 @@
 
 namespace multipath {
 
-/// The digits of n in `base` (at least 2) mirrored at the point: n = 6 = 110 in base 2 gives 0.011 = 0.375.
-/// Digits are handled as integers and divided once, so the result is the nearest double but for the last bit, in [0,
-/// 1). Digits of n beyond the 63rd bit of base^k no longer change a double and are left out.
+/// Radical inverse: the digits of n in `base` (at least 2) mirrored at the point. 6 = 110 in base 2 gives 0.011 =
+/// 0.375. The result lies in [0, 1) and is right but for the last bit, since the digits are reversed as integers and
+/// divided once. Digits above base^k = 2^63 would not change a double and are left out.
 double radical_inverse(std::uint64_t base, std::uint64_t n);
 
-/// Radical inverses of one base, many at a time: the low digits come from a table, the high ones change seldom.
-/// Differs from radical_inverse by at most one unit in the last place.
+/// Computes radical inverses in one base fast: a table holds the sums of the low digits, and the sum of the high digits
+/// is kept while they do not change. Differs from radical_inverse by at most one unit in the last place.
 class RadicalInverse
 {
 public:
@@ -35,7 +35,7 @@ private:
     double high_part(std::uint64_t high_digits) const;
 
     std::uint64_t base_;
-    std::vector<double> low_; ///< radical inverses of 0 ... base^k - 1
+    std::vector<double> low_; ///< radical inverses of 0 ... base^k - 1, for the low k digits
 };
 
 template <class Put>
@@ -53,23 +53,24 @@ void RadicalInverse::for_range(std::uint64_t first, std::uint64_t count, const P
     }
 }
 
-/// How the points of Halton's sequence are made random.
+/// Randomisations of the Halton sequence.
 enum class HaltonKind {
-    plain,
-    shift,    ///< one random number per dimension is added modulo 1 (Cranley and Patterson 1976)
-    permuted, ///< at every place, the digits are permuted at random
+    plain,    ///< none
+    shift,    ///< random shift: adds one random number per dimension, modulo 1 (Cranley and Patterson 1976)
+    permuted, ///< one random permutation of the digits for each digit position of each base
 };
 
-/// Point n has as coordinates the radical inverses of n in the bases, which must be pairwise coprime and at least 2.
-/// Throws std::invalid_argument otherwise.
+/// Halton sequence: the coordinates of point n are the radical inverses of n in the bases. Throws std::invalid_argument
+/// unless the bases are pairwise coprime and between 2 and 1,000,000.
 std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vector<std::uint64_t>& bases,
                                                std::uint64_t seed);
 
-/// `count` points: the first coordinate is n / count, the others as in Halton's sequence, which fills space more evenly
-/// when the number of points is known beforehand (Hammersley 1960).
+/// Hammersley point set (Hammersley 1960) of `count` points: the first coordinate is n / count, the others are those of
+/// the Halton sequence. For a number of points known beforehand it is more uniform than Halton. Throws
+/// std::invalid_argument for a count outside 1 ... 2^52, and for bases like make_halton_sequence.
 std::unique_ptr<Sequence> make_hammersley_sequence(std::uint64_t count, const std::vector<std::uint64_t>& bases);
 
-/// The bases that the paper's 4-D items use (2, 7, 3, 5) for four dimensions, else the first primes.
+/// For four dimensions the bases of the paper's 4-D items, 2, 7, 3, 5; otherwise the first primes.
 std::vector<std::uint64_t> default_bases(int dimensions);
 
 } // namespace multipath

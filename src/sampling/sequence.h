@@ -9,77 +9,81 @@
 
 namespace multipath {
 
-/// Four numbers in [0, 1): what one line takes.
+/// An item, a point of four coordinates in [0, 1): the numbers that make one line.
 using Item = std::array<double, 4>;
 
-/// A sequence of points in [0, 1)^d. Number n is a function of n alone (and of what the sequence was made with), so
-/// that any part can be generated anywhere: by any thread, again, or not at all.
+/// A sequence of points in [0, 1)^d. It has no state: point n depends only on n, the kind of sequence and its seed, so
+/// any thread can generate any part of it, in any order. Immutable and thread-safe.
 class Sequence
 {
 public:
     virtual ~Sequence() = default;
 
-    /// Makes this sequence again through make_sequence (with the same seed and number of dimensions).
+    /// The name for which make_sequence, with the same seed and number of dimensions, makes this sequence again.
     virtual std::string name() const = 0;
     virtual int dimensions() const = 0;
 
-    /// Points from this number on do not exist or repeat; a caller must stop before.
+    /// Number of points. Callers must not ask for point item_limit() or later ones, which do not exist or repeat
+    /// earlier ones.
     virtual std::uint64_t item_limit() const = 0;
 
-    /// Coordinate of point n < item_limit(), 0 <= dimension < dimensions(), in [0, 1).
+    /// One coordinate, in [0, 1), of point n < item_limit(); 0 <= dimension < dimensions().
     virtual double coordinate(std::uint64_t n, int dimension) const = 0;
 
-    /// Fills `items` with the first four coordinates of the points first, first + 1, ... : the same numbers as
-    /// coordinate(), faster. Needs four dimensions or more.
+    /// Fills `items` with the first four coordinates of the points first, first + 1, ...: the same numbers as
+    /// coordinate(), computed faster. Needs at least four dimensions.
     virtual void generate(std::uint64_t first, std::vector<Item>& items) const;
 
+    /// The first four coordinates of point n. Needs at least four dimensions.
     Item item(std::uint64_t n) const
     {
         return {coordinate(n, 0), coordinate(n, 1), coordinate(n, 2), coordinate(n, 3)};
     }
 };
 
-/// Random bits that tell nothing of the item from which they are made.
+/// Hash of an item, to be used as random bits.
 std::uint64_t bits_from(const Item& item);
 
-/// How four numbers are taken from a sequence: one 4-D item, or two successive items of its first two dimensions, the
-/// arrangement that the paper found to fail for quasi-random sequences (its section 3).
+/// How a sequence gives the four numbers of a line: as one 4-D item, or as two successive 2-D points. The paper found
+/// that the second arrangement fails for quasi-random sequences (its section 3).
 enum class Pairing { four_dimensional, two_dimensional };
 
-/// What a sequence is called, and what may follow its name: a list of pairwise coprime bases as in `halton:2,7,3,5`, or
-/// a number of points as in `hammersley:4096`.
+/// A kind of sequence. Its name may be followed by arguments: a list of pairwise coprime bases as in `halton:2,7,3,5`,
+/// or a number of points as in `hammersley:4096`.
 struct SequenceKind
 {
     std::string_view name;
-    std::string_view arguments; ///< "[:BASES]"; brackets around what may be left out; empty: nothing
-    std::string_view summary;   ///< a few words
-    /// The kind that the seed randomises of the same points: its own name where it is one, nothing where there is none.
+    std::string_view arguments; ///< such as "[:BASES]", with brackets around an optional part; empty if there are none
+    std::string_view summary;   ///< a few words for lists
+    /// Name of the kind that randomises the same points by the seed: `name` itself for a randomised kind, empty if
+    /// there is none.
     std::string_view randomised;
-    bool fills_best_at_powers_of_two; ///< numbers of points
-    bool in_selftest;
+    bool fills_best_at_powers_of_two; ///< true if the first 2^k points are more uniform than other numbers of points
+    bool in_selftest;                 ///< true if the selftest runs it
 
     /// True if a list of bases may follow the name, one for each dimension.
     bool may_have_bases() const { return arguments == "[:BASES]"; }
 };
 
-/// All that make_sequence() knows.
+/// All kinds of sequences.
 std::vector<SequenceKind> sequence_kinds();
 
-/// The one of them that a name with its arguments means. Throws std::invalid_argument for an unknown name.
+/// The kind of a name with or without arguments. Throws std::invalid_argument for an unknown name.
 const SequenceKind& sequence_kind(const std::string& name);
 
-/// The name of one of sequence_kinds() with its arguments. The seed chooses among the random and the randomised ones.
-/// Throws std::invalid_argument with the reason.
+/// Makes a sequence, given the name of its kind with arguments. The seed matters for randomised kinds only. Throws
+/// std::invalid_argument, with the reason, for unknown names, wrong arguments and too many dimensions.
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions = 4);
 
-/// The same for lines: four dimensions, arranged as `pairing` says.
+/// Makes a sequence of 4-D items for lines. Of two_dimensional pairing, item n consists of the 2-D points 2 n and 2 n +
+/// 1; of four bases it takes the first two.
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing);
 
-/// The name of the randomised kind, with the same bases, for independent replicates: `name` itself where it is one.
-/// Throws std::invalid_argument where there is none.
+/// The name of the randomised kind of the same sequence, with the same arguments, for independent replicates: `name`
+/// itself if its kind is randomised. Throws std::invalid_argument if there is none.
 std::string randomised_name(const std::string& name);
 
-/// True if the seed chooses among sequences of this name.
+/// True if a sequence of this name depends on the seed.
 bool is_randomised(const std::string& name);
 
 } // namespace multipath

@@ -4,27 +4,27 @@
 
 namespace multipath {
 
-/// A stretch of a sequence with its items in another order: within each block of them a permutation that looks random.
-/// Successive items of a quasi-random sequence are far from each other by design. Where the order of the items matters,
-/// as in a walk, that is a correlation to be broken; which items there are stays as it is, and so does how evenly they
-/// fill space.
+/// A sequence with part of its items in shuffled order: a pseudo-random permutation within each block of items.
+/// Successive items of a quasi-random sequence are far from each other by design. This correlation biases the walk of
+/// the multi-path method, whose result depends on the order of the lines. Shuffling breaks it, but keeps the set of
+/// items, and with it their uniformity.
 class ShuffledOrder final : public Sequence
 {
 public:
     static constexpr std::uint64_t block_size = 4096; ///< items
 
-    /// Of the items first ... first + count - 1, which must exist; the others keep their places. `base` must outlive
-    /// this.
+    /// Shuffles the items first ... first + count - 1 of `base`, which must exist. The others keep their order. `base`
+    /// must outlive this object.
     ShuffledOrder(const Sequence& base, std::uint64_t first, std::uint64_t count);
 
     std::string name() const override { return base_.name(); }
     int dimensions() const override { return base_.dimensions(); }
     std::uint64_t item_limit() const override { return base_.item_limit(); }
     double coordinate(std::uint64_t n, int dimension) const override { return base_.coordinate(item_at(n), dimension); }
-    /// Fast for whole blocks.
+    /// Fast if the items are one whole block.
     void generate(std::uint64_t first, std::vector<Item>& items) const override;
 
-    /// Which item of the base stands at place n.
+    /// Index in the base sequence of item n.
     std::uint64_t item_at(std::uint64_t n) const;
 
 private:

@@ -7,24 +7,25 @@
 
 namespace multipath {
 
-/// Sobol's sequence in the order of Antonov and Saleev, with the primitive polynomials and starting direction numbers
-/// of Numerical Recipes in C, 2nd edition, section 7.7. Six dimensions; indices below 2^52.
+/// Sobol sequence in the Gray code order of Antonov and Saleev (1979), with the primitive polynomials and starting
+/// direction numbers of Numerical Recipes in C, 2nd edition, section 7.7. Six dimensions; indices below 2^52.
 namespace sobol {
 
 constexpr int dimensions = 6;
 constexpr int index_bits = 52;
 
-/// Direction numbers of one dimension; bit 63 stands for 1/2.
+/// Direction numbers of one dimension as fixed-point fractions; bit 63 stands for 1/2.
 using DirectionNumbers = std::array<std::uint64_t, index_bits>;
 
-/// Computed from the recurrence, once.
+/// The direction numbers of all dimensions, by Sobol's recurrence.
 const std::array<DirectionNumbers, dimensions>& direction_numbers();
 
-/// Coordinate of point n as a fixed-point number below 1 (bit 63 stands for 1/2). n < 2^52, 0 <= dimension < 6.
+/// Coordinate of point n as a fixed-point fraction (bit 63 stands for 1/2). n < 2^52, 0 <= dimension < 6.
 std::uint64_t coordinate_bits(std::uint64_t n, int dimension);
 
 } // namespace sobol
 
+/// The bits in reverse order.
 inline std::uint64_t reverse_bits(std::uint64_t x)
 {
     x = (x >> 1 & 0x5555555555555555u) | (x & 0x5555555555555555u) << 1;
@@ -39,9 +40,9 @@ inline std::uint64_t reverse_bits(std::uint64_t x)
 #endif
 }
 
-/// Nested uniform scrambling of a fixed-point fraction whose bits are *reversed* (bit 0 stands for 1/2): each bit is
-/// flipped depending on the lower ones and the key. Sums and products carry only upwards, and x ^ (x * even) leaves the
-/// lowest bit in place, so this holds by construction; that the flips look random is the hash's quality (after Laine
+/// Owen scrambling (nested uniform scrambling) by hashing, of a fixed-point fraction whose bits are *reversed* (bit 0
+/// stands for 1/2). Whether a bit is flipped depends only on the lower bits and the key: sums and products carry
+/// upwards, and x ^ (x * even) keeps the lowest bit. How random the flips look is the quality of the hash (after Laine
 /// and Karras, Stratified sampling for stochastic transparency, EGSR 2011; here with 64 bits and multipliers of our own
 /// choice).
 inline std::uint64_t scramble_reversed(std::uint64_t x, std::uint64_t key)
@@ -54,14 +55,14 @@ inline std::uint64_t scramble_reversed(std::uint64_t x, std::uint64_t key)
     return x;
 }
 
-/// How the points of Sobol's sequence are made random; every kind keeps the elementary intervals that they fill.
+/// Randomisations of the Sobol sequence. All keep its stratification, the number of points in each elementary interval.
 enum class SobolKind {
-    plain,
-    shift, ///< one random number per dimension is added digit by digit (exclusive or)
-    owen, ///< every digit is flipped at random depending on all digits before it (nested uniform scrambling, Owen 1995)
+    plain, ///< none
+    shift, ///< random digital shift: exclusive or with one random number per dimension
+    owen,  ///< Owen scrambling (Owen 1995): each bit is flipped at random, depending on all bits before it
 };
 
-/// At most six dimensions. Throws std::invalid_argument for more.
+/// Sobol sequence of one kind. Throws std::invalid_argument for more than six dimensions.
 std::unique_ptr<Sequence> make_sobol_sequence(SobolKind kind, std::uint64_t seed, int dimensions);
 
 } // namespace multipath

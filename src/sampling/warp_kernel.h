@@ -8,10 +8,10 @@
 
 namespace multipath {
 
-/// So many points as one call maps at most; arrays of this size stay in the fastest cache.
+/// Largest number of points per call. Arrays of this size stay in the first-level cache.
 constexpr std::size_t warp_block = 256;
 
-/// Points of space, coordinate by coordinate.
+/// Points of space, as one array per coordinate.
 struct WarpedPoints
 {
     alignas(64) double x[warp_block];
@@ -19,18 +19,20 @@ struct WarpedPoints
     alignas(64) double z[warp_block];
 };
 
-/// Points of the unit square, coordinate by coordinate.
+/// Points of the unit square, as one array per coordinate.
 struct SquarePoints
 {
     alignas(64) double a[warp_block];
     alignas(64) double b[warp_block];
 };
 
-/// Two successive numbers of every item; what fills up the last group of lanes is 0.
+/// Copies two successive coordinates of `count` <= warp_block items, first_number and the next, into `square`. Sets the
+/// rest of the last group of 8 lanes to 0.
 void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square);
 
-/// The maps of warp.h for many points at a time, compiled for one instruction set. All give the same numbers as the
-/// maps for one point, bit for bit. They fill whole groups of lanes: `count` rounded up to the next multiple of 8.
+/// The maps of warp.h for `count` <= warp_block points per call, compiled for one instruction set. All kernels give the
+/// same bits as the maps for one point. They read and write whole groups of lanes: `count` rounded up to a multiple
+/// of 8.
 struct WarpKernel
 {
     const char* name; ///< of the instruction set
@@ -39,10 +41,10 @@ struct WarpKernel
     void (*cosine_hemisphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
 };
 
-/// Those whose instruction set is usable, the fastest first; the plain one is always there.
+/// The kernels whose instruction sets this processor has, the fastest first. The plain one is always among them.
 std::vector<const WarpKernel*> available_warp_kernels();
 
-/// The fastest of them.
+/// The fastest kernel.
 const WarpKernel& warp_kernel();
 
 } // namespace multipath
