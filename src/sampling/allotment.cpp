@@ -11,32 +11,33 @@ namespace multipath {
 
 namespace {
 
-constexpr int depths_per_octave_bits = 4;
+constexpr int bins_per_octave_bits = 4;
 
-/// Depths are told apart by the leading bits of a float: exponent and first part of the fraction.
-std::size_t depth_class(double depth)
+/// The bin of a level: the exponent and the leading bits of the fraction of a float, 16 bins per octave.
+std::size_t bin_of(double level)
 {
-    const auto single = static_cast<float>(depth);
+    const auto single = static_cast<float>(level);
     std::uint32_t bits = 0;
     std::memcpy(&bits, &single, sizeof bits);
-    return bits >> (23 - depths_per_octave_bits);
+    return bits >> (23 - bins_per_octave_bits);
 }
 
-double least_depth(std::size_t depth_class)
+/// The lowest level of a bin.
+double lowest_level(std::size_t bin)
 {
-    const auto bits = static_cast<std::uint32_t>(depth_class << (23 - depths_per_octave_bits));
-    float depth = 0.0f;
-    std::memcpy(&depth, &bits, sizeof depth);
-    return static_cast<double>(depth);
+    const auto bits = static_cast<std::uint32_t>(bin << (23 - bins_per_octave_bits));
+    float level = 0.0f;
+    std::memcpy(&level, &bits, sizeof level);
+    return static_cast<double>(level);
 }
 
 } // namespace
 
-WaterFilling::WaterFilling() : bins_(std::size_t{1} << (8 + depths_per_octave_bits)) {}
+WaterFilling::WaterFilling() : bins_(std::size_t{1} << (8 + bins_per_octave_bits)) {}
 
 void WaterFilling::add(double importance, double lines)
 {
-    Bin& bin = bins_[depth_class(lines / importance)];
+    Bin& bin = bins_[bin_of(lines / importance)];
     bin.importance += importance;
     bin.lines += lines;
 }
@@ -51,11 +52,11 @@ void WaterFilling::add(const WaterFilling& others)
 
 double WaterFilling::level(double rays) const
 {
-    double importance = 0.0; // of the patches that get rays
+    double importance = 0.0; // sums over the receivers that get rays
     double lines = 0.0;
     double level = 0.0;
     for (std::size_t k = 0; k < bins_.size(); ++k) {
-        if (importance > 0.0 && level <= least_depth(k))
+        if (importance > 0.0 && level <= lowest_level(k))
             break;
         importance += bins_[k].importance;
         lines += bins_[k].lines;

@@ -10,7 +10,7 @@ namespace multipath {
 
 namespace {
 
-/// Share of all boxes [0, q) that contain both points; with a point twice, that contain it.
+/// Share of all boxes [0, q) that contain both points.
 double boxes_around(const PointSet& points, std::size_t a, std::size_t b)
 {
     double share = 1.0;
@@ -19,7 +19,7 @@ double boxes_around(const PointSet& points, std::size_t a, std::size_t b)
     return share;
 }
 
-/// The largest deviation lies at a point's coordinate, just below it (box open there) or just above it (closed).
+/// The supremum lies at the coordinate of a point, for the box that ends just below or just above it.
 double star_discrepancy_1d(const PointSet& points)
 {
     std::vector<double> x = points.coordinates;
@@ -34,9 +34,9 @@ double star_discrepancy_1d(const PointSet& points)
     return largest;
 }
 
-/// The extreme boxes end at coordinates of points or at 1. From left to right, `heights` holds the y of all points that
-/// the boxes between two successive x can contain. Points with equal coordinates add boxes that are not extreme, never
-/// one that exceeds the supremum.
+/// The extreme boxes end at coordinates of points or at 1 (De Clerck 1986). A sweep from left to right keeps in
+/// `heights` the sorted y of the points to the left, which are those that a box up to the next x can contain. Points
+/// with equal coordinates add boxes that are not extreme, but none that exceeds the supremum.
 double star_discrepancy_2d(const PointSet& points)
 {
     std::vector<std::pair<double, double>> by_x;
@@ -62,7 +62,7 @@ double star_discrepancy_2d(const PointSet& points)
 
 } // namespace
 
-// The square of the local discrepancy, integrated over q term by term (Warnock's formula):
+// Warnock's formula, the integral over q of the squared local discrepancy, term by term:
 // 3^-d - (2^(1-d) / N) sum_n prod_d (1 - x_nd^2) + (1 / N^2) sum_n sum_m prod_d (1 - max(x_nd, x_md)).
 double l2_star_discrepancy(const PointSet& points)
 {
@@ -75,7 +75,7 @@ double l2_star_discrepancy(const PointSet& points)
             product *= 1.0 - points.at(n, d) * points.at(n, d);
         single += product;
 
-        // Summed by rows, since a running sum over all pairs would lose what is left after the terms cancel.
+        // Sum row by row: a running sum over all pairs would lose the digits that remain after cancellation.
         double row = 0.0;
         for (std::size_t m = 0; m < n; ++m)
             row += boxes_around(points, n, m);

@@ -1,3 +1,11 @@
+// Halton sequences. The radical inverse of n is split into a low and a high part, with base^k as large as a table of at
+// most 4096 entries allows:
+//
+//   inverse(n) = inverse(n mod base^k) + inverse(n / base^k) / base^k.
+//
+// The first term comes from the table. The second one is the same for base^k successive n, so blocks of points cost
+// little more than a look-up and an addition per coordinate. Permuted digits work in the same way.
+
 #include "sampling/halton.h"
 
 #include "sampling/random.h"
@@ -9,7 +17,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t largest_table = 4096; // 32 kB a base: four of them fit the second cache
+constexpr std::uint64_t largest_table = 4096; // 32 kB per base: four tables fit into the second-level cache
 
 } // namespace
 
@@ -45,7 +53,7 @@ double RadicalInverse::high_part(std::uint64_t high_digits) const
 
 namespace {
 
-constexpr std::uint64_t largest_base = 1'000'000; // its first million points are a diagonal line: of no use
+constexpr std::uint64_t largest_base = 1'000'000; // its first million points lie on a diagonal line
 constexpr std::uint64_t halton_limit = std::uint64_t{1} << 63;
 
 void check_bases(const std::vector<std::uint64_t>& bases)
@@ -62,6 +70,7 @@ void check_bases(const std::vector<std::uint64_t>& bases)
     }
 }
 
+/// "2,7,3,5"
 template <class Inverse>
 std::string bases_text(const std::vector<Inverse>& inverses)
 {
@@ -71,13 +80,13 @@ std::string bases_text(const std::vector<Inverse>& inverses)
     return text;
 }
 
-/// Added modulo 1 without leaving [0, 1).
+/// x + shift modulo 1, in [0, 1) also after rounding.
 double shifted(double x, double shift)
 {
     return x + shift < 1.0 ? x + shift : x + shift - 1.0;
 }
 
-/// Plain and shifted; the plain one has the shift 0.
+/// The plain and the shifted sequence; the plain one has the shift 0.
 class HaltonSequence : public Sequence
 {
 public:
@@ -109,8 +118,8 @@ private:
     std::vector<double> shifts_;
 };
 
-/// Radical inverses whose digits are permuted, place by place, for all places that change a double. Also the zeros
-/// beyond the last digit of n are permuted: without them the points would not be uniform.
+/// Radical inverses with permuted digits: each digit position has a random permutation of its own, up to the last
+/// position that changes a double. The leading zeros of n are permuted too; otherwise the points would not be uniform.
 class PermutedInverse
 {
 public:
@@ -119,26 +128,26 @@ public:
         std::uint64_t counter = 0;
         for (double weight = 1.0; weight > 0x1p-54;) {
             weight /= static_cast<double>(base);
-            std::vector<double> place(base);
+            std::vector<double> values(base);
             for (std::uint64_t digit = 0; digit < base; ++digit)
-                place[digit] = weight * static_cast<double>(digit);
-            for (std::uint64_t left = base; left > 1; --left) // Fisher and Yates; the bias of 2^-44 is not seen
-                std::swap(place[left - 1], place[random_bits(key, counter++) % left]);
-            places_.push_back(std::move(place));
+                values[digit] = weight * static_cast<double>(digit);
+            for (std::uint64_t left = base; left > 1; --left) // Fisher-Yates shuffle; bias of the modulo below 2^-44
+                std::swap(values[left - 1], values[random_bits(key, counter++) % left]);
+            digit_values_.push_back(std::move(values));
         }
         std::uint64_t size = 1;
-        while (size == 1 || (size * base <= largest_table && low_places_ < places_.size())) {
+        while (size == 1 || (size * base <= largest_table && low_digits_ < digit_values_.size())) {
             size *= base;
-            ++low_places_;
+            ++low_digits_;
         }
         for (std::uint64_t n = 0; n < size; ++n)
-            low_.push_back(sum_of_places(n, 0, low_places_));
+            low_.push_back(sum_of_digits(n, 0, low_digits_));
     }
 
     std::uint64_t base() const { return base_; }
     double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
 
-    /// Calls put(k, value) for the numbers first + k, k = 0 ... count - 1: the high digits change seldom.
+    /// Calls put(k, value) with the permuted inverses of first + k for k = 0 ... count - 1.
     template <class Put>
     void for_range(std::uint64_t first, std::uint64_t count, const Put& put) const
     {
@@ -158,20 +167,21 @@ private:
     static double sum(double low, double high) { return low + high < 1.0 ? low + high : 1.0 - 0x1p-53; }
     double high_part(std::uint64_t high_digits) const
     {
-        return sum_of_places(high_digits, low_places_, places_.size());
+        return sum_of_digits(high_digits, low_digits_, digit_values_.size());
     }
-    double sum_of_places(std::uint64_t n, std::size_t first, std::size_t last) const
+    double sum_of_digits(std::uint64_t n, std::size_t first, std::size_t last) const
     {
         double value = 0.0;
-        for (std::size_t place = first; place < last; ++place, n /= base_)
-            value += places_[place][n % base_];
+        for (std::size_t position = first; position < last; ++position, n /= base_)
+            value += digit_values_[position][n % base_];
         return value;
     }
 
     std::uint64_t base_;
-    std::vector<std::vector<double>> places_; ///< per place: permuted digit * base^-(place + 1)
-    std::size_t low_places_ = 0;
-    std::vector<double> low_; ///< sums over the first low_places_ places
+    /// digit_values_[k][digit] = permuted digit * base^-(k + 1), for digit position k from the lowest digit of n on.
+    std::vector<std::vector<double>> digit_values_;
+    std::size_t low_digits_ = 0; ///< number of digits of n that the table covers
+    std::vector<double> low_;    ///< sums over the first low_digits_ positions
 };
 
 class PermutedHalton final : public Sequence

@@ -11,8 +11,8 @@ namespace {
 constexpr int most_dimensions = 6;
 using Steps = std::array<std::uint64_t, most_dimensions>;
 
-/// steps[s - 1][j] = floor(2^64 / g^(j + 1)) with g the positive root of g^(s + 1) = g + 1: the golden ratio for s = 1,
-/// the plastic number for s = 2.
+/// Steps for s dimensions as fixed-point fractions: steps_by_dimension[s - 1][j] = floor(2^64 / g^(j + 1)), with g the
+/// positive root of g^(s + 1) = g + 1: the golden ratio for s = 1, the plastic number for s = 2.
 constexpr std::array<Steps, most_dimensions> steps_by_dimension = {
     {{0x9e3779b97f4a7c15u, 0x0000000000000000u, 0x0000000000000000u, 0x0000000000000000u, 0x0000000000000000u,
       0x0000000000000000u},
@@ -41,14 +41,12 @@ public:
 
     std::string name() const override { return shifted_ ? "kronecker-shift" : "kronecker"; }
     int dimensions() const override { return dimensions_; }
-    std::uint64_t item_limit() const override
-    {
-        return std::uint64_t{1} << 52;
-    } // neighbours come closer than a double tells
+    /// Beyond it neighbouring points are closer than doubles can resolve.
+    std::uint64_t item_limit() const override { return std::uint64_t{1} << 52; }
     double coordinate(std::uint64_t n, int dimension) const override
     {
         const auto d = static_cast<std::size_t>(dimension);
-        return bits_to_unit(start_[d] + n * steps_[d]); // 2^64 is 1: the overflow is the fraction
+        return bits_to_unit(start_[d] + n * steps_[d]); // 2^64 stands for 1: overflow is the modulo
     }
     void generate(std::uint64_t first, std::vector<Item>& items) const override
     {

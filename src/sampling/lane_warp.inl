@@ -1,6 +1,6 @@
-// The maps of warp.cpp and the sine and cosine of warp.h, several points at a time: the same operations in the
-// same order, with choices between results for branches. Included once for each instruction set. warp.cpp is the version
-// to read first, parallel/lanes/plain.inl tells what the functions of lanes do.
+// The maps of warp.cpp, and the sine and cosine of geometry/elementary.h, for several points at a time: the same
+// operations in the same order, with selections instead of branches. Read warp.cpp first. This file is included once for
+// each instruction set; parallel/lanes/plain.inl defines the functions of lanes.
 
 namespace multipath {
 namespace LANE_SET {
@@ -11,6 +11,7 @@ struct LaneSinCos
     DoubleLanes sin, cos;
 };
 
+/// Sum of coefficients[k] y^k by Horner's rule.
 KERNEL_CODE DoubleLanes polynomial(DoubleLanes y, const double* coefficients, int count)
 {
     DoubleLanes sum = DoubleLanes::all(coefficients[count - 1]);
@@ -19,8 +20,8 @@ KERNEL_CODE DoubleLanes polynomial(DoubleLanes y, const double* coefficients, in
     return sum;
 }
 
-/// sin_cos_of_turns. The conversion to a whole number and back is replaced by adding so large a number that digits
-/// behind the point are rounded away; the sum's lowest bits are then those of the whole number.
+/// The same as sin_cos_of_turns of geometry/elementary.h. Instead of a conversion to an integer, 2^52 is added, so that
+/// the fraction is rounded away; the lowest bits of the sum are then those of the integer.
 KERNEL_CODE LaneSinCos sin_cos_of_turns(DoubleLanes turns)
 {
     constexpr double sine_terms[] = {1.0,          -1.0 / 6,        1.0 / 120,          -1.0 / 5040,

@@ -45,7 +45,7 @@ private:
     std::uint64_t dimensions_;
 };
 
-/// Two successive points of two dimensions as one item.
+/// Items of two successive 2-D points.
 class PairedSequence final : public Sequence
 {
 public:
@@ -63,7 +63,7 @@ private:
     std::unique_ptr<Sequence> points_;
 };
 
-/// "2,7,3,5" as numbers.
+/// The numbers of a list such as "2,7,3,5". Throws std::invalid_argument for anything else.
 std::vector<std::uint64_t> parse_list(const std::string& text)
 {
     std::vector<std::uint64_t> numbers;
@@ -84,6 +84,8 @@ std::vector<std::uint64_t> parse_list(const std::string& text)
     return numbers;
 }
 
+/// The bases of a list, or the default ones for an empty text. Throws std::invalid_argument unless there is one per
+/// dimension.
 std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensions)
 {
     std::vector<std::uint64_t> bases = text.empty() ? default_bases(dimensions) : parse_list(text);
@@ -93,6 +95,7 @@ std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensi
     return bases;
 }
 
+/// `arguments`: the number of points, also as in "2^16", and after a colon the bases of the other dimensions.
 std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, std::uint64_t /*seed*/, int dimensions)
 {
     const std::size_t colon = arguments.find(':');
@@ -134,6 +137,7 @@ SequencePointer make_random(const std::string&, std::uint64_t seed, int dimensio
     return std::make_unique<RandomSequence>(seed, dimensions);
 }
 
+/// A kind of sequence and the function that makes it.
 struct MadeKind
 {
     SequenceKind kind;
@@ -175,11 +179,11 @@ std::string known_kinds()
     return text;
 }
 
-/// "halton:2,7,3,5" in two; the second part with its colon, or empty.
+/// The two parts of a name such as "halton:2,7,3,5".
 struct NameParts
 {
     std::string kind;
-    std::string arguments;
+    std::string arguments; ///< with the colon, or empty
 };
 
 NameParts parts_of(const std::string& name)
@@ -202,8 +206,8 @@ const MadeKind& kind_named(const std::string& name)
 
 void Sequence::generate(std::uint64_t first, std::vector<Item>& items) const
 {
-    for (Item& place : items)
-        place = item(first++);
+    for (Item& next : items)
+        next = item(first++);
 }
 
 std::vector<SequenceKind> sequence_kinds()
@@ -234,7 +238,7 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
 {
     if (pairing == Pairing::four_dimensional)
         return make_sequence(name, seed);
-    // Four bases name the 4-D arrangement; pairs use the first two.
+    // Four bases are those of 4-D items; pairs of 2-D points use the first two.
     const std::size_t colon = name.find(':');
     const bool has_bases = sequence_kind(name).may_have_bases() && colon != std::string::npos;
     std::string points = name;

@@ -8,25 +8,25 @@ namespace multipath {
 
 namespace {
 
-/// One of many permutations of 0 ... 4095, chosen by the key: every step can be undone in 12 bits.
-std::uint64_t permuted(std::uint64_t place, std::uint64_t key)
+/// A permutation of 0 ... 4095, chosen by the key: every step is invertible modulo 2^12.
+std::uint64_t permuted(std::uint64_t index, std::uint64_t key)
 {
     constexpr std::uint64_t mask = ShuffledOrder::block_size - 1;
     for (int round = 0; round < 4; ++round) {
-        place = (place * (key | 1) + (key >> 12)) & mask;
-        place ^= place >> 5;
+        index = (index * (key | 1) + (key >> 12)) & mask;
+        index ^= index >> 5;
         key = (key >> 16) | (key << 48);
     }
-    return place;
+    return index;
 }
 
-/// A permutation of 0 ... size - 1: what leaves the range is permuted again until it comes back.
-std::uint64_t permuted_within(std::uint64_t place, std::uint64_t size, std::uint64_t key)
+/// A permutation of 0 ... size - 1 by cycle walking: an index outside the range is permuted again until it is inside.
+std::uint64_t permuted_within(std::uint64_t index, std::uint64_t size, std::uint64_t key)
 {
     do
-        place = permuted(place, key);
-    while (place >= size);
-    return place;
+        index = permuted(index, key);
+    while (index >= size);
+    return index;
 }
 
 } // namespace

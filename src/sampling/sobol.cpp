@@ -10,13 +10,13 @@ namespace sobol {
 
 namespace {
 
-/// A primitive polynomial modulo 2, x^degree + c_1 x^(degree-1) + ... + 1, whose inner coefficients c are the bits of
-/// `coefficients`, and the odd starting values m_1 ... m_degree.
+/// The input of the recurrence: a primitive polynomial modulo 2, x^degree + c_1 x^(degree-1) + ... + 1, and starting
+/// values.
 struct Generator
 {
     int degree;
-    unsigned coefficients;
-    std::array<std::uint64_t, 4> start;
+    unsigned coefficients;              ///< c_1 ... c_(degree-1), as bits
+    std::array<std::uint64_t, 4> start; ///< odd numbers m_1 ... m_degree
 };
 
 constexpr std::array<Generator, dimensions> generators = {{{1, 0, {1, 0, 0, 0}},
@@ -26,6 +26,7 @@ constexpr std::array<Generator, dimensions> generators = {{{1, 0, {1, 0, 0, 0}},
                                                            {4, 1, {1, 1, 3, 13}},
                                                            {4, 4, {1, 1, 5, 9}}}};
 
+/// Direction numbers by Sobol's recurrence.
 DirectionNumbers expand(const Generator& generator)
 {
     DirectionNumbers v{};
@@ -84,15 +85,16 @@ std::size_t lowest_zero(std::uint64_t n)
 #if defined(__GNUC__)
     return static_cast<std::size_t>(__builtin_ctzll(~n));
 #else
-    std::size_t place = 0;
+    std::size_t position = 0;
     for (; (n & 1u) != 0; n >>= 1)
-        ++place;
-    return place;
+        ++position;
+    return position;
 #endif
 }
 
-/// Walks through the points with one exclusive or per coordinate, since in the order of Antonov and Saleev successive
-/// points differ by one direction number, and hands the bits of each to `finish(item, bits)`.
+/// Generates successive points, beginning with `bits`, the coordinates of point `first`, and calls finish(item, bits)
+/// for each. Takes one exclusive or per coordinate, since in the order of Antonov and Saleev successive points differ
+/// by one direction number.
 template <class Finish>
 void walk(const StepTable& steps, std::array<std::uint64_t, 4> bits, std::uint64_t first, std::vector<Item>& items,
           const Finish& finish)
@@ -143,12 +145,13 @@ protected:
     }
 
     StepTable steps_;
-    std::array<std::uint64_t, sobol::dimensions> shift_{}; ///< exclusive or of all points, of each dimension
+    std::array<std::uint64_t, sobol::dimensions> shift_{}; ///< per dimension: digital shift of all points
 
 private:
     int dimensions_;
 };
 
+/// A random number for each dimension.
 std::array<std::uint64_t, sobol::dimensions> random_keys(RandomStream stream, std::uint64_t seed)
 {
     std::array<std::uint64_t, sobol::dimensions> keys{};
@@ -174,7 +177,7 @@ public:
     OwenSobol(std::uint64_t seed, int dimensions)
         : SobolSequence(dimensions), keys_(random_keys(RandomStream::sobol_scrambling, seed))
     {
-        for (auto& step : steps_) // the scrambling works on reversed bits: walk with them
+        for (auto& step : steps_) // reversed, since the scrambling works on reversed bits
             for (std::uint64_t& number : step)
                 number = reverse_bits(number);
     }

@@ -17,7 +17,8 @@ Vec3 square_to_uniform_sphere(double a, double b)
 
 Vec3 square_to_cosine_hemisphere(double a, double b)
 {
-    // Uniform on the disc below the hemisphere (Malley): its height above the disc carries the cosine.
+    // Malley's method: a uniform point of the unit disc, projected up to the hemisphere, has a cosine-distributed
+    // direction.
     const double radius = std::sqrt(a);
     const SinCos angle = sin_cos_of_turns(b);
     return {radius * angle.cos, radius * angle.sin, std::sqrt(1.0 - a)};
@@ -25,13 +26,14 @@ Vec3 square_to_cosine_hemisphere(double a, double b)
 
 Barycentric square_to_uniform_triangle(double a, double b)
 {
-    const double width = std::sqrt(1.0 - a); // of the triangle at u = 1 - width, whose mass beyond it is width^2
+    const double width =
+        std::sqrt(1.0 - a); // of the triangle in v at u = 1 - width; the share width^2 lies beyond this u
     return {1.0 - width, b * width};
 }
 
 namespace {
 
-/// The part of x that is orthogonal to the unit vector `axis`, as a unit vector.
+/// The component of x orthogonal to the unit vector `axis`, normalised.
 Vec3 orthogonal_part(Vec3 x, Vec3 axis)
 {
     return normalized(x - dot(x, axis) * axis);
@@ -48,7 +50,7 @@ Vec3 along_arc(Vec3 axis, Vec3 other, double cosine)
 
 SphericalTriangle::SphericalTriangle(Vec3 a, Vec3 b, Vec3 c) : a_(a), b_(b), c_(c), cos_ab_(dot(a, b))
 {
-    // van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30 (1983): sound for small triangles as well.
+    // Solid angle by van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30 (1983), accurate for small triangles too.
     const double volume = std::abs(dot(a, cross(b, c)));
     const double denominator = 1.0 + dot(a, b) + dot(b, c) + dot(c, a);
     const Vec3 normal_ab = cross(a, b);
@@ -63,7 +65,8 @@ SphericalTriangle::SphericalTriangle(Vec3 a, Vec3 b, Vec3 c) : a_(a), b_(b), c_(
 
 Vec3 SphericalTriangle::direction(double u, double v) const
 {
-    // The arc from b through c' cuts off the share u of the triangle; c' lies between a and c.
+    // The arc from b to a point c' between a and c cuts off the share u of the triangle; `cosine` is that of the arc a
+    // c'.
     const double part = u * solid_angle_;
     const double s = elementary::sin(part) * cos_alpha_ - elementary::cos(part) * sin_alpha_; // sin(part - alpha)
     const double t = elementary::cos(part) * cos_alpha_ + elementary::sin(part) * sin_alpha_; // cos(part - alpha)

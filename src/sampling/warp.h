@@ -31,8 +31,8 @@ inline Vec3 square_to_uniform_surface(const Surface& surface, double a, double b
 {
     if (surface.shape == Shape::parallelogram)
         return surface.at(a, b);
-    const Barycentric place = square_to_uniform_triangle(a, b);
-    return surface.at(place.u, place.v);
+    const Barycentric point = square_to_uniform_triangle(a, b);
+    return surface.at(point.u, point.v);
 }
 
 /// Orthonormal frame at a surface. Its x axis is oblique to the edges (3-4-5 triangle), so that the regular numbers of
