@@ -13,9 +13,9 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t most_named = 4;
+constexpr std::size_t most_named = 4; ///< names in a list
 constexpr std::size_t most_coincident_pairs = 10000;
-constexpr double least_told = 1e-5; ///< [1] share of the power below which a loss is not worth a line
+constexpr double least_reported = 1e-5; ///< [1] share of the power; smaller losses are not reported
 
 bool emits(const Scene& scene, std::uint32_t surface)
 {
@@ -37,13 +37,14 @@ std::string list_of(const std::vector<std::string>& names)
     return text + (names.size() > most_named ? format(" and %zu more", names.size() - most_named) : "");
 }
 
-/// Rounded down to a number with one digit that is not 0.
+/// Rounded down to one significant digit.
 double one_digit(double value)
 {
     const double unit = elementary::pow(10.0, std::floor(elementary::log10(value)));
     return std::floor(value / unit) * unit;
 }
 
+/// Runs all checks of a scene, each of which appends its findings.
 class SceneChecks
 {
 public:
@@ -85,7 +86,7 @@ private:
         findings_.push_back({kind, false, place, message});
     }
 
-    /// Wrong if a share is large enough for that.
+    /// Adds a finding that makes the result wrong if one of the shares reaches share_that_matters.
     void add_weighed(const char* kind, const std::string& place, const std::string& message, double power_share,
                      double area_share)
     {
@@ -102,7 +103,7 @@ private:
         return (group.empty() ? "a face" : group) + " (line " + std::to_string(file_.line[surface]) + ")";
     }
 
-    /// The surfaces with the largest counts, named with their share of the whole.
+    /// The names of the surfaces with the largest counts, with their percentages of the sum.
     std::string largest(const std::vector<std::uint64_t>& counts) const
     {
         std::vector<std::uint32_t> order(counts.size());
@@ -122,7 +123,8 @@ private:
         return text;
     }
 
-    std::uint32_t first_of(const std::vector<std::uint64_t>& counts) const
+    /// The surface with the largest count.
+    std::uint32_t most_counted(const std::vector<std::uint64_t>& counts) const
     {
         return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
     }
@@ -163,7 +165,7 @@ private:
     void lost_behind()
     {
         const double lost = share(report_.balance.behind);
-        if (file_.sky_surfaces > 0 || !(lost > least_told))
+        if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
         const std::string surfaces =
             format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost) +
@@ -173,14 +175,14 @@ private:
             std::string(is_inside_out(scene_, report_.survey) ? " (--flip turns all faces over)" : "") +
             ", close the solids that they belong to (a box on the floor needs its bottom, a lamp its back), or use "
             "--two-sided";
-        add_weighed("behind", place_of(first_of(report_.survey.met_behind)),
+        add_weighed("behind", place_of(most_counted(report_.survey.met_behind)),
                     surfaces + (lost < share_that_matters ? ", too little to matter" : advice), lost, 0.0);
     }
 
     void escaping()
     {
         const double lost = share(report_.balance.escaped);
-        if (file_.sky_surfaces > 0 || !(lost > least_told))
+        if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
         const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
         std::string edges;
@@ -199,7 +201,8 @@ private:
             add_weighed("leak", place, escapes + " through gaps, too little to matter" + edges, lost, 0.0);
     }
 
-    /// True if two surfaces are the same but for the order of their corners and do the same with light.
+    /// True if two surfaces have the same bounds and centre, as those of equal corners in another order have, and the
+    /// same material, which emits nothing.
     bool are_equal(std::uint32_t first, std::uint32_t second) const
     {
         if (file_.material[first] != file_.material[second] || emits(scene_, first))
@@ -213,7 +216,8 @@ private:
         return near(box_a.low, box_b.low) && near(box_a.high, box_b.high) && near(a.centre(), b.centre());
     }
 
-    /// A row for pairs of one kind, with the area and power of what is hidden at most: the smaller of each pair, once.
+    /// Adds one finding for all pairs of a kind. If harmful, its shares are upper bounds of the hidden area and power:
+    /// those of the smaller surface of each pair, each counted once.
     void add_pairs(const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& at_least,
                    const std::string& what, const std::string& advice, bool harmful)
     {
@@ -299,7 +303,7 @@ private:
                  0.0, bright_area / area_of_surfaces()});
     }
 
-    /// "the MTL file", by name if there is one
+    /// The MTL files of the scene by name, or a phrase for them if it names none.
     std::string material_files() const
     {
         if (file_.material_files.empty())
@@ -349,8 +353,8 @@ private:
                             diagonal));
     }
 
-    /// The default size follows from the area and the number of all surfaces, so that thousands of small triangles
-    /// leave large walls nearly uncut.
+    /// Reports large patches of the default size: it follows from the total area and the number of surfaces, so among
+    /// thousands of small triangles large walls stay nearly uncut.
     void coarse_patches()
     {
         const SurfaceList& all = scene_.surfaces();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t surveyed_per_block = 4096;
 
-/// Of the lines one in so many is compared with the hull, whose sides may be as many as surfaces.
+/// One in so many lines is tested against the hull, which may have as many sides as there are surfaces.
 std::uint64_t lines_per_hull_test(const ConvexHull& hull)
 {
     constexpr std::uint64_t few_sides = 2048;
@@ -29,8 +29,8 @@ LineSurvey empty_survey(const Scene& scene)
     return {0, 0, 0, 0, zeros, zeros, zeros, zeros, zeros};
 }
 
-/// Counts what light finds that leaves hit `from` towards hit `to`; `to` is nullptr when nothing is there.
-/// `forward`: along the line's direction.
+/// Counts the fate of light that leaves the surface of hit `from` towards hit `to`, or towards nothing if `to` is
+/// nullptr. `forward`: in the direction of the line, else against it.
 void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool forward, LineSurvey& survey)
 {
     const bool leaves_front = from.front != forward;
@@ -48,6 +48,7 @@ void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool fo
         ++survey.met_behind[to->surface];
 }
 
+/// Counts the departures from all hits of a line, in both directions.
 void count_line(const Scene& scene, const std::vector<Hit>& hits, LineSurvey& survey)
 {
     for (std::size_t i = 0; i < hits.size(); ++i) {

@@ -1,3 +1,7 @@
+// Each trace repeats the run up to the lines that are wanted, with the functions of the solver itself: the first shot,
+// and then the walk along all lines before the range, since what a line carries depends on the lines before it. Only
+// rays of the first shot before the range are followed one by one, to know what the receivers hold.
+
 #include "explain/line_trace.h"
 
 #include "radiosity/family/stochastic_jacobi.h"
@@ -28,8 +32,8 @@ void require_in_stage(const TracedRange& range, std::uint64_t lines, const char*
 
 namespace {
 
-/// Lets the walk follow one segment and notes what the patches held before and hold after it.
-Stretch follow_told(const Segment& segment, bool bidirectional, PowerWalk& walk)
+/// Lets the walk follow one segment and records what its patches held before and hold afterwards.
+Stretch trace_segment(const Segment& segment, bool bidirectional, PowerWalk& walk)
 {
     Stretch stretch{0, segment, {}, {}, {}};
     const auto sends = [&](std::uint32_t from, std::uint32_t to) {
@@ -47,7 +51,7 @@ Stretch follow_told(const Segment& segment, bool bidirectional, PowerWalk& walk)
     return stretch;
 }
 
-/// For each segment, in order, how many meetings lie before it: append_segments leaves out stretches without a patch.
+/// For each segment, in order, the number of meetings before it. append_segments leaves out segments without a patch.
 std::vector<std::size_t> meetings_before(const std::vector<Meeting>& meetings)
 {
     std::vector<std::size_t> before;
@@ -58,38 +62,39 @@ std::vector<std::size_t> meetings_before(const std::vector<Meeting>& meetings)
     return before;
 }
 
-/// A line with its hits in order; follow(segment) tells what happens along each segment.
+/// The trace of a line, given its hits in order. follow(segment) returns the Stretch of each segment.
 template <class Follow>
-GlobalLine tell(const Scene& scene, const LineOrigin& origin, const Line& line, const std::vector<Hit>& hits,
-                const std::vector<Segment>& segments, const Follow& follow)
+GlobalLine trace_line(const Scene& scene, const LineOrigin& origin, const Line& line, const std::vector<Hit>& hits,
+                      const std::vector<Segment>& segments, const Follow& follow)
 {
-    GlobalLine told{origin, line.origin, line.at(1.0), {}, {}};
+    GlobalLine trace{origin, line.origin, line.at(1.0), {}, {}};
     for (const Hit& hit : hits)
-        told.meetings.push_back(meeting_at(scene, line, hit));
-    const std::vector<std::size_t> before = meetings_before(told.meetings);
+        trace.meetings.push_back(meeting_at(scene, line, hit));
+    const std::vector<std::size_t> before = meetings_before(trace.meetings);
     for (std::size_t k = 0; k < segments.size(); ++k) {
-        told.stretches.push_back(follow(segments[k]));
-        told.stretches.back().after = before.at(k);
+        trace.stretches.push_back(follow(segments[k]));
+        trace.stretches.back().after = before.at(k);
     }
-    return told;
+    return trace;
 }
 
-/// The same for a line whose hits are to be found; its end is a little behind the scene.
+/// The same for an infinite line, whose hits this function finds. The trace ends a little past the scene.
 template <class Follow>
-GlobalLine tell(const Scene& scene, const LineOrigin& origin, const Line& line, const Follow& follow)
+GlobalLine trace_line(const Scene& scene, const LineOrigin& origin, const Line& line, const Follow& follow)
 {
     std::vector<Hit> hits;
     scene.intersector().all_hits(line, hits);
     std::vector<Segment> segments;
     append_segments(scene, {hits}, segments);
-    GlobalLine told = tell(scene, origin, line, hits, segments, follow);
-    told.to = line.origin + (2.0 * dot(scene.bounds().centre() - line.origin, line.direction)) * line.direction;
-    return told;
+    GlobalLine trace = trace_line(scene, origin, line, hits, segments, follow);
+    trace.to = line.origin + (2.0 * dot(scene.bounds().centre() - line.origin, line.direction)) * line.direction;
+    return trace;
 }
 
-/// The first stage as solve runs it, and the budget that it leaves.
-GlobalTrace begin(const Scene& scene, const Sequence& sequence, const GlobalLines& lines, const SolveOptions& options,
-                  PowerState& state)
+/// Runs the first stage as solve does. Returns a trace without lines, with the figures of the run up to the global
+/// pass.
+GlobalTrace run_first_stage(const Scene& scene, const Sequence& sequence, const GlobalLines& lines,
+                            const SolveOptions& options, PowerState& state)
 {
     const ItemPlan all_items = plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines));
     GlobalTrace trace;
@@ -113,7 +118,7 @@ GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, c
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds(), chords_of(options));
     PowerState state(scene);
-    GlobalTrace trace = begin(scene, *sequence, lines, options, state);
+    GlobalTrace trace = run_first_stage(scene, *sequence, lines, options, state);
     require_in_stage(range, trace.lines_cast, "global lines");
 
     const ItemPlan items = plan_items(*sequence, options.skip, trace.local_lines, trace.lines_cast);
@@ -129,8 +134,8 @@ GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, c
         segments.clear();
         append_segments(scene, hits, segments);
         if (range.includes(n))
-            trace.lines.push_back(tell(scene, origin, line, hits, segments, [&](const Segment& segment) {
-                return follow_told(segment, options.bidirectional, walk);
+            trace.lines.push_back(trace_line(scene, origin, line, hits, segments, [&](const Segment& segment) {
+                return trace_segment(segment, options.bidirectional, walk);
             }));
         else
             for (const Segment& segment : segments)
@@ -144,7 +149,7 @@ BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const 
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const GlobalLines lines(scene.bounds(), chords_of(options));
     PowerState state(scene);
-    const GlobalTrace before = begin(scene, *sequence, lines, options, state);
+    const GlobalTrace before = run_first_stage(scene, *sequence, lines, options, state);
     const ItemPlan items = plan_items(*sequence, options.skip, 0, before.lines_cast);
     const TransilluminationOptions bundles{items.first_shot + before.local_lines, before.lines_charged, options.bundle,
                                            options.seed};
@@ -172,7 +177,7 @@ BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const 
         return Transfer{from, to, power_along_line(radiosity, trace.section, trace.directions), {}};
     };
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n)
-        trace.lines.push_back(tell(scene, {n, item, numbers}, bundle.line(n), [&](const Segment& segment) {
+        trace.lines.push_back(trace_line(scene, {n, item, numbers}, bundle.line(n), [&](const Segment& segment) {
             Stretch stretch{0, segment, {}, {}, {}};
             if (Segment::is_patch(segment.from))
                 stretch.transfers.push_back(sent(segment.from, segment.to));
@@ -185,22 +190,22 @@ BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const 
 
 namespace {
 
-/// One ray: traced, received, and told.
-ShotRay follow(const Scene& scene, const Shot& shot, const LineOrigin& origin, PowerState& state)
+/// Traces one ray of a shot and adds its power to the receiver's unshot power.
+ShotRay trace_ray(const Scene& scene, const Shot& shot, const LineOrigin& origin, PowerState& state)
 {
     const Patch patch = scene.patch(shot.patch);
     const Line ray = local_line(patch, origin.numbers);
-    ShotRay told{origin, shot.patch, ray, {}, receiver(scene, patch.surface, ray), shot.power_per_ray, {}};
+    ShotRay trace{origin, shot.patch, ray, {}, receiver(scene, patch.surface, ray), shot.power_per_ray, {}};
     if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, ray))
-        told.meeting = meeting_at(scene, ray, *hit);
-    if (Segment::is_patch(told.where)) {
-        state.unshot[told.where] += scene.reflectance(told.where) * told.power; // (S1)
-        told.unshot = state.unshot[told.where];
+        trace.meeting = meeting_at(scene, ray, *hit);
+    if (Segment::is_patch(trace.where)) {
+        state.unshot[trace.where] += scene.reflectance(trace.where) * trace.power; // (S1)
+        trace.unshot = state.unshot[trace.where];
     }
-    return told;
+    return trace;
 }
 
-/// What a pass shoots, and the state in which it begins.
+/// The shots of a pass, and the state in which it begins, with their power already spent.
 struct ObservedPass
 {
     std::uint64_t first_item = 0;
@@ -208,6 +213,7 @@ struct ObservedPass
     std::optional<PowerState> state;
 };
 
+/// Throws SettingsError unless there is a pass of this number.
 void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 {
     if (passes.empty())
@@ -226,24 +232,24 @@ ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::
     const GlobalLines lines(scene.bounds(), chords_of(options));
     const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
 
-    ObservedPass told;
+    ObservedPass observed;
     std::size_t passes_begun = 0;
-    const auto keep_told_pass = [&](std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state) {
+    const auto keep_pass = [&](std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state) {
         if (passes_begun++ == pass)
-            told = {first_item, shots, state};
+            observed = {first_item, shots, state};
     };
     PowerState state(scene);
     const std::vector<ShotPass> passes =
-        shoot_first(scene, *sequence, items.first_shot, options, {options.threads}, state, keep_told_pass);
+        shoot_first(scene, *sequence, items.first_shot, options, {options.threads}, state, keep_pass);
     require_pass(passes, pass);
-    require_in_stage(range, ray_count(told.shots), "rays");
+    require_in_stage(range, ray_count(observed.shots), "rays");
 
-    ShotTrace trace{passes, pass, options.threshold.value_or(threshold_radiosity(scene)), told.shots.size(), {}};
+    ShotTrace trace{passes, pass, options.threshold.value_or(threshold_radiosity(scene)), observed.shots.size(), {}};
     std::uint64_t n = 0;
-    for (const Shot& shot : told.shots)
+    for (const Shot& shot : observed.shots)
         for (std::uint64_t k = 0; k < shot.rays && n < range.first + range.count; ++k, ++n) {
-            const std::uint64_t item = told.first_item + n;
-            const ShotRay ray = follow(scene, shot, {n, item, sequence->item(item)}, *told.state);
+            const std::uint64_t item = observed.first_item + n;
+            const ShotRay ray = trace_ray(scene, shot, {n, item, sequence->item(item)}, *observed.state);
             if (range.includes(n))
                 trace.rays.push_back(ray);
         }
@@ -252,15 +258,16 @@ ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::
 
 namespace {
 
-ToldStep tell(const Scene& scene, const ParticleStep& step, Estimator estimator)
+/// The trace of one segment of a particle's path.
+ToldStep trace_step(const Scene& scene, const ParticleStep& step, Estimator estimator)
 {
     const Patch patch = scene.patch(step.from);
-    ToldStep told{step, local_line(patch, step.item), {}, {}};
-    if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, told.ray))
-        told.meeting = meeting_at(scene, told.ray, *hit);
+    ToldStep trace{step, local_line(patch, step.item), {}, {}};
+    if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, trace.ray))
+        trace.meeting = meeting_at(scene, trace.ray, *hit);
     if (Segment::is_patch(step.where))
-        told.counted = counted_power(scene, step, estimator);
-    return told;
+        trace.counted = counted_power(scene, step, estimator);
+    return trace;
 }
 
 } // namespace
@@ -275,12 +282,12 @@ ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, c
 
     ParticleTrace trace{particles.count(), particles.shots().size(), {}};
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
-        ToldParticle told{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
+        ToldParticle particle{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
         ParticlePaths paths;
-        particles.follow(n, {told.origin.numbers}, paths);
+        particles.follow(n, {particle.origin.numbers}, paths);
         for (const ParticleStep& step : paths.steps)
-            told.steps.push_back(tell(scene, step, options.estimator));
-        trace.particles.push_back(told);
+            particle.steps.push_back(trace_step(scene, step, options.estimator));
+        trace.particles.push_back(particle);
     }
     return trace;
 }

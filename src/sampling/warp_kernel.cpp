@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
+void load_square_points(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square)
 {
     for (std::size_t k = 0; k < count; ++k) {
         square.a[k] = items[k][first_number];

@@ -28,7 +28,7 @@ struct SquarePoints
 
 /// Copies two successive coordinates of `count` <= warp_block items, first_number and the next, into `square`. Sets the
 /// rest of the last group of 8 lanes to 0.
-void take_square(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square);
+void load_square_points(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square);
 
 /// The maps of warp.h for `count` <= warp_block points per call, compiled for one instruction set. All kernels give the
 /// same bits as the maps for one point. They read and write whole groups of lanes: `count` rounded up to a multiple

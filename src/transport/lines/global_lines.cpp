@@ -129,9 +129,9 @@ void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines
     SquarePoints square = {};
     WarpedPoints from;
     WarpedPoints to;
-    take_square(items, count, 0, square);
+    load_square_points(items, count, 0, square);
     warp_kernel().uniform_sphere(square, count, from);
-    take_square(items, count, 2, square);
+    load_square_points(items, count, 2, square);
     warp_kernel().uniform_sphere(square, count, to);
     const Vec3 centre = box_.centre();
     for (std::size_t k = 0; k < count; ++k)
@@ -143,7 +143,7 @@ void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) c
 {
     SquarePoints square = {};
     WarpedPoints local;
-    take_square(items, count, 2, square);
+    load_square_points(items, count, 2, square);
     warp_kernel().cosine_hemisphere(square, count, local);
     for (std::size_t k = 0; k < count; ++k)
         lines[k] = box_line(items[k], {local.x[k], local.y[k], local.z[k]});

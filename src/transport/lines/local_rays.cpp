@@ -35,7 +35,7 @@ void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* i
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t lane = k % warp_block;
         if (lane == 0) {
-            take_square(items + k, std::min(warp_block, count - k), 2, square);
+            load_square_points(items + k, std::min(warp_block, count - k), 2, square);
             warp_kernel().cosine_hemisphere(square, std::min(warp_block, count - k), local);
         }
         if (k == 0 || patches[k] != patches[k - 1])
