@@ -1,6 +1,7 @@
-// Each trace repeats the run up to the lines that are wanted, with the functions of the solver itself: the first shot,
-// and then the walk along all lines before the range, since what a line carries depends on the lines before it. Only
-// rays of the first shot before the range are followed one by one, to know what the receivers hold.
+// Each trace repeats the run up to its lines with the functions of the solver itself. What a global line carries
+// depends on the lines before it, and what a receiver of the first shot holds on the rays before it. So the lines
+// before the range are followed too, but not recorded. The lines of a bundle and the particles are independent of each
+// other: of them only those of the range are traced.
 
 #include "explain/line_trace.h"
 

@@ -44,10 +44,11 @@ struct Reconciled
     std::vector<double> sum_change; ///< [m^2] per row: the wanted sum minus the sum of the row now
 };
 
-/// Enforces closure by least squares (R3), a smoothing of exchange areas as in Larsen and Howell (1986): changes the
-/// estimates by the smallest squares, weighted by the inverse variances, that give each row its sum in `row_sums`
-/// [m^2], the area of the patch without its losses. The result is symmetric; pairs of variance 0 stay. A wanted sum of
-/// `sum_variance` > 0 [m^4] is itself an estimate and takes its part of the change.
+/// Enforces closure by least squares (R3), a smoothing of exchange areas as in Larsen and Howell (1986). Of all changes
+/// that give each row its sum in `row_sums` [m^2], the area of the patch without its losses, it makes the one with the
+/// smallest sum of squares, weighted by the inverse variances. The result is symmetric; pairs of variance 0 keep their
+/// values, and so do rows of such pairs whatever their sums. A wanted sum of `sum_variance` > 0 [m^4] is itself an
+/// estimate and takes its part of the change.
 Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
                       const std::vector<double>& sum_variance, int threads);
 
