@@ -36,7 +36,7 @@ enum class RandomStream : std::uint64_t {
     chosen_patches = 0x6c69676874,      ///< sample of patches that are examined for direct light
     first_truth = 0xa4093822299f31d0u,  ///< rays of the first of two independent estimates at a point (shown_error.h)
     second_truth = 0x082efa98ec4e6c89u, ///< rays of the second
-    patch_error = 0xc0ac29b7c97c50ddu,  ///< seeds of the two solutions whose difference measures it
+    patch_error = 0xc0ac29b7c97c50ddu,  ///< seeds of the two independent solutions that estimate it
 };
 
 /// Key of a stream that does not depend on a seed.

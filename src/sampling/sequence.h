@@ -75,8 +75,8 @@ const SequenceKind& sequence_kind(const std::string& name);
 /// std::invalid_argument, with the reason, for unknown names, wrong arguments and too many dimensions.
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions = 4);
 
-/// Makes a sequence of 4-D items for lines. Of two_dimensional pairing, item n consists of the 2-D points 2 n and 2 n +
-/// 1; of four bases it takes the first two.
+/// Makes a sequence of 4-D items for lines. With two_dimensional pairing item n consists of points 2 n and 2 n + 1 of a
+/// 2-D sequence; of four bases the first two are used.
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing);
 
 /// The name of the randomised kind of the same sequence, with the same arguments, for independent replicates: `name`

@@ -42,7 +42,7 @@ public:
     void add(const CountRows& others);
     /// Sorts all new lines into the counts.
     void merge();
-    /// Saves or restores merged counts. Throws ArchiveError for rows that cannot be.
+    /// Saves or restores merged counts. Throws ArchiveError for damaged rows.
     void visit(Archive& archive);
 
     CountRow row(std::uint32_t row) const; ///< needs merged counts

@@ -63,7 +63,7 @@ double SparseExchange::row_sum(std::uint32_t i) const
 void SparseExchange::balance(const std::vector<double>& wanted, int threads)
 {
     // Each step multiplies x_i by (wanted / sum)^(3/4) and by the previous change of x_i to the power of 1/16, the
-    // momentum of Polyak's heavy ball (1964). With the power 1/2 alone convergence is certain, but slower. Where the
+    // momentum of Polyak's heavy ball (1964). The power 1/2 alone would converge for certain. Where the
     // pairs of a row are spread over the scene, as those of rays are, each step divides the errors by about 4. Errors
     // that remain make closed spaces leak, and bright surfaces multiply the leak. Groups of patches that exchange with
     // each other only, like two that face each other, hardly converge.
