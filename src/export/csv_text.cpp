@@ -83,7 +83,7 @@ std::string CsvParser::comment()
 CsvRow CsvParser::header()
 {
     if (ended())
-        refuse(place(), "the file ends here, expected a line with the names of the columns");
+        refuse(place(), "the file ends here, expected a header with the names of the columns");
     CsvRow names = row(0);
     if (is_empty_line(names))
         refuse({path_, names.line}, "empty line, expected the names of the columns");
@@ -105,7 +105,7 @@ CsvRow CsvParser::row(std::size_t fields_to_expect)
         if (ended() || take_line_end())
             return row;
         if (!at(','))
-            refuse(place(), "text behind a closing quote, expected a comma or the end of the line");
+            refuse(place(), "text after a closing quote, expected a comma or the end of the line");
         ++next_;
     }
 }
@@ -135,7 +135,7 @@ std::string CsvParser::quoted_field()
                 require_text(text_[next_]);
         }
         if (ended())
-            refuse(opening, "a quote is opened and never closed, expected another before the end of the file");
+            refuse(opening, "quote without end, expected a closing quote before the end of the file");
         field += text_.substr(begin, next_ - begin);
         ++next_;
         if (at('"'))
@@ -209,7 +209,7 @@ std::size_t CsvTable::column(std::string_view name) const
 {
     const std::optional<std::size_t> found = find_column(name);
     if (!found)
-        refuse(place(header), "no column " + in_quotes(name) + ", expected one of that name");
+        refuse(place(header), "no column " + in_quotes(name) + ", expected a column of that name");
     return *found;
 }
 

@@ -125,7 +125,7 @@ std::optional<ThreeColumns> error_columns(const CsvTable& table)
 void require_patch(const CsvTable& table, const CsvRow& row, std::size_t column, std::size_t patch)
 {
     if (row.fields[column] != std::to_string(patch))
-        refuse_field(table, row, column, std::to_string(patch) + ", since patches count from 0");
+        refuse_field(table, row, column, std::to_string(patch) + ", since patches are numbered from 0");
 }
 
 std::uint32_t read_surface(const CsvTable& table, const CsvRow& row, std::size_t column)
@@ -211,7 +211,7 @@ PatchTable read_patch_table(const std::string& path, const PatchTable* beside)
     const ThreeColumns radiosity = columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
     const std::optional<ThreeColumns> error = error_columns(table);
     if (table.rows.empty())
-        refuse(table.place(table.header), "no row behind the header, expected one per patch");
+        refuse(table.place(table.header), "no rows after the header, expected one per patch");
     double whole_area = 0.0;
     PatchTable patches;
     patches.path = path;

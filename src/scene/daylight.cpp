@@ -12,7 +12,7 @@ namespace multipath {
 
 void add_sky(SceneFile& file, Rgb emittance)
 {
-    constexpr double distance = 0.05; // of the diagonal: nothing of the scene may lie in a plane of the sky
+    constexpr double distance = 0.05; // relative to the diagonal: no surface may lie in a plane of the sky
     const Bounds box = bounds_of(file.surfaces);
     const double margin = distance * box.diagonal();
     const Vec3 low = box.low - Vec3{margin, margin, margin};
@@ -45,7 +45,7 @@ Sun sun_at(double azimuth, double elevation, Vec3 up, Rgb irradiance)
     const double h = elevation * (pi / 180.0);
     const Vec3 toward = elementary::cos(h) * elementary::sin(a) * east +
                         elementary::cos(h) * elementary::cos(a) * north + elementary::sin(h) * zenith;
-    // The last bits of sines differ between machines, those of what is computed from here on do not.
+    // The last bits of sines may differ between machines; rounded values are the same, and so is all that follows.
     const auto rounded = [](double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); };
     return {normalized({rounded(toward.x), rounded(toward.y), rounded(toward.z)}), irradiance};
 }

@@ -4,14 +4,15 @@
 
 namespace multipath {
 
-/// What numbers of light are measured in. Nothing else differs: of lamps in lm/m^2 all results are photometric.
+/// Names of the units of results: photometric if emittances are given in lm/m^2, else radiometric. The numbers are
+/// computed in the same way.
 struct LightUnits
 {
     const char* power;
     const char* per_area;
     const char* per_area_utf8;
     const char* per_area_latin1;
-    const char* squared; ///< of the one per area
+    const char* squared; ///< unit of per_area squared, for mean square errors
 };
 
 inline LightUnits light_units(const SceneFile& scene)

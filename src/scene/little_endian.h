@@ -6,7 +6,7 @@
 
 namespace multipath {
 
-/// The four bytes of a number as binary files hold it, the lowest first, on every machine.
+/// Appends the four bytes of a number in little-endian order, on every machine.
 inline void append_little_endian(std::string& bytes, std::uint32_t value)
 {
     const char four[4] = {static_cast<char>(value & 0xffu), static_cast<char>(value >> 8 & 0xffu),

@@ -9,26 +9,26 @@
 
 namespace multipath {
 
-/// Two surfaces that share a piece of their plane.
+/// Two coplanar surfaces that overlap.
 struct CoincidentFaces
 {
     std::uint32_t first;
     std::uint32_t second;
-    bool same_side; ///< both face the same way, so that one hides the other at random; else they face each other
+    bool same_side; ///< both face the same way, so that either may hide the other; false: they face opposite ways
 };
 
 struct CoincidentPairs
 {
-    std::vector<CoincidentFaces> pairs; ///< in order of the surfaces
-    bool complete = true;               ///< false if there may be more
+    std::vector<CoincidentFaces> pairs; ///< in the order of their surfaces
+    bool complete = true;               ///< false if there may be more pairs
 };
 
-/// Pairs of surfaces that overlap at one of the points sampled on each; at most `most` pairs. Of very many surfaces
-/// close to each other only some are looked at.
+/// Finds overlapping coplanar surfaces by testing sample points of each surface; returns at most `most` pairs. If very
+/// many surfaces lie close together, only a subset of them is tested.
 CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most);
 
-/// Surfaces with an edge that no other surface runs along in the opposite direction from corner to corner: where a
-/// closed scene would leak. An edge that meets several shorter ones counts as open too.
+/// Surfaces with an open edge: no other surface has the same edge in the opposite direction. There a closed scene would
+/// leak light. A long edge along several shorter ones (a T-junction) counts as open, too.
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces);
 
 } // namespace multipath

@@ -6,7 +6,7 @@
 
 namespace multipath {
 
-/// Three independent colour channels of one quantity; the unit is said where it is declared.
+/// Three independent colour channels of one quantity; its unit is given where a variable is declared.
 struct Rgb
 {
     double r = 0.0;
@@ -47,14 +47,14 @@ inline bool operator!=(Rgb a, Rgb b)
     return !(a == b);
 }
 
-/// The one number that stands for the three where the paper needs one. Exact for grey: a mean of equal channels
-/// must give that channel back, which (r + g + b) / 3 does not always do.
+/// The mean of the channels, used where the paper needs a single number. Exact for grey: equal channels give their
+/// common value, which (r + g + b) / 3 does not always do.
 inline double mean(Rgb a)
 {
     return a.r == a.g && a.g == a.b ? a.r : (a.r + a.g + a.b) / 3.0;
 }
 
-/// Linear light of a value of a screen or a picture file, both in [0, 1] (IEC 61966-2-1, sRGB).
+/// Linear light of an sRGB value, both in [0, 1] (IEC 61966-2-1).
 inline double srgb_decoded(double encoded)
 {
     return encoded <= 0.04045 ? encoded / 12.92 : elementary::pow((encoded + 0.055) / 1.055, 2.4);

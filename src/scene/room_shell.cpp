@@ -1,3 +1,8 @@
+// The winding number of a part of the scene around a point is the sum of the solid angles of its surfaces, over 4 pi,
+// with a sign: positive for a surface seen from behind (Jacobson, Kavan and Sorkine-Hornung 2013 generalise it to
+// meshes with holes). Inside a closed part it is 1 if the part faces outward and -1 if it faces inward; outside it is
+// 0. So the winding numbers at the emitters show which closed parts surround them and face the wrong way.
+
 #include "scene/room_shell.h"
 
 #include "geometry/elementary.h"
@@ -16,7 +21,7 @@ namespace multipath {
 
 namespace {
 
-/// [sr] Of a triangle seen from the origin, positive from behind (van Oosterom and Strackee 1983).
+/// [sr] Solid angle of a triangle at the origin, positive if it is seen from behind (van Oosterom and Strackee 1983).
 double solid_angle(Vec3 a, Vec3 b, Vec3 c)
 {
     const double la = length(a), lb = length(b), lc = length(c);
@@ -40,11 +45,13 @@ bool emits(const SceneFile& file, std::size_t surface)
     return file.materials[file.material[surface]].emittance != Rgb{};
 }
 
-/// For each surface the number of the first one of its part. A part hangs together by edges that two surfaces run along
-/// in opposite directions; what touches a wall makes a third at its edge, or shares none, and does not belong to it.
+/// The connected parts of a scene: for each surface the index of the first surface of its part (union-find). Surfaces
+/// are connected if exactly two of them have an edge, in opposite directions. An object that touches a wall either
+/// shares no edge with it or is a third surface at an edge, so it is not connected to the wall.
 std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bounds& bounds)
 {
-    // Corners that are computed from edges differ by rounding; in a grid whose lines coordinates avoid they are one.
+    // Corners that are computed from edges differ by rounding. Snapped to a grid they become equal; the offset keeps
+    // the borders between grid points away from common coordinates.
     const double cell = 1e-7 * bounds.diagonal();
     constexpr double offset = 0.1234567;
     LargeVector<Vec3> corners;
@@ -52,9 +59,9 @@ std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bo
     for (const Surface& surface : surfaces) {
         first_corner.push_back(corners.size());
         for (const Vec3 corner : corners_of(surface)) {
-            const Vec3 place = (1.0 / cell) * (corner - bounds.low);
+            const Vec3 scaled = (1.0 / cell) * (corner - bounds.low);
             corners.push_back(
-                {std::round(place.x + offset), std::round(place.y + offset), std::round(place.z + offset)});
+                {std::round(scaled.x + offset), std::round(scaled.y + offset), std::round(scaled.z + offset)});
         }
     }
     first_corner.push_back(corners.size());
@@ -98,7 +105,7 @@ std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bo
     return parent;
 }
 
-/// The parts of a scene, and what they surround.
+/// The connected parts of a scene. A part is named by the index of its first surface.
 class Parts
 {
 public:
@@ -118,7 +125,7 @@ public:
     std::uint32_t of(std::uint32_t surface) const { return part_[surface]; }
     double area(std::uint32_t part) const { return areas_[part]; }
 
-    /// Those that are closed and look outward around a point: there their winding number is 1.
+    /// The closed parts that face outward and surround a point: their winding number is 1 there.
     std::vector<std::uint32_t> around(Vec3 point) const
     {
         std::vector<double> angles(part_.size());
@@ -139,7 +146,7 @@ public:
 
     bool is_convex(std::uint32_t part) const
     {
-        constexpr std::size_t most = 4096; // surfaces; the test takes their square
+        constexpr std::size_t most = 4096; // surfaces; the time is proportional to their square
         std::vector<std::uint32_t> own;
         for (std::uint32_t s = 0; s < part_.size(); ++s)
             if (part_[s] == part)
@@ -162,11 +169,11 @@ private:
     const SceneFile& file_;
     Bounds all_;
     std::vector<std::uint32_t> part_;
-    std::vector<Bounds> bounds_; ///< of the part with the number of its first surface
+    std::vector<Bounds> bounds_; ///< indexed by part
     std::vector<double> areas_;
 };
 
-/// Of all surfaces.
+/// The winding number of the whole scene around a point.
 double winding_number(const SceneFile& file, Vec3 point)
 {
     double sum = 0.0;
@@ -196,7 +203,8 @@ std::size_t turn_shells_inward(SceneFile& file)
     };
     const auto behind = [&](std::uint32_t s) { return file.surfaces[s].centre() - aside * file.surfaces[s].normal(); };
 
-    // In a room that looks inward the winding number is -1, or 0 in and behind its lamps. Most scenes end here.
+    // In a room that faces inward the winding number is -1, or 0 inside its lamps and outside of it. Most scenes are
+    // done here.
     bool any = false;
     for (std::size_t k = 0; k < emitters.size() && !any; k += step)
         any = std::max(winding_number(file, in_front(emitters[k])), winding_number(file, behind(emitters[k]))) > 0.4;
@@ -205,7 +213,7 @@ std::size_t turn_shells_inward(SceneFile& file)
 
     const Parts parts(file);
     std::vector<char> turned(file.surfaces.size());
-    std::vector<double> lamps_within(file.surfaces.size()); // [m^2] in each part
+    std::vector<double> lamps_within(file.surfaces.size()); // [m^2] of emitters surrounded by each part
     bool all_own = true;
     for (std::size_t k = 0; k < emitters.size(); k += step) {
         const std::uint32_t own = parts.of(emitters[k]);
@@ -213,7 +221,7 @@ std::size_t turn_shells_inward(SceneFile& file)
             lamps_within[part] += part == own ? 0.0 : static_cast<double>(step) * file.surfaces[emitters[k]].area();
         all_own = all_own && own == parts.of(emitters[0]);
     }
-    constexpr double spacious = 4.0; // the housing of a lamp is hardly larger than the lamp
+    constexpr double spacious = 4.0; // a closed part less than this times as large is the housing of a lamp
     for (std::uint32_t p = 0; p < turned.size(); ++p)
         turned[p] = lamps_within[p] > 0.0 && parts.area(p) > spacious * lamps_within[p] ? 1 : 0;
     const std::uint32_t first = parts.of(emitters[0]);

@@ -6,11 +6,11 @@
 
 namespace multipath {
 
-/// Turns the walls of rooms over that look outward, as modellers make them, so that their fronts see the room:
-/// connected surfaces that are closed, look outward, and surround emitters of less than a quarter of their area; or
-/// that are convex, reach as far as the scene on all sides, and hold all emitters, which light nothing. What only
-/// touches them stays as it is. Returns how many surfaces were turned; 0 for all other scenes, and for such as consist
-/// of emitters.
+/// Turns over the walls of rooms that were modelled facing outward, so that their fronts face the interior. The walls
+/// of such a room are a closed, connected part of the scene that faces outward and either surrounds emitters of less
+/// than a quarter of its area, or is convex, extends to all sides of the scene and contains all emitters, which
+/// therefore light nothing. Surfaces that only touch it stay. Returns the number of surfaces turned; 0 if the scene has
+/// no such room, or if none or all of its surfaces emit.
 std::size_t turn_shells_inward(SceneFile& file);
 
 } // namespace multipath

@@ -1,3 +1,7 @@
+// A Scene joins three views of the same surfaces: the Intersector for rays and lines, the tessellation into patches,
+// and what each patch reflects and emits. What depends on the point of a surface (textures, shadows of the sun) is
+// averaged over the patch here, once, since radiosity is constant over a patch.
+
 #include "scene/scene.h"
 
 #include "geometry/intersector/hit_lists.h"
@@ -17,6 +21,7 @@ namespace multipath {
 
 namespace {
 
+/// Chains mix_bits() over 64-bit values; -0 counts as 0.
 class Hash
 {
 public:
@@ -138,7 +143,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     number_cells();
     cell_area_.reserve(tessellations_.size());
     Rgb reflecting_area;
-    lay_textures(threads);
+    compute_textured_reflectances(threads);
     for (std::uint32_t s = 0; s < file_->surfaces.size(); ++s) {
         const Material& material = surface_material(s);
         const double area = file_->surfaces[s].area();
@@ -150,7 +155,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
         reflecting_area += sides_area * material.reflectance;
     }
     average_reflectance_ = (1.0 / total_area_) * reflecting_area;
-    let_the_sun_in(threads);
+    compute_sunlight(threads);
     if (!file_->sun && !(mean(lamp_power_) > 0.0))
         throw InputError(file_->path + ": no emitter: the scene has no light; expected a material with Ke above 0");
 }
@@ -180,14 +185,14 @@ void Scene::number_cells()
 
 namespace {
 
-/// Which of the points of one surface the sun reaches.
+/// Shadow rays towards the sun. An object of this class reuses its buffers; each thread needs its own.
 class SunRays
 {
 public:
     explicit SunRays(const Scene& scene) : scene_(scene) {}
 
-    /// How many of them.
-    std::size_t arriving(std::uint32_t surface, const std::vector<Vec3>& points)
+    /// The number of these points of a surface that the sun reaches.
+    std::size_t count_sunlit(std::uint32_t surface, const std::vector<Vec3>& points)
     {
         const Vec3 direction = scene_.file().sun->direction;
         from_.assign(points.size(), surface);
@@ -201,19 +206,20 @@ public:
         return count;
     }
 
-    /// The share of a patch that it reaches: of some points, and of more where these do not agree.
+    /// The share of a patch that the sun reaches, estimated from 16 points, or from 256 if those do not agree.
     double visible_share(const Patch& patch)
     {
         constexpr std::size_t few = 16;
         constexpr std::size_t many = 256;
-        const std::size_t seen = of_points(patch, few);
-        return seen == 0 || seen == few ? static_cast<double>(seen) / few
-                                        : static_cast<double>(of_points(patch, many)) / many;
+        const std::size_t sunlit = count_sunlit(patch, few);
+        return sunlit == 0 || sunlit == few ? static_cast<double>(sunlit) / few
+                                            : static_cast<double>(count_sunlit(patch, many)) / many;
     }
 
 private:
-    /// Of the R2 sequence (Roberts 2018), an additive recurrence of low discrepancy.
-    std::size_t of_points(const Patch& patch, std::size_t count)
+    /// The number of sunlit points among the first `count` of the R2 sequence (Roberts 2018), an additive recurrence of
+    /// low discrepancy.
+    std::size_t count_sunlit(const Patch& patch, std::size_t count)
     {
         constexpr double step_u = 0.7548776662466927;
         constexpr double step_v = 0.5698402909980532;
@@ -226,7 +232,7 @@ private:
             const bool fold = patch.shape.shape == Shape::triangle && u + v > 1.0;
             points_.push_back(fold ? patch.shape.at(1.0 - u, 1.0 - v) : patch.shape.at(u, v));
         }
-        return arriving(patch.surface, points_);
+        return count_sunlit(patch.surface, points_);
     }
 
     const Scene& scene_;
@@ -238,7 +244,7 @@ private:
 
 } // namespace
 
-void Scene::lay_textures(int threads)
+void Scene::compute_textured_reflectances(int threads)
 {
     if (file_->textures.empty())
         return;
@@ -273,7 +279,7 @@ Rgb Scene::reflectance_at(std::uint32_t surface, double u, double v) const
     return material.texture_scale * (frame.known ? texture.at(frame.at(u, v)) : texture.mean());
 }
 
-void Scene::let_the_sun_in(int threads)
+void Scene::compute_sunlight(int threads)
 {
     if (!file_->sun)
         return;
@@ -297,7 +303,7 @@ Rgb Scene::sunlight(std::uint32_t surface, Vec3 point, Vec3 normal) const
 {
     const double cosine = file_->sun ? dot(normal, file_->sun->direction) : 0.0;
     const bool of_sky = surface != Intersector::no_surface && is_sky(surface);
-    if (!(cosine > 0.0) || of_sky || SunRays(*this).arriving(surface, {point}) == 0)
+    if (!(cosine > 0.0) || of_sky || SunRays(*this).count_sunlit(surface, {point}) == 0)
         return {};
     return cosine * file_->sun->irradiance;
 }
@@ -311,12 +317,12 @@ Bounds Scene::own_bounds() const
 Scene Scene::refined(const std::vector<std::uint8_t>& levels, int threads) const
 {
     Scene result = *this;
-    std::size_t first = 0; // of the surface
+    std::size_t first = 0; // leaf of the surface
     for (Tessellation& tessellation : result.tessellations_) {
         tessellation.trees = nullptr;
         const std::uint64_t cells = tessellation.cell_count();
         std::size_t end = first;
-        // A leaf of level l is one of 4^l parts of a cell.
+        // A leaf of level l covers 4^-l of a cell; the leaves of this surface are those that cover all its cells.
         double covered = 0.0;
         bool whole = true;
         for (; end < levels.size() && covered < static_cast<double>(cells); ++end) {
@@ -330,8 +336,8 @@ Scene Scene::refined(const std::vector<std::uint8_t>& levels, int threads) const
     if (first != levels.size())
         throw std::invalid_argument("levels of more patches than the scene has");
     result.number_cells();
-    result.lay_textures(threads);
-    result.let_the_sun_in(threads);
+    result.compute_textured_reflectances(threads);
+    result.compute_sunlight(threads);
     return result;
 }
 

@@ -9,12 +9,12 @@
 
 namespace multipath {
 
-/// Scenes put together in memory, without files. As in files, the front of a surface is the side from which its corners
-/// run counter-clockwise, that to which edge_u x edge_v points.
+/// Builds a scene in memory, without files. As in files, the front of a surface is the side from which its corners run
+/// counter-clockwise; edge_u x edge_v points to that side.
 class SceneBuilder
 {
 public:
-    /// Number of a new material.
+    /// Adds a material and returns its index.
     std::uint32_t material(Rgb reflectance, Rgb emittance)
     {
         return material("material" + std::to_string(file_.materials.size()), reflectance, emittance);
@@ -46,8 +46,8 @@ public:
         return surface({Shape::triangle, a, b - a, c - a}, material);
     }
 
-    /// The six walls of a room seen from inside, each with its material: floor, ceiling (y), x low, x high, z low, z
-    /// high.
+    /// The six walls of a room, facing inward. Order of their materials: floor, ceiling (y is up), low x, high x, low
+    /// z, high z.
     SceneBuilder& room(Vec3 low, Vec3 high, const std::vector<std::uint32_t>& materials)
     {
         const Vec3 d = high - low;
@@ -66,7 +66,7 @@ public:
         return room(low, high, std::vector<std::uint32_t>(6, material));
     }
 
-    /// The six faces of a box seen from outside, in the order of room().
+    /// The six faces of a box, facing outward, in the order of room().
     SceneBuilder& box(Vec3 low, Vec3 high, std::uint32_t material)
     {
         const std::size_t first = file_.surfaces.size();

@@ -1,3 +1,9 @@
+// The cells of a parallelogram are numbered column by column: cell i * cells_v + j is j-th in column i along u. The
+// lines u = i/n, v = j/n and u + v = k/n divide a triangle into n^2 similar triangles. Column i of them has 2 (n - i) -
+// 1 cells, alternately the lower half of a grid square, with its origin at (i, j), and the upper half, which is upside
+// down, with its origin at (i + 1, j + 1). Both kinds of cell divide into four similar ones, so one quadtree serves
+// both shapes.
+
 #include "scene/tessellation.h"
 
 #include "geometry/elementary.h"
@@ -15,7 +21,8 @@ namespace {
 
 constexpr double cell_limit = 2147483648.0; // 2^31: patch numbers are 32 bits wide
 
-/// Edges that are a multiple of the patch size but for rounding in the file must not get one cell more.
+/// Number of cells along an edge. An edge that is a multiple of the patch size, except for rounding in the file, must
+/// not get an additional cell.
 double cells_along(double edge, double patch_size)
 {
     return std::max(1.0, std::ceil(edge / patch_size - 1e-6));
@@ -23,8 +30,8 @@ double cells_along(double edge, double patch_size)
 
 } // namespace
 
-/// The column and row of a cell of a grid; for triangles with which half of the square it is.
-struct CellTrees::Place
+/// A cell of a grid: its column and row, and for triangles its half of the grid square.
+struct CellTrees::GridCell
 {
     std::uint32_t i;
     std::uint32_t j;
@@ -37,8 +44,9 @@ struct CellTrees::Place
         return static_cast<std::uint32_t>(Tessellation::cells_before_column(i, grid.cells_u)) + 2 * j + (upper ? 1 : 0);
     }
 
-    /// Those of a triangle: at its origin, in its middle, at its corner along v and along u.
-    std::array<Place, 4> parts(Shape shape) const
+    /// The four cells that it divides into. Those of a triangle lie at its origin, in its middle, at the end of its
+    /// edge_v and at the end of its edge_u.
+    std::array<GridCell, 4> parts(Shape shape) const
     {
         const std::uint32_t a = 2 * i;
         const std::uint32_t b = 2 * j;
@@ -80,21 +88,22 @@ public:
 private:
     [[noreturn]] static void refuse() { throw std::invalid_argument("levels that are no quadtrees"); }
 
-    void add(Place place, std::uint8_t level, std::size_t node)
+    /// Adds the subtree of a cell, whose root is nodes_[node].
+    void add(GridCell cell, std::uint8_t level, std::size_t node)
     {
         const std::size_t leaf = trees_.leaves_.size();
         if (leaf >= count_ || levels_[leaf] < level)
             refuse();
         if (levels_[leaf] == level) {
             trees_.nodes_[node] = static_cast<std::uint32_t>(leaf);
-            trees_.leaves_.push_back({place.number(grid_.uniform(level)), level});
+            trees_.leaves_.push_back({cell.number(grid_.uniform(level)), level});
             return;
         }
         const std::size_t first = trees_.nodes_.size();
         trees_.nodes_.resize(first + 4);
         trees_.nodes_[node] = inner | static_cast<std::uint32_t>(first);
         std::size_t part = first;
-        for (const Place& quarter : place.parts(grid_.shape))
+        for (const GridCell& quarter : cell.parts(grid_.shape))
             add(quarter, static_cast<std::uint8_t>(level + 1), part++);
     }
 
@@ -140,9 +149,9 @@ CellCorners Tessellation::uniform_corners(std::uint32_t cell) const
         --i;
     while (i + 1 < cells_u && cells_before_column(i + 1, cells_u) <= cell)
         ++i;
-    const auto place = static_cast<std::uint32_t>(cell - cells_before_column(i, cells_u));
-    const std::uint32_t j = place / 2;
-    if (place % 2 == 0)
+    const auto in_column = static_cast<std::uint32_t>(cell - cells_before_column(i, cells_u));
+    const std::uint32_t j = in_column / 2;
+    if (in_column % 2 == 0)
         return {{{{i, j}, {i + 1, j}, {i, j + 1}, {}}}, 3};
     return {{{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}, {}}}, 3};
 }
@@ -203,7 +212,7 @@ double cell_count(const SurfaceList& surfaces, double patch_size)
 
 namespace {
 
-/// 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: number k of these sizes, 10 to a decade.
+/// The k-th round number, ten to a decade: 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten.
 double round_size(int k)
 {
     constexpr std::array<double, 10> mantissas = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
@@ -220,7 +229,7 @@ double total_area(const SurfaceList& surfaces)
     return area;
 }
 
-/// Every surface has at least one.
+/// True if this patch size gives more than `count` cells. Every surface has at least one.
 bool has_more_cells(const SurfaceList& surfaces, double patch_size, std::uint64_t count)
 {
     return surfaces.size() > count || cell_count(surfaces, patch_size) > static_cast<double>(count);
@@ -234,11 +243,11 @@ double default_patch_size(const SurfaceList& surfaces)
     int k = 10 * static_cast<int>(std::floor(elementary::log10(wanted)));
     while (round_size(k + 1) <= wanted)
         ++k;
-    // Long or many triangles give more cells than their area says.
+    // Long or numerous triangles give more cells than their area suggests.
     constexpr std::uint64_t most = 4000;
     while (round_size(k + 1) <= 3.0 * wanted && has_more_cells(surfaces, round_size(k), most))
         ++k;
-    // Slivers by the thousand are left almost whole.
+    // Thousands of slivers are hardly divided at all.
     const std::uint64_t bearable = (1u << 17) + 8 * surfaces.size();
     while (has_more_cells(surfaces, round_size(k), bearable))
         ++k;
@@ -247,7 +256,7 @@ double default_patch_size(const SurfaceList& surfaces)
 
 double patch_size_for_count(const SurfaceList& surfaces, std::uint64_t wanted)
 {
-    // The count falls with the size: bisection between squares of half the mean area, or less, and no cut at all.
+    // The count falls with the size: bisection between cells of a quarter of the mean area and no division at all.
     double too_small = 0.5 * std::sqrt(total_area(surfaces) / static_cast<double>(wanted));
     double enough = bounds_of(surfaces).diagonal();
     for (int step = 0; step < 50 && enough > too_small; ++step) {

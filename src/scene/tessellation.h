@@ -11,14 +11,14 @@
 
 namespace multipath {
 
-/// A point of the grid that cuts a surface: the i-th of cells_u steps along u, the j-th of cells_v along v.
+/// A point of the grid on a surface: i of cells_u steps along u, j of cells_v steps along v.
 struct GridPoint
 {
     std::uint32_t i = 0;
     std::uint32_t j = 0;
 };
 
-/// The corners of a cell in turn, counter-clockwise on the front, from its origin along its edge_u.
+/// The corners of a cell, counter-clockwise seen from the front: its origin, the end of its edge_u, and so on.
 struct CellCorners
 {
     std::array<GridPoint, 4> points;
@@ -30,26 +30,27 @@ struct CellCorners
 
 struct Tessellation;
 
-/// Quadtrees (Samet 1984) in the cells of a grid: a cell may be cut into four similar ones of equal area, and these
-/// again. The leaves are numbered cell by cell, and within each cell depth first.
+/// One quadtree (Samet 1984) per cell of a grid: a cell is divided into four similar cells of equal area, recursively.
+/// The leaves are numbered cell by cell, and depth first within a cell.
 class CellTrees
 {
 public:
     static constexpr std::uint8_t deepest = 12;
 
-    /// levels: of the leaves in their order, 0 for a whole cell of the grid.
-    /// Throws std::invalid_argument if they do not form whole trees, or exceed `deepest` or 2^31 cells of that level.
+    /// `levels`: level of each leaf in this order; 0 for a cell of the grid that is not divided. Throws
+    /// std::invalid_argument if the levels do not form complete trees or do not fit the grid (see fit()).
     CellTrees(const Tessellation& grid, const std::uint8_t* levels, std::size_t count);
 
-    /// True if the cells of a grid can be cut to this level.
+    /// True if the cells of the grid can be divided to this level: it is at most `deepest`, and the grid would have
+    /// fewer than 2^31 cells of that level.
     static bool fit(const Tessellation& grid, std::uint8_t level);
 
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::uint8_t depth() const { return depth_; } ///< highest level
     std::uint8_t level(std::uint32_t leaf) const { return leaves_[leaf].level; }
-    /// The number of the leaf as a cell of the grid that is `level` times finer by two.
+    /// The index of the leaf in the grid whose cells all have its level, Tessellation::uniform().
     std::uint32_t cell_of_level(std::uint32_t leaf) const { return leaves_[leaf].cell; }
-    /// The leaf at a place (x, y) of a cell, in units of its edges from its origin.
+    /// The leaf at the point (x, y) of a cell of the grid, in units of the cell's edges from its origin.
     std::uint32_t leaf_at(std::uint32_t cell, double x, double y) const;
 
 private:
@@ -58,42 +59,42 @@ private:
         std::uint32_t cell;
         std::uint8_t level;
     };
-    struct Place;
+    struct GridCell;
     class Builder;
     static constexpr std::uint32_t inner = 0x80000000u;
 
     Shape shape_;
     std::uint8_t depth_ = 0;
-    /// First of the cells of the grid, then of the parts of each cut cell, four by four: the number of a leaf, or
-    /// `inner` and where the parts are.
+    /// The cells of the grid, then the parts of each divided cell, in groups of four. A node is the index of a leaf, or
+    /// `inner` | index of its first part.
     std::vector<std::uint32_t> nodes_;
     std::vector<Leaf> leaves_;
 };
 
-/// How one surface is cut into patches: a parallelogram into cells_u x cells_v equal parallelograms, a triangle into
-/// cells_u^2 triangles similar to it (cells_v = cells_u). Where there are trees, their leaves are the cells. Cell
-/// numbers follow from (u, v) in constant time, or in the depth of the tree.
+/// The subdivision of a surface into cells: of a parallelogram into cells_u x cells_v equal parallelograms, of a
+/// triangle into cells_u^2 triangles similar to it (cells_v = cells_u). With trees, their leaves are the cells. The
+/// cell at (u, v) is found in constant time, or in time proportional to the depth of its tree.
 struct Tessellation
 {
     Shape shape = Shape::parallelogram;
     std::uint32_t cells_u = 1;
     std::uint32_t cells_v = 1;
-    std::shared_ptr<const CellTrees> trees; ///< none if all cells are whole
+    std::shared_ptr<const CellTrees> trees; ///< null if no cell of the grid is divided
 
     std::uint64_t cell_count() const { return trees ? trees->leaf_count() : std::uint64_t{cells_u} * cells_v; }
-    /// The cell that holds (u, v); values a rounding error outside the surface count as on its border.
+    /// The cell that contains (u, v). A point outside the surface by rounding belongs to a cell at the border.
     std::uint32_t cell_at(double u, double v) const;
     std::uint8_t level(std::uint32_t cell) const { return trees ? trees->level(cell) : std::uint8_t{0}; }
-    /// Points of the grid of the smallest cells, which has grid_u() steps along u and grid_v() along v.
+    /// Corners in the grid of the smallest cells, which has grid_u() steps along u and grid_v() along v.
     CellCorners corners(std::uint32_t cell) const;
     std::uint32_t grid_u() const { return cells_u << depth(); }
     std::uint32_t grid_v() const { return cells_v << depth(); }
-    /// The cell as a surface of its own. Cells of one level have the same area, a quarter of that of the level before.
+    /// The cell as a surface. All cells of one level have the same area, a quarter of that of the level above.
     Surface cell(const Surface& surface, std::uint32_t cell) const;
-    /// The whole cells, each cut into 4^level.
+    /// The grid with each of its cells divided into 4^level, without trees.
     Tessellation uniform(std::uint8_t level) const { return {shape, cells_u << level, cells_v << level, nullptr}; }
 
-    /// Number of cells in the columns of a triangle before column i of n, each of which holds 2 (n - i) - 1.
+    /// Number of cells of a triangle in the columns before column i of n; column i has 2 (n - i) - 1 cells.
     static std::uint64_t cells_before_column(std::uint64_t i, std::uint64_t n) { return i * (2 * n - i); }
 
 private:
@@ -101,12 +102,12 @@ private:
     CellCorners uniform_corners(std::uint32_t cell) const;
     static std::uint32_t cell_index(double x, std::uint32_t cells)
     {
-        const double place = x * cells;
-        return place <= 0.0 ? 0 : std::min(static_cast<std::uint32_t>(place), cells - 1);
+        const double position = x * cells;
+        return position <= 0.0 ? 0 : std::min(static_cast<std::uint32_t>(position), cells - 1);
     }
 };
 
-// Inline: asked for every crossing of a line.
+// Inline: called for every intersection of a line.
 inline std::uint32_t Tessellation::cell_at(double u, double v) const
 {
     const std::uint32_t i = cell_index(u, cells_u);
@@ -139,7 +140,7 @@ inline std::uint32_t CellTrees::leaf_at(std::uint32_t cell, double x, double y) 
             x -= x >= 1.0 ? 1.0 : 0.0;
             y -= y >= 1.0 ? 1.0 : 0.0;
         } else {
-            part = 1; // the middle of a triangle, upside down
+            part = 1; // the middle one of a triangle, which is upside down
             x = 1.0 - x;
             y = 1.0 - y;
         }
@@ -148,19 +149,20 @@ inline std::uint32_t CellTrees::leaf_at(std::uint32_t cell, double x, double y) 
     return node;
 }
 
-/// Cells along an edge = ceil(edge / patch_size), at least one; a triangle is cut by its longest edge.
-/// Throws SettingsError when a surface would get 2^31 cells or more.
+/// Divides a surface into a grid with ceil(edge / patch_size) cells along an edge, at least one; the longest edge of a
+/// triangle counts. Throws SettingsError if the surface would get 2^31 cells or more.
 Tessellation tessellate(const Surface& surface, double patch_size);
 
-/// How many cells all surfaces get; a real number, since a small patch size gives more than an integer holds.
+/// The total number of cells of all surfaces; a real number, since a small patch size gives more than an integer holds.
 double cell_count(const SurfaceList& surfaces, double patch_size);
 
-/// A patch size [scene units] that gives a few thousand patches: the largest round number not above sqrt(A / 2500), or
-/// up to 2.5 times as much if it takes that to stay below 4000 patches.
+/// A patch size [scene units] that gives a few thousand patches: the largest round number up to sqrt(A / 2500), or up
+/// to three times that root if needed for at most 4000 patches. It is larger still only if there would be more than
+/// 2^17 patches plus 8 per surface.
 double default_patch_size(const SurfaceList& surfaces);
 
-/// The patch size [scene units] that cuts the surfaces into a number of patches close to `wanted`, never above it
-/// unless the surfaces alone are more.
+/// The patch size [scene units] that gives a number of patches close to `wanted` and at most `wanted`, unless there are
+/// more surfaces than that.
 double patch_size_for_count(const SurfaceList& surfaces, std::uint64_t wanted);
 
 } // namespace multipath

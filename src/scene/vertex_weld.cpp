@@ -1,3 +1,7 @@
+// A hash table with open addressing and linear probing, keyed by the bits of the coordinates. It is larger than the
+// caches for large meshes, so its slots are prefetched, and an entry holds some bits of the hash to avoid reading the
+// coordinates of other vertices.
+
 #include "scene/vertex_weld.h"
 
 #include "parallel/memory.h"
@@ -9,7 +13,8 @@ namespace multipath {
 
 namespace {
 
-/// A file made to collide everywhere must not make us slow: past this many steps a vertex stands for itself.
+/// Limit of probing, so that a file made to cause collisions cannot slow the program down: after this many steps a
+/// vertex becomes its own representative.
 constexpr int most_steps = 64;
 
 std::uint64_t bits_of(double coordinate)
@@ -29,14 +34,15 @@ std::uint64_t hash_of(Vec3 p)
 
 LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices)
 {
-    std::size_t table_size = 16; // a power of two, less than half full
+    std::size_t table_size = 16; // a power of two; the table stays less than half full
     while (table_size <= 2 * vertices.size())
         table_size *= 2;
     const std::size_t slot_mask = table_size - 1;
 
-    // An entry is a vertex, and above the bits of its number some of its hash: another vertex is then hardly ever read.
+    // An entry is the index of a vertex and, in the bits above it, part of its hash, so that vertices with another hash
+    // are rarely read.
     const std::uint64_t number_mask = table_size / 2 - 1;
-    constexpr std::uint32_t empty = 0xffffffffu; // a number that no vertex has
+    constexpr std::uint32_t empty = 0xffffffffu; // an index that no vertex has
     LargeVector<std::uint32_t> table(table_size, empty);
     const auto entry_of = [&](std::uint64_t hash, std::uint32_t i) {
         return static_cast<std::uint32_t>((hash >> 32 & ~number_mask) | i);
@@ -44,7 +50,7 @@ LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices)
 
     LargeVector<std::uint32_t> representative(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-        constexpr std::size_t ahead = 16; // the table is larger than the caches
+        constexpr std::size_t ahead = 16; // prefetch distance
         if (i + ahead < vertices.size())
             prefetch(&table[hash_of(vertices[i + ahead]) & slot_mask]);
         representative[i] = i;

@@ -8,8 +8,8 @@
 
 namespace multipath {
 
-/// For every vertex one that stands for all vertices at exactly the same position. Exporters repeat a vertex per face
-/// or per object; edges shared by faces are found by these numbers. Linear time.
+/// Maps every vertex to a representative of all vertices at exactly the same position. Exporters repeat a vertex per
+/// face or per object; with these indices, faces that share an edge are found. Linear time.
 LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices);
 
 } // namespace multipath

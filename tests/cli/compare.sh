@@ -40,7 +40,7 @@ foreign() {
     ends 0 compare errors.csv b-one.csv && says out "they explain it" && ends 0 compare a-half.csv b-one.csv && says out "they explain it" || return
     printf 'patch,radiosity\n0,10\n' >short.csv && ends 1 compare short.csv b.csv && says err "short.csv:1: 1 patches, expected 2 as in b.csv" &&
         ends 1 compare b.csv grey.csv && says err "grey.csv:1: no column" &&
-        printf 'patch,radiosity\n1,10\n0,3\n' >order.csv && ends 1 compare order.csv b.csv && says err "patches count from 0" &&
+        printf 'patch,radiosity\n1,10\n0,3\n' >order.csv && ends 1 compare order.csv b.csv && says err "patches are numbered from 0" &&
         printf 'patch,radiosity\n0,nan\n1,3\n' >nan.csv && ends 1 compare nan.csv b.csv && says err "nan.csv:2" &&
         printf 'patch,b\n0,1\n1,3\n' >none-named.csv && ends 1 compare none-named.csv b.csv && says err "radiosity_r"
 }

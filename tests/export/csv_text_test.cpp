@@ -70,7 +70,7 @@ TEST_CASE("columns are found by name, and their fields read as numbers")
     CHECK(table.find_column("b") == 1);
     CHECK_FALSE(table.find_column("B"));
     CHECK(table.column("c") == 2);
-    CHECK(problem_of([&] { table.column("d"); }) == "a.csv:2: no column `d`, expected one of that name");
+    CHECK(problem_of([&] { table.column("d"); }) == "a.csv:2: no column `d`, expected a column of that name");
     CHECK(table.number(table.rows[0], 0) == 0.1);
     CHECK(table.number(table.rows[0], 1) == -2000.0);
     const auto problem_at = [&](std::size_t row, std::size_t column) {
@@ -78,15 +78,15 @@ TEST_CASE("columns are found by name, and their fields read as numbers")
     };
     CHECK(problem_at(0, 2) == "a.csv:3: c: a number is missing");
     CHECK(problem_at(1, 0) == "a.csv:4: a: `nan` is not a finite number");
-    CHECK(problem_at(1, 1) == "a.csv:4: b: `1e999` is too large for a number");
+    CHECK(problem_at(1, 1) == "a.csv:4: b: `1e999` is out of range, expected at most 1.8e308 in magnitude");
     CHECK(problem_at(1, 2) == "a.csv:4: c: `1;5` is not a number");
 }
 
 TEST_CASE("what is no table is refused with the line where it ceases to be one")
 {
-    CHECK(problem("") == "a.csv:1: the file ends here, expected a line with the names of the columns");
+    CHECK(problem("") == "a.csv:1: the file ends here, expected a header with the names of the columns");
     CHECK(problem("# only\n# comments") ==
-          "a.csv:2: the file ends here, expected a line with the names of the columns");
+          "a.csv:2: the file ends here, expected a header with the names of the columns");
     CHECK(problem("# c\n\na\n") == "a.csv:2: empty line, expected the names of the columns");
     CHECK(problem("a,b,a\n") == "a.csv:1: two columns are named `a`, expected different names");
     CHECK(problem("a,b\n1,2\n1,2,3\n") == "a.csv:3: row has 3 fields, expected 2 as in the header");
@@ -99,9 +99,8 @@ TEST_CASE("quotes stand around a whole field or nowhere")
 {
     CHECK(problem("a\nb\"c\"\n") ==
           "a.csv:2: quote inside a field, expected the whole field in quotes and this one doubled");
-    CHECK(problem("a,b\n1,\"c\" \n") ==
-          "a.csv:2: text behind a closing quote, expected a comma or the end of the line");
-    const std::string unclosed = "a quote is opened and never closed, expected another before the end of the file";
+    CHECK(problem("a,b\n1,\"c\" \n") == "a.csv:2: text after a closing quote, expected a comma or the end of the line");
+    const std::string unclosed = "quote without end, expected a closing quote before the end of the file";
     CHECK(problem("a,b\n1,2\n1,\"c\n2,d\n") == "a.csv:3: " + unclosed);
     CHECK(problem("\"") == "a.csv:1: " + unclosed);
     CHECK(problem("a\n\"\"\"") == "a.csv:2: " + unclosed);

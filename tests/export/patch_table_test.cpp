@@ -165,13 +165,13 @@ TEST_CASE("columns are found by their names, in any order, and others are ignore
 
 TEST_CASE("what is no table of patches is refused with its line")
 {
-    CHECK(problem("n,x0,x1\n0,0,0\n") == ":1: no column `patch`, expected one of that name");
-    CHECK(problem("# c\n" + header + ",error_g\n") == ":2: no column `error_r`, expected one of that name");
-    CHECK(problem("# c\n" + header + "\n") == ":2: no row behind the header, expected one per patch");
+    CHECK(problem("n,x0,x1\n0,0,0\n") == ":1: no column `patch`, expected a column of that name");
+    CHECK(problem("# c\n" + header + ",error_g\n") == ":2: no column `error_r`, expected a column of that name");
+    CHECK(problem("# c\n" + header + "\n") == ":2: no rows after the header, expected one per patch");
     CHECK(problem(header + "\n0,0,a,0,0,0,1,1,1,1\n2,0,a,0,0,0,1,1,1,1\n") ==
-          ":3: patch is `2`, expected 1, since patches count from 0");
+          ":3: patch is `2`, expected 1, since patches are numbered from 0");
     CHECK(problem(header + "\n0.0,0,a,0,0,0,1,1,1,1\n") ==
-          ":2: patch is `0.0`, expected 0, since patches count from 0");
+          ":2: patch is `0.0`, expected 0, since patches are numbered from 0");
     for (const char* surface : {"-1", "1.5", "", "4294967296", "1 "})
         CHECK(problem(header + "\n0," + surface + ",a,0,0,0,1,1,1,1\n") ==
               ":2: surface is `" + std::string(surface) + "`, expected the number of a surface");

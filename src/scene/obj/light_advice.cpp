@@ -1,3 +1,6 @@
+// Advice for scenes without light. Candidates for lamps are found by words in their names and by area. How much of the
+// light of a candidate, a sky or a sun would arrive is estimated with up to 32,768 rays each: enough to rank them.
+
 #include "scene/obj/light_advice.h"
 
 #include "geometry/intersector/hit_lists.h"
@@ -27,13 +30,13 @@ std::string lower_case(std::string text)
     return text;
 }
 
-/// As --lamp and results call it.
+/// The name of a material in --lamp and in results.
 std::string name_of_material(const ObjName& material)
 {
     return material.name.empty() ? "default" : material.name;
 }
 
-/// [m^2] Of the surfaces of each material or group.
+/// [m^2] The total area of each material or group; `numbers` holds that of each surface.
 std::vector<double> areas_of(const SceneFile& scene, const std::vector<std::uint32_t>& numbers, std::size_t count)
 {
     std::vector<double> areas(count);
@@ -42,10 +45,10 @@ std::vector<double> areas_of(const SceneFile& scene, const std::vector<std::uint
     return areas;
 }
 
-/// Materials and objects that are called as lamps or windows are, the most likely first.
-std::vector<LampCandidate> called_lamps(const ObjMesh& mesh, const SceneFile& scene)
+/// Materials and objects whose names suggest lamps or windows, the most likely first.
+std::vector<LampCandidate> candidates_by_name(const ObjMesh& mesh, const SceneFile& scene)
 {
-    // Lamps first, then what daylight comes through, in some languages of public models.
+    // Words for lamps first, then for windows, in languages that occur in public models.
     constexpr std::array<std::string_view, 32> words = {
         "lamp",    "light",   "bulb",     "emit",   "emis", "lumi",   "neon",   "fluo",
         "glow",    "led_",    "licht",    "leucht", "luce", "luz",    "svjetl", "svetl",
@@ -53,7 +56,7 @@ std::vector<LampCandidate> called_lamps(const ObjMesh& mesh, const SceneFile& sc
         "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
     const std::vector<double> of_materials = areas_of(scene, scene.material, mesh.materials.size());
     const std::vector<double> of_groups = areas_of(scene, scene.group, mesh.groups.size());
-    std::vector<std::string> materials; // --lamp takes a name for that of a material first
+    std::vector<std::string> materials; // --lamp prefers a material of the name
     for (const ObjName& material : mesh.materials)
         materials.push_back(name_of_material(material));
     std::vector<LampCandidate> result;
@@ -74,8 +77,8 @@ std::vector<LampCandidate> called_lamps(const ObjMesh& mesh, const SceneFile& sc
     return result;
 }
 
-/// All materials, the largest first.
-std::vector<LampCandidate> large_materials(const ObjMesh& mesh, const SceneFile& scene)
+/// All materials that have area, the largest first.
+std::vector<LampCandidate> candidates_by_area(const ObjMesh& mesh, const SceneFile& scene)
 {
     const std::vector<double> areas = areas_of(scene, scene.material, mesh.materials.size());
     std::vector<LampCandidate> result;
@@ -87,11 +90,11 @@ std::vector<LampCandidate> large_materials(const ObjMesh& mesh, const SceneFile&
     return result;
 }
 
-/// Rays that leave the fronts of some surfaces, about as diffuse light does, or all to one side.
+/// Rays from the fronts of some surfaces, with an approximately cosine-weighted distribution, or all in one direction.
 class Rays
 {
 public:
-    /// From those for which `from` is true.
+    /// Rays from the surfaces for which `from` is true.
     template <class Condition>
     Rays(const SurfaceList& surfaces, Condition from, std::optional<Vec3> direction = std::nullopt)
     {
@@ -112,7 +115,8 @@ public:
             for (std::size_t ray = 0; ray < rays_per_surface; ++ray) {
                 const double u = next();
                 const double v = next() * (surface.shape == Shape::triangle ? 1.0 - u : 1.0);
-                // The normal and a point of the sphere around its end: Lambert's cosine law.
+                // The normal plus a point of the unit sphere: a cosine-weighted direction if that point is uniform. It
+                // is not quite, since x is uniform instead of the azimuth: cheaper, and good enough here.
                 const double z = 2.0 * next() - 1.0;
                 const double x = 2.0 * next() - 1.0;
                 const double y = (next() < 0.5 ? -1.0 : 1.0) * std::sqrt(std::max(0.0, 1.0 - x * x));
@@ -124,7 +128,7 @@ public:
         }
     }
 
-    /// The share of the light whose rays have a hit, or none, as wanted.
+    /// The share of the light whose rays satisfy a condition on their first hit (null without a hit).
     template <class Condition>
     double share(const Intersector& intersector, Condition wanted)
     {
@@ -145,7 +149,8 @@ private:
     FirstHits hits_;
 };
 
-/// [1] Of the light of a lamp the share that arrives on fronts of others, walls that look outward turned over.
+/// [1] The share of a lamp's light that reaches fronts of other surfaces, after walls that face outward were turned
+/// over.
 double lit_share(const SceneFile& scene, const LampCandidate& lamp)
 {
     SceneFile lit;
@@ -162,7 +167,7 @@ double lit_share(const SceneFile& scene, const LampCandidate& lamp)
                [&](const Hit* hit) { return hit && hit->front && lit.material[hit->surface] == 0; });
 }
 
-/// [1] Of the light of fronts the share that leaves the scene.
+/// [1] The share of light from all fronts that leaves the scene; by reciprocity, how much of a sky they see.
 double open_share(const SceneFile& scene, const Intersector& intersector)
 {
     return Rays(scene.surfaces, [](std::uint32_t) { return true; }).share(intersector, [](const Hit* hit) {
@@ -170,10 +175,10 @@ double open_share(const SceneFile& scene, const Intersector& intersector)
     });
 }
 
-/// [m^2] Of fronts, as seen from the sun, that it reaches.
+/// [m^2] The sunlit area of fronts, projected along the direction of the sun.
 double sunlit_area(const SceneFile& scene, const Intersector& intersector, Vec3 towards_sun)
 {
-    double turned = 0.0; // to the sun, if nothing stood before it
+    double turned = 0.0; // the same without shadows
     for (const Surface& surface : scene.surfaces)
         turned += surface.area() * std::max(0.0, dot(surface.normal(), towards_sun));
     const auto faces_sun = [&](std::uint32_t s) { return dot(scene.surfaces[s].normal(), towards_sun) > 0.0; };
@@ -204,15 +209,15 @@ std::string sun_option()
 
 LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene)
 {
-    return {called_lamps(mesh, scene), large_materials(mesh, scene)};
+    return {candidates_by_name(mesh, scene), candidates_by_area(mesh, scene)};
 }
 
 LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& scene)
 {
     constexpr double enough = 0.05;
-    constexpr std::size_t most_tried = 4; // each needs a tree of its own
+    constexpr std::size_t most_tried = 4; // each needs an intersector of its own
     LightAdvice result;
-    for (const LampCandidate& candidate : candidates.called)
+    for (const LampCandidate& candidate : candidates.by_name)
         result.others.push_back(candidate.name);
     const auto take_best_of = [&](std::vector<LampCandidate> tried) {
         tried.resize(std::min(tried.size(), most_tried));
@@ -227,7 +232,7 @@ LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& sce
                 break;
         }
     };
-    take_best_of(candidates.called);
+    take_best_of(candidates.by_name);
     if (result.lit_share < enough) {
         const double open = open_share(scene, Intersector(scene.surfaces));
         if (open < enough)
@@ -244,7 +249,7 @@ LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& sce
 std::vector<LightYield> light_yields(const LampCandidates& candidates, const SceneFile& scene)
 {
     constexpr std::size_t most_lamps = 12;
-    std::vector<LampCandidate> lamps = candidates.called;
+    std::vector<LampCandidate> lamps = candidates.by_name;
     for (const LampCandidate& material : candidates.materials)
         if (std::none_of(lamps.begin(), lamps.end(), [&](const LampCandidate& c) { return c.name == material.name; }))
             lamps.push_back(material);

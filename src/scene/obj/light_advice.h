@@ -12,57 +12,57 @@
 
 namespace multipath {
 
-/// A material or object that may become a lamp.
+/// A material or object that could be made a lamp.
 struct LampCandidate
 {
     std::string name;
     bool is_group;
-    std::uint32_t number; ///< in the mesh
+    std::uint32_t number; ///< index into the materials or groups of the mesh
     double area;          ///< [m^2]
 };
 
-/// Those that are called as lamps or windows are, the most likely first, and all materials, the largest first.
+/// Candidates whose names suggest lamps or windows, the most likely first, and all materials, the largest first.
 struct LampCandidates
 {
-    std::vector<LampCandidate> called;
+    std::vector<LampCandidate> by_name;
     std::vector<LampCandidate> materials;
 };
 
-/// `scene`, here and below: the same faces as surfaces, with the numbers of the mesh's materials and groups.
+/// Here and below, `scene` holds the faces of the mesh as surfaces, with the mesh's indices of materials and groups.
 LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene);
 
 constexpr double advised_emittance = 10.0; ///< [W/m^2] of lamps and sky
 
-/// Options for a command line, with a space before each. The sun stands in the south-east.
+/// Options for a command line, each preceded by a space. The sun stands in the south-south-east.
 std::string lamp_option(const std::string& name);
 std::string sky_option();
 std::string sun_option();
 
-/// What gives light to a scene that has none.
+/// A proposal how to light a scene that has no light.
 struct LightAdvice
 {
-    std::string lamp;                ///< material or object to become one; empty: better a sky
+    std::string lamp;                ///< material or object to make a lamp; empty: use a sky
     double lamp_area = 0.0;          ///< [m^2] of its surfaces
-    std::vector<std::string> others; ///< other likely lamps
-    double lit_share = 0.0;          ///< [1] of the light of that lamp or sky that arrives on a front, about
+    std::vector<std::string> others; ///< other candidates by name
+    double lit_share = 0.0;          ///< [1] estimate: share of the light of this lamp or sky that reaches a front
 };
 
-/// Prefers what is called as lamps or windows are, unless its light would reach nothing; then a sky, if fronts see out;
-/// then the material of the largest area that lights others.
+/// Prefers a candidate by name, then a sky if fronts see out of the scene, then one of the largest materials. A choice
+/// is good enough if 5 % of its light reaches a front; if none is, the best of those tried counts.
 LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& scene);
 
-/// An option that lights a scene, and about what it brings.
+/// An option that lights a scene, with estimates of the power.
 struct LightYield
 {
-    std::string option; ///< as a shell takes it
-    double emitted;     ///< [W]; not a number of sky and sun
+    std::string option; ///< quoted for a shell, preceded by a space
+    double emitted;     ///< [W]; NaN for sky and sun
     double arriving;    ///< [W] on fronts, before reflection
 };
 
-/// Of likely lamps, the largest materials, a sky and a sun: about a dozen.
+/// The yields of up to 12 lamps (candidates by name, then the largest materials), a sky and a sun.
 std::vector<LightYield> light_yields(const LampCandidates& candidates, const SceneFile& scene);
 
-/// Nothing emits; the message advises what may.
+/// A scene without emitters; the message proposes one.
 class DarkScene : public InputError
 {
 public:

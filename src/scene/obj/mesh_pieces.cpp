@@ -12,7 +12,7 @@ namespace multipath {
 
 namespace {
 
-/// Corners times reflex corners of one polygon: about a second of ear clipping.
+/// Limit of corners times reflex corners of a polygon: about a second of ear clipping.
 constexpr double largest_clipping_work = 1e8;
 
 double area_of(Vec3 a, Vec3 b, Vec3 c)
@@ -28,7 +28,7 @@ double diameter_of(const std::vector<Vec3>& points)
     return box.diagonal();
 }
 
-/// Many faces with the same flaw make one warning.
+/// Counts the faces with the same flaw, for a single warning.
 struct FlawCount
 {
     std::uint32_t first_line = 0;
@@ -52,7 +52,7 @@ private:
     void cut_polygon(std::uint32_t face);
     void cut_quad(std::uint32_t face);
     void clip(std::uint32_t face, Vec3 area);
-    void pass_over_straight_corners();
+    void skip_straight_corners();
     bool is_straight(std::size_t a, std::size_t b, std::size_t c) const;
     void load_positions();
     void add_triangle(std::uint32_t face, std::size_t a, std::size_t b, std::size_t c);
@@ -68,8 +68,8 @@ private:
     const SceneScale scale_;
     MeshPieces result_;
     FlawCount bent_, crossed_;
-    std::vector<std::size_t> polygon_; ///< corners of the face at work
-    std::vector<Vec3> positions_;      ///< of these
+    std::vector<std::size_t> polygon_; ///< corners of the current face
+    std::vector<Vec3> positions_;      ///< of polygon_
 };
 
 MeshPieces FaceCutter::cut()
@@ -102,7 +102,7 @@ void FaceCutter::cut_face(std::uint32_t face, std::size_t first_corner)
 
 void FaceCutter::cut_polygon(std::uint32_t face)
 {
-    pass_over_straight_corners();
+    skip_straight_corners();
     if (polygon_.size() < 3)
         return;
     if (polygon_.size() == 3) {
@@ -146,7 +146,7 @@ void FaceCutter::clip(std::uint32_t face, Vec3 area)
         static_cast<double>(polygon_.size()) * static_cast<double>(reflex_corner_count(positions_, area));
     if (work > largest_clipping_work)
         refuse({mesh_.path, mesh_.faces[face].line}, "concave polygon of " + std::to_string(polygon_.size()) +
-                                                         " corners, expected at most about 10,000: cut it up");
+                                                         " corners, expected at most about 10,000: divide it");
     const Triangulation cut = clip_ears(positions_, area, scale_.smallest_area());
     if (cut.crosses_itself)
         crossed_.add(mesh_.faces[face].line);
@@ -154,8 +154,8 @@ void FaceCutter::clip(std::uint32_t face, Vec3 area)
         add_triangle(face, polygon_[a], polygon_[b], polygon_[c]);
 }
 
-/// Also drops corners at the same point as their neighbour, and spikes.
-void FaceCutter::pass_over_straight_corners()
+/// Removes corners on a straight side from polygon_; also corners at the same point as a neighbour, and spikes.
+void FaceCutter::skip_straight_corners()
 {
     std::vector<std::size_t>& p = polygon_;
     std::size_t kept = 0;

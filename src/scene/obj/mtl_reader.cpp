@@ -1,3 +1,7 @@
+// An MTL file is a list of statements, one per line. `newmtl` begins a material; the statements after it describe it.
+// Only Kd, Ke (or Ka) and their textures matter for diffuse light; all others are ignored, with a warning that names
+// them.
+
 #include "scene/obj/mtl_reader.h"
 
 #include "scene/text/text_lines.h"
@@ -85,7 +89,7 @@ void MtlParser::statement(const TextLine& line)
         note_opacity(keyword, without_comment(rest));
 }
 
-/// A name defined again starts afresh, in its old place.
+/// Begins a material. A repeated definition replaces the earlier one, at its index.
 void MtlParser::define(const std::string& name, TextPlace place)
 {
     const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
@@ -141,7 +145,7 @@ void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, T
     current.emission_line = place.line;
 }
 
-/// Three numbers, or one for grey.
+/// Parses three numbers, or a single one for grey.
 Rgb MtlParser::colour(std::string_view keyword, std::string_view rest, TextPlace place) const
 {
     const std::string statement = std::string(keyword) + " of material " + in_quotes(name_of_current());
@@ -159,7 +163,7 @@ Rgb MtlParser::colour(std::string_view keyword, std::string_view rest, TextPlace
     return count == 1 ? Rgb{values[0], values[0], values[0]} : Rgb{values[0], values[1], values[2]};
 }
 
-/// Only for a hint when the scene has no light, so anything goes.
+/// Records Ka. It serves only for a hint if the scene has no light, so errors are ignored.
 void MtlParser::note_ambient(std::string_view rest)
 {
     if (!current_)
@@ -169,7 +173,7 @@ void MtlParser::note_ambient(std::string_view rest)
     library_.materials[*current_].ambient = {red, green, to_number(next_word(rest)).value_or(red)};
 }
 
-/// Exporters disagree whether `Tr 1` alone is opaque or invisible, so it says nothing.
+/// Records `d` or `Tr`. Exporters disagree whether `Tr 1` alone means opaque or invisible, so it is ignored.
 void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
 {
     std::string_view word = next_word(rest);
@@ -183,14 +187,15 @@ void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
     library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
 }
 
-/// Options, each a word that begins with "-" and some values, and the name of a file, which may hold blanks.
+/// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
+/// blanks.
 void MtlParser::set_map(std::string_view rest, TextPlace place, TextureMap MtlMaterial::*map)
 {
     if (!current_)
         refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
     TextureMap result;
     result.line = place.line;
-    const auto numbers = [&rest](double& first, double& second) { // up to three, the rest is optional
+    const auto numbers = [&rest](double& first, double& second) { // up to three; the second and third are optional
         std::array<double*, 3> targets = {&first, &second, nullptr};
         for (double* const target : targets) {
             std::string_view after = rest;
@@ -218,7 +223,7 @@ void MtlParser::set_map(std::string_view rest, TextPlace place, TextureMap MtlMa
             else
                 numbers(unused, unused);
         } else if (word.empty() || word[0] == '-' || value.empty()) {
-            break; // a name like an option
+            break; // a file name that looks like an option
         } else {
             result.repeats = option == "-clamp" ? word != "on" : result.repeats;
             rest = value;
@@ -260,7 +265,8 @@ void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibra
     MtlParser(path, emission_from, library).parse();
 }
 
-// "a b.mtl" may be one file or two, and the format does not say which: the longest run of words that is a file counts.
+// "a b.mtl" may mean one file or two, and the format does not say which. The longest sequence of words that names an
+// existing file is taken.
 
 namespace {
 
@@ -279,7 +285,8 @@ bool equal_but_for_case(const std::string& a, const std::string& b)
                       [](char c, char d) { return lower_case(c) == lower_case(d); });
 }
 
-/// The entry of a folder with this name in any case; of several the first by name, whatever the file system's order.
+/// The entry of a folder with this name, or else with this name in another case: the first of them in order of names,
+/// which does not depend on the file system.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
 {
     std::error_code error;
@@ -295,7 +302,7 @@ std::optional<fs::path> find_entry(const fs::path& folder, const std::string& na
     return found;
 }
 
-/// Only regular files: a pipe would wait for ever.
+/// Finds a file relative to a folder, ignoring case. Only regular files count: reading from a pipe could block forever.
 std::optional<std::string> find_file(const fs::path& folder, std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
@@ -313,21 +320,21 @@ std::optional<std::string> find_file(const fs::path& folder, std::string name)
     return fs::is_regular_file(found, error) ? std::optional<std::string>(found.string()) : std::nullopt;
 }
 
-/// Beside the MTL file, by the path that it gives, or, if that is of another machine, by its last name alone, there or
-/// in a folder as modellers use them.
+/// Finds a texture by its path relative to the MTL file or, since that path may be of another machine, by its file name
+/// alone, beside the MTL file or in a folder with a usual name.
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name)
 {
     const fs::path folder = fs::path(mtl_path).parent_path();
     const std::string last = name.substr(std::min(name.size(), name.find_last_of("/\\") + 1));
     if (std::optional<std::string> file = find_file(folder, name))
         return file;
-    for (const char* place : {"", "textures/", "texture/", "maps/", "map/", "images/", "../textures/", "../maps/"})
-        if (std::optional<std::string> file = find_file(folder, place + last))
+    for (const char* subfolder : {"", "textures/", "texture/", "maps/", "map/", "images/", "../textures/", "../maps/"})
+        if (std::optional<std::string> file = find_file(folder, subfolder + last))
             return file;
     return std::nullopt;
 }
 
-/// A word of the argument, or all that stands between two quotes; where it lies in the argument.
+/// A word of an argument, or the text between two quotes: the characters [begin, end) of the argument.
 struct NamePart
 {
     std::size_t begin = 0;

@@ -13,7 +13,7 @@ namespace multipath {
 
 namespace {
 
-/// Tells of each face whether it has a name.
+/// The faces with some name, by their material or group.
 struct NamedFaces
 {
     std::vector<bool> materials; ///< per material of the mesh
@@ -22,12 +22,13 @@ struct NamedFaces
     bool has(const ObjFace& face) const { return materials[face.material] || groups[face.group]; }
 };
 
-/// As results call it.
+/// The name of a material in results.
 std::string name_of_material(const ObjName& material)
 {
     return material.name.empty() ? "default" : material.name;
 }
 
+/// The first names of materials and groups, for a message.
 std::string some_names(const ObjMesh& mesh)
 {
     constexpr std::size_t most = 12;
@@ -45,6 +46,7 @@ std::string some_names(const ObjMesh& mesh)
     return join(names);
 }
 
+/// Throws SettingsError if no material or group has the name, or no face.
 NamedFaces faces_named(const std::string& option, const std::string& name, const ObjMesh& mesh)
 {
     NamedFaces found = {std::vector<bool>(mesh.materials.size()), std::vector<bool>(mesh.groups.size())};
@@ -57,12 +59,12 @@ NamedFaces faces_named(const std::string& option, const std::string& name, const
     if (any || std::find(found.groups.begin(), found.groups.end(), true) != found.groups.end()) {
         if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); }))
             throw SettingsError(mesh.path + ": " + option + ": `" + name +
-                                "` has no face, or none that is not ignored; "
-                                "expected the name of one that has");
+                                "` has no faces, or all of them are ignored; "
+                                "expected a name that has faces");
         return found;
     }
     throw SettingsError(mesh.path + ": " + option + ": no material or object is called `" + name +
-                        "`, expected one of its names: " + some_names(mesh));
+                        "`, expected one of " + some_names(mesh));
 }
 
 void leave_out(const std::string& name, ObjMesh& mesh)
@@ -88,7 +90,7 @@ void leave_out(const std::string& name, ObjMesh& mesh)
     mesh.corner_points.resize(std::min(mesh.corner_points.size(), kept_corners));
     mesh.faces.resize(kept);
     if (mesh.faces.empty())
-        throw SettingsError(mesh.path + ": --ignore: no face is left, expected names that not all faces have");
+        throw SettingsError(mesh.path + ": --ignore: no face is left, expected names that leave some faces");
 }
 
 void add_lamp(const ObjChanges::Lamp& lamp, ObjMesh& mesh, std::vector<LampMaterial>& lamps)
@@ -97,7 +99,7 @@ void add_lamp(const ObjChanges::Lamp& lamp, ObjMesh& mesh, std::vector<LampMater
     for (std::uint32_t k = 0; k < lit.materials.size(); ++k)
         if (lit.materials[k])
             lamps.push_back({k, lamp.emittance, ""});
-    std::map<std::uint32_t, std::uint32_t> own; // for each material of the object
+    std::map<std::uint32_t, std::uint32_t> own; // copy of each material of the object
     for (ObjFace& face : mesh.faces) {
         if (!lit.groups[face.group])
             continue;

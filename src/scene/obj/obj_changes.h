@@ -9,34 +9,35 @@
 
 namespace multipath {
 
-/// What the user makes of a file besides what it says. Names are those of materials; where no material has one, of
-/// objects or groups.
+/// Changes to the contents of a file that the user asks for by options. Names are those of materials or, if no material
+/// has the name, of objects or groups.
 struct ObjChanges
 {
     struct Lamp
     {
         std::string name;
-        Rgb emittance; ///< [W/m^2] instead of its own
+        Rgb emittance; ///< [W/m^2] replaces that of the file
     };
 
     std::vector<Lamp> lamps;
-    std::vector<std::string> ignored; ///< whose faces are left out
-    double reflectance_limit = 1.0;   ///< [1] to which each colour of a reflectance above it is lowered; 1: refused
-    double unit = 1.0;                ///< [m] of the file's coordinates
-    bool lit_from_outside = false;    ///< by a sky or the sun, so that no emitter is needed
-    std::string options = {};         ///< " --ignore glass": of the command line, for commands in messages
+    std::vector<std::string> ignored; ///< names whose faces are left out
+    double reflectance_limit = 1.0;   ///< [1] larger channels are lowered to this; if it is 1, larger ones are refused
+    double unit = 1.0;                ///< [m] unit of the file's coordinates
+    bool lit_from_outside = false;    ///< a sky or sun is added, so no emitter is needed
+    std::string options = {};         ///< as on the command line, " --ignore glass", for commands in messages
 };
 
-/// A material of a mesh that becomes a lamp.
+/// A material of a mesh that is made a lamp.
 struct LampMaterial
 {
     std::uint32_t material; ///< index into ObjMesh::materials
     Rgb emittance;          ///< [W/m^2]
-    std::string object;     ///< whose faces alone have it; empty for a lamp that is named by its material
+    std::string object;     ///< object whose faces have it; empty if the lamp was named by its material
 };
 
-/// Leaves out the faces of what is ignored, and gives those of objects that become lamps materials of their own, of the
-/// same name as before. Throws SettingsError for a name that the mesh does not have, and for a mesh without faces left.
+/// Removes the ignored faces from the mesh. Objects that are made lamps get their own copies of their materials, with
+/// the same names. Returns the materials of lamps. Throws SettingsError for a name that the mesh does not have or that
+/// has no faces, and if no faces are left.
 std::vector<LampMaterial> apply(const ObjChanges& changes, ObjMesh& mesh);
 
 } // namespace multipath

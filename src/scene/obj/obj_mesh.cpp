@@ -1,7 +1,7 @@
-// The OBJ format is a list of statements, a line each. `v` adds a vertex, `f` a polygon by vertex numbers: from 1, or
-// negative and counted back from the vertices read so far. Numbers beyond those are allowed to refer forward, so they
-// are checked when the whole file is read. `vt` adds a texture point, which corners name likewise; one that does not
-// exist is none. Normals say nothing about diffuse light and are skipped.
+// An OBJ file is a list of statements, one per line. `v` adds a vertex, `f` a polygon given by vertex numbers: positive
+// ones count from 1, negative ones back from the last vertex read so far. A number may refer to a later vertex, so
+// numbers are checked after the whole file is read. `vt` adds a texture point; corners refer to it in the same way, but
+// a reference to one that does not exist is ignored. Normals do not matter for diffuse light and are skipped.
 
 #include "scene/obj/obj_mesh.h"
 
@@ -21,13 +21,13 @@ namespace multipath {
 
 namespace {
 
-/// Squares of areas must stay within the range of single precision, in which exchange between patches is kept.
+/// Squares of areas must stay in the range of single precision, in which the exchange between patches is stored.
 constexpr double largest_coordinate = 1e9;
 
-/// Free-form surfaces, and files in files: to skip them would change the scene.
+/// Free-form surfaces and included files: ignoring them would change the scene.
 constexpr std::array<std::string_view, 6> unsupported_keywords = {"surf", "bzp", "bsp", "cdp", "cdc", "call"};
 
-/// Statements that say nothing about what a diffuse surface is: lines and points have no area, curves neither.
+/// Statements that do not affect diffuse surfaces: lines, points and curves have no area.
 constexpr std::array<std::string_view, 30> harmless_keywords = {
     "vn",     "vp",     "s",         "l",          "p",     "mg",    "lod",    "bevel", "c_interp", "d_interp",
     "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech", "cstype", "deg",   "bmat",     "step",
@@ -39,15 +39,15 @@ bool contains(const std::array<std::string_view, size>& words, std::string_view 
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Gives names numbers, in order of appearance.
+/// Numbers names in order of appearance.
 class NameNumbers
 {
 public:
     /// The number of the name, and whether it is new.
     std::pair<std::uint32_t, bool> number_of(const std::string& name)
     {
-        const auto [place, is_new] = numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));
-        return {place->second, is_new};
+        const auto [entry, is_new] = numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));
+        return {entry->second, is_new};
     }
 
 private:
@@ -70,7 +70,7 @@ private:
     void note_texture_point(std::string_view corner);
     void number_names(TextPlace place);
     void library(std::string_view names, const TextPlace& place);
-    void make_room_for_vertices();
+    void reserve_vertices();
     void check_corners() const;
     void check_texture_points();
     void summarise_warnings();
@@ -141,10 +141,10 @@ void ObjParser::named_statement(std::string_view keyword, std::string_view rest,
     }
 }
 
-/// Some exporters repeat the statement for every object.
+/// Adds a `mtllib` statement unless it is a repetition: some exporters repeat it for every object.
 void ObjParser::library(std::string_view names, const TextPlace& place)
 {
-    constexpr std::size_t most_libraries = 256; // the search for files that a bad file may cause must end
+    constexpr std::size_t most_libraries = 256; // limits the search for files that a bad file can cause
     std::vector<ObjName>& known = mesh_.libraries;
     if (std::any_of(known.begin(), known.end(), [&](const ObjName& other) { return other.name == names; }))
         return;
@@ -153,7 +153,7 @@ void ObjParser::library(std::string_view names, const TextPlace& place)
     known.push_back({std::string(names), place.line});
 }
 
-/// x y z, then perhaps a weight (one more number) or a colour (three more).
+/// Adds a vertex: x y z, optionally followed by a weight (one number) or a colour (three).
 void ObjParser::vertex(std::string_view rest, const TextPlace& place)
 {
     std::array<double, 3> x = {};
@@ -163,8 +163,8 @@ void ObjParser::vertex(std::string_view rest, const TextPlace& place)
             refuse(place, "coordinate beyond 1e9, expected a scene of sensible size");
     }
     if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
-        refuse(place, "more than 2^31 vertices do not fit");
-    make_room_for_vertices();
+        refuse(place, "more than 2^31 vertices, expected fewer");
+    reserve_vertices();
     mesh_.vertices.push_back({x[0], x[1], x[2]});
 
     double fourth = 1.0;
@@ -192,9 +192,9 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
     }
     const std::size_t count = mesh_.corners.size() - first;
     if (!line.ended && (count < 3 || last_word.back() == '/'))
-        refuse(line.place, "the file ends in the middle of a face, expected at least three whole corners");
+        refuse(line.place, "the file ends in the middle of a face, expected at least three complete corners");
     if (mesh_.corners.size() > std::numeric_limits<std::uint32_t>::max() / 2)
-        refuse(line.place, "more than 2^31 corners of faces do not fit");
+        refuse(line.place, "more than 2^31 corners of faces, expected fewer");
     if (count < 3) {
         mesh_.corners.resize(first);
         if (!mesh_.corner_points.empty())
@@ -205,7 +205,7 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
     mesh_.faces.push_back({static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_});
 }
 
-/// The vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A number that refers forward is returned unchecked.
+/// The vertex index of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A reference to a later vertex is returned unchecked.
 std::uint32_t ObjParser::corner(std::string_view word, const TextPlace& place) const
 {
     constexpr std::int64_t too_large = std::numeric_limits<std::uint32_t>::max();
@@ -219,30 +219,31 @@ std::uint32_t ObjParser::corner(std::string_view word, const TextPlace& place) c
         (i < word.size() && word[i] != '/'))
         refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
     if (number == 0)
-        refuse(place, "vertex number 0, expected numbers from 1, or negative ones that count back");
+        refuse(place, "vertex number 0, expected a number from 1, or a negative one that counts back");
 
     const std::int64_t vertex_count = static_cast<std::int64_t>(mesh_.vertices.size());
     if (negative && number > vertex_count)
-        refuse(place, "vertex " + in_quotes(word) + " counts back beyond the first vertex, " +
+        refuse(place, "vertex " + in_quotes(word) + " counts back past the first vertex, " +
                           std::to_string(vertex_count) + " are defined before this line");
     if (number >= too_large)
         refuse(place, "vertex number " + in_quotes(word) + " is too large");
     return static_cast<std::uint32_t>(negative ? vertex_count - number : number - 1);
 }
 
-/// s and perhaps t. What is no number, or far away, is taken for 0: it is no reason to refuse a scene.
+/// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e6, counts as 0: it
+/// is no reason to refuse a scene.
 void ObjParser::texture_point(std::string_view rest)
 {
     constexpr double far = 1e6;
-    std::array<double, 2> place = {};
-    for (double& x : place) {
+    std::array<double, 2> st = {};
+    for (double& x : st) {
         x = to_number(next_word(rest)).value_or(0.0);
         x = std::abs(x) <= far ? x : 0.0;
     }
-    mesh_.texture_points.push_back({place[0], place[1]});
+    mesh_.texture_points.push_back({st[0], st[1]});
 }
 
-/// The middle of `v/vt/vn`, of the corner that was added last.
+/// Records the texture point of the corner added last: the middle number of `v/vt/vn`.
 void ObjParser::note_texture_point(std::string_view corner)
 {
     const std::size_t slash = corner.find('/');
@@ -259,6 +260,7 @@ void ObjParser::note_texture_point(std::string_view corner)
     mesh_.corner_points.back() = exists ? static_cast<std::uint32_t>(number) : ObjMesh::no_point;
 }
 
+/// Looks up the indices of the current material and group, which a face is about to use.
 void ObjParser::number_names(TextPlace place)
 {
     names_changed_ = false;
@@ -272,9 +274,9 @@ void ObjParser::number_names(TextPlace place)
     group_number_ = group;
 }
 
-/// A full list of some length gets room for what the rest of the file holds, if that is like what was read: moving
-/// millions of vertices again and again takes time, room that stays empty does not.
-void ObjParser::make_room_for_vertices()
+/// Reserves memory for the vertices of the whole file when the list is full, extrapolating from the share read so far.
+/// Moving millions of vertices repeatedly takes time; reserved memory that stays unused does not.
+void ObjParser::reserve_vertices()
 {
     constexpr std::size_t some = 4096;
     const auto count = static_cast<double>(mesh_.vertices.size());

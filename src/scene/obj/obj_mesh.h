@@ -20,36 +20,36 @@ struct ObjFace
     std::uint32_t group = 0;    ///< index into ObjMesh::groups
 };
 
-/// A name together with the line that first has it.
+/// A name and the line of its first use.
 struct ObjName
 {
     std::string name;
     std::uint32_t line = 0;
 };
 
-/// What an OBJ file says, before its polygons are cut and its materials are looked up.
+/// The contents of an OBJ file, before its polygons are cut and its materials are looked up.
 struct ObjMesh
 {
     static constexpr std::uint32_t no_point = 0xffffffffu;
 
     std::string path;
     LargeVector<Vec3> vertices;
-    LargeVector<std::uint32_t> corners; ///< vertices from 0, all valid, face after face
-    /// Of each corner the number of its texture point, or no_point; empty if no corner has one.
+    LargeVector<std::uint32_t> corners; ///< vertex indices, all valid, face after face
+    /// The index of the texture point of each corner, or no_point; empty if no corner has one.
     LargeVector<std::uint32_t> corner_points;
     LargeVector<TexturePoint> texture_points;
     LargeVector<ObjFace> faces;
-    std::vector<ObjName> materials;        ///< names of `usemtl` that faces use; "" for faces before the first `usemtl`
-    std::vector<std::string> groups;       ///< names of `o` and `g` that faces use, in order of appearance
-    std::vector<ObjName> libraries;        ///< arguments of `mtllib`, not yet cut into names
-    std::size_t faces_without_corners = 0; ///< dropped: one or two vertices
+    std::vector<ObjName> materials;        ///< names in `usemtl` that faces use; "" before the first `usemtl`
+    std::vector<std::string> groups;       ///< names in `o` and `g` that faces use, in order of appearance
+    std::vector<ObjName> libraries;        ///< arguments of `mtllib`, not yet split into names
+    std::size_t faces_without_corners = 0; ///< dropped: fewer than three vertices
     std::vector<std::string> warnings;
-    std::vector<bool> textured = {}; ///< which of the materials have a texture; empty if none is known to
+    std::vector<bool> textured = {}; ///< per material: true if it has a texture; empty before MTL files are read
 
     bool is_textured(const ObjFace& face) const { return !textured.empty() && textured[face.material]; }
 };
 
-/// Throws InputError for everything that is wrong in the text of the file, and for a file without faces.
+/// Parses an OBJ file. Throws InputError for any error in its text, and for a file without faces.
 ObjMesh parse_obj(const std::string& path);
 
 } // namespace multipath

@@ -1,5 +1,6 @@
-// From text to surfaces: parse_obj reads the words of the file, cut_into_pieces makes flat pieces of its polygons,
-// merge_triangles undoes what exporters cut, and the MTL files say what the pieces do with light.
+// From text to surfaces: parse_obj() parses the file, cut_into_pieces() cuts its polygons into triangles and
+// parallelograms, merge_triangles() rejoins rectangles that the exporter cut, and the MTL files give the materials. In
+// the end require_physics() refuses scenes that have no meaningful result, and suggests a command that works.
 
 #include "scene/obj/obj_reader.h"
 
@@ -25,14 +26,14 @@ namespace multipath {
 
 namespace {
 
-constexpr double default_reflectance = 0.5; ///< [1] of what has no material, or one that is not defined
+constexpr double default_reflectance = 0.5; ///< [1] of faces without a defined material
 
 void append(std::vector<std::string>& list, std::vector<std::string> more)
 {
     list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// The material files that a mesh names, each once, and warnings of those that do not exist.
+/// The MTL files that a mesh names, without repetitions, and warnings about missing ones.
 struct Libraries
 {
     std::vector<std::string> files;
@@ -74,12 +75,12 @@ struct UsedMaterials
 {
     std::vector<MtlMaterial> used;          ///< defined, and used by a face
     std::vector<MtlMaterial> unused;        ///< defined only
-    std::vector<std::string> unknown_names; ///< used, but defined nowhere: the default material stands in
-    bool default_used = false;              ///< for these, or for faces without a material
+    std::vector<std::string> unknown_names; ///< used but not defined: replaced by the default material
+    bool default_used = false;              ///< for unknown names, or for faces without a material
     std::vector<std::string> files;         ///< MTL files that were read
 };
 
-/// What the faces of a mesh are made of, by the numbers that they use.
+/// The materials of a mesh, by their indices in the mesh.
 struct MaterialList
 {
     std::vector<Material> materials;
@@ -88,7 +89,7 @@ struct MaterialList
     std::vector<std::string> warnings;
 };
 
-/// For each material of the mesh, whether anything that was not dropped has it.
+/// For each material of the mesh, true if a face that was not dropped has it.
 std::vector<bool> materials_of(const LargeVector<Piece>& pieces, const ObjMesh& mesh)
 {
     std::vector<bool> has_pieces(mesh.materials.size(), false);
@@ -110,7 +111,7 @@ std::string in_files(const std::vector<std::string>& files)
     return files.empty() ? "" : " in " + join(quoted(files), " or ");
 }
 
-/// Adds the default material in place of one that the faces name but no file defines.
+/// Adds the default material in place of a material that faces use but no file defines.
 void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList& list)
 {
     const bool has_name = !name.name.empty();
@@ -129,7 +130,7 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
         list.by_origin.unknown_names.push_back(name.name);
 }
 
-/// No more than the limit in each colour. Returns the names of those that had more.
+/// Lowers each channel of the reflectances to the limit. Returns the names of the materials that exceeded it.
 std::vector<std::string> limit_reflectances(double limit, MaterialLibrary& library)
 {
     std::vector<std::string> lowered;
@@ -144,6 +145,7 @@ std::vector<std::string> limit_reflectances(double limit, MaterialLibrary& libra
     return lowered;
 }
 
+/// Looks up the materials of a mesh in the library; `has_pieces`: see materials_of().
 MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, const std::vector<bool>& has_pieces,
                                const std::vector<std::string>& files)
 {
@@ -197,8 +199,8 @@ bool reflects_everything(const MtlMaterial& m)
     return std::max({rho.r, rho.g, rho.b}) == 1.0;
 }
 
-/// Modellers write ambient light into Ka, which ends at 1, and the same for most materials. A lamp sticks out: it is
-/// above 1 where others are not.
+/// The materials that are probably lamps described by Ka. Modellers store ambient reflection in Ka, which is at most 1
+/// and similar for most materials. A lamp stands out: it is above 1 while others are not.
 std::vector<std::string> lamps_by_ambient(const std::vector<MtlMaterial>& used)
 {
     std::vector<std::string> lamps = names_where(used, [](const MtlMaterial& m) {
@@ -225,9 +227,9 @@ bool is_lit(const std::vector<Material>& materials, const std::vector<bool>& has
     return false;
 }
 
-/// Why a scene has no light.
-std::string darkness(const UsedMaterials& materials, const ObjMesh& mesh, const std::vector<std::string>& missing_files,
-                     EmissionFrom emission_from)
+/// A message that says why a scene has no light.
+std::string explain_darkness(const UsedMaterials& materials, const ObjMesh& mesh,
+                             const std::vector<std::string>& missing_files, EmissionFrom emission_from)
 {
     const std::string keyword = emission_from == EmissionFrom::ka ? "Ka" : "Ke";
     std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
@@ -237,8 +239,8 @@ std::string darkness(const UsedMaterials& materials, const ObjMesh& mesh, const 
     if (!missing_files.empty())
         problem += "; no such material file: " + list_of(missing_files);
     if (!materials.unknown_names.empty())
-        problem += "; used but defined nowhere: " + list_of(materials.unknown_names) +
-                   (materials.files.empty() ? "" : ", read " + list_of(materials.files));
+        problem += "; used but not defined" + (materials.files.empty() ? "" : " in " + list_of(materials.files)) +
+                   ": " + list_of(materials.unknown_names);
     const std::vector<std::string> too_dark =
         names_where(materials.used, [](const MtlMaterial& m) { return m.emission_too_small; });
     if (!too_dark.empty())
@@ -248,7 +250,7 @@ std::string darkness(const UsedMaterials& materials, const ObjMesh& mesh, const 
     return problem;
 }
 
-/// Every edge is run through as often one way as the other, as on the walls of a room or the sides of a block.
+/// True if every edge occurs equally often in both directions, as in the walls of a room or the faces of a block.
 bool is_closed(const ObjMesh& mesh)
 {
     const LargeVector<std::uint32_t> welded = weld(mesh.vertices);
@@ -269,7 +271,7 @@ bool is_closed(const ObjMesh& mesh)
     return edges == reversed_edges;
 }
 
-/// Whether light can go round for ever: the surfaces are a closed room, and all reflect all of a colour.
+/// True if light could be reflected forever: the surfaces are a closed room, and all reflect all light of one channel.
 bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const SurfaceList& surfaces)
 {
     const auto all_reflect = [&](double Rgb::*channel) {
@@ -281,7 +283,8 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const 
     return form_a_room(surfaces) && is_closed(mesh);
 }
 
-/// Refuses what would give no result, or a wrong one, with a command that mends all of it.
+/// Throws InputError for a scene that would give no result, or a wrong one; the message ends with a command that avoids
+/// all the problems found.
 void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SceneFile& scene,
                      const std::vector<std::string>& missing_files, EmissionFrom emission_from,
                      const ObjChanges& changes)
@@ -294,18 +297,19 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
     if (too_bright != materials.used.end())
         problems.push_back(too_bright->flaw);
     if (nothing_absorbs(materials, mesh, scene.surfaces))
-        problems.push_back("nothing absorbs: the surfaces are closed and every material has Kd = 1 in the same colour, "
-                           "expected Kd below 1 in one of them");
-    // Without a lamp nobody knows yet what it would light.
+        problems.push_back(
+            "nothing absorbs light: the surfaces are closed and every material has Kd = 1 in the same colour, "
+            "expected Kd below 1 in one of them");
+    // Before there is a lamp it is unknown which surfaces it would light; those with Kd = 1 may trap its light.
     const bool may_trap = !names_where(materials.used, reflects_everything).empty();
     if (!problems.empty() || (!lit && may_trap))
         options += " --reflectance-limit 0.9";
     if (!lit) {
         candidates = lamp_candidates(mesh, scene);
-        problems.push_back(darkness(materials, mesh, missing_files, emission_from));
+        problems.push_back(explain_darkness(materials, mesh, missing_files, emission_from));
         const std::vector<std::string> by_ambient = lamps_by_ambient(materials.used);
         if (emission_from == EmissionFrom::ke && !by_ambient.empty()) {
-            problems.push_back("Ka makes a lamp of " + list_of(by_ambient));
+            problems.push_back("to read lamps from Ka (" + list_of(by_ambient) + ")");
             options += " --emission-from Ka";
         } else {
             const LightAdvice light = advised_light(candidates, scene);
@@ -376,7 +380,7 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     }
 }
 
-/// Faces whose texture lies on them in one piece need to be cut only where it does not.
+/// Marks the textured materials: their quads are cut in two if the texture does not form one parallelogram.
 void mark_textured(const MaterialLibrary& library, ObjMesh& mesh)
 {
     for (const ObjName& material : mesh.materials) {
@@ -386,7 +390,7 @@ void mark_textured(const MaterialLibrary& library, ObjMesh& mesh)
     }
 }
 
-/// What a textured material reflects, in the place of its Kd.
+/// Replaces Kd by the mean reflectance of textured materials.
 void take_textured_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
 {
     for (MtlMaterial& definition : used)
@@ -450,7 +454,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     MaterialList list = look_up_materials(mesh, std::move(library), has_pieces, libraries.files);
     if (cut.pieces.empty())
         refuse({path, mesh.faces.front().line}, "no face of the file has an area");
-    constexpr double smallest_extent = 1e-9; // as largest_coordinate
+    constexpr double smallest_extent = 1e-9; // the counterpart of the largest coordinate, 1e9
     if (scale.extent < smallest_extent)
         refuse({path, 0}, "all faces lie within 1e-9 of each other, expected a scene of sensible size");
 

@@ -14,13 +14,13 @@ namespace multipath {
 
 namespace {
 
-/// The bytes of a file. Throws ImageError.
+/// Reads an image file. Throws ImageError if it cannot be read or is larger than 256 MB.
 std::string bytes_of_image(const std::string& path)
 {
     constexpr std::uintmax_t most = std::uintmax_t{1} << 28;
     std::error_code error;
     if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > most)
-        throw ImageError(error ? "cannot be read" : "has more than 256 MB");
+        throw ImageError(error ? "cannot be read" : "is larger than 256 MB");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!file)
         throw ImageError("cannot be read");
@@ -31,7 +31,7 @@ std::string bytes_of_image(const std::string& path)
     return bytes;
 }
 
-/// The textures of one scene, each read once.
+/// Adds textures to a scene; each file is read once.
 class ObjTextures
 {
 public:
@@ -49,16 +49,17 @@ public:
             if (!(areas_[m] > 0.0))
                 continue;
             if (const auto texture = load(m, definitions_[m].reflectance_map))
-                lay_reflectance(m, texture, limit);
+                apply_reflectance_map(m, texture, limit);
             if (const auto texture = load(m, definitions_[m].emission_map))
-                lay_emittance(m, *texture);
+                apply_emission_map(m, *texture);
         }
         if (!scene_.textures.empty())
             fill_frames();
-        tell_of_failures();
+        report_failures();
     }
 
 private:
+    /// The texture of a map; null if there is no map, or after noting a failure.
     std::shared_ptr<const Texture> load(std::uint32_t material, const TextureMap& map)
     {
         if (map.line == 0)
@@ -86,12 +87,14 @@ private:
 
     static std::string in_quotes(const std::string& name) { return "`" + name + "`"; }
 
-    TexturePoint place(std::uint32_t point, const TextureMap& map) const
+    /// A texture point of the mesh after the scale and offset of a map.
+    TexturePoint mapped(std::uint32_t point, const TextureMap& map) const
     {
         const TexturePoint p = mesh_.texture_points[point];
         return {map.scale_s * p.s + map.offset_s, map.scale_t * p.t + map.offset_t};
     }
 
+    /// The frame of a surface; unknown if a corner has no texture point.
     TextureFrame frame(std::size_t surface, const TextureMap& map) const
     {
         const Piece& piece = pieces_[surface];
@@ -99,9 +102,9 @@ private:
         for (std::size_t k = 0; k <= last; ++k)
             if (mesh_.corner_points.empty() || piece.points[k] == ObjMesh::no_point)
                 return {};
-        const TexturePoint origin = place(piece.points[0], map);
-        const TexturePoint u = place(piece.points[1], map);
-        const TexturePoint v = place(piece.points[last], map);
+        const TexturePoint origin = mapped(piece.points[0], map);
+        const TexturePoint u = mapped(piece.points[1], map);
+        const TexturePoint v = mapped(piece.points[last], map);
         return {origin, {u.s - origin.s, u.t - origin.t}, {v.s - origin.s, v.t - origin.t}, true};
     }
 
@@ -112,7 +115,7 @@ private:
         return texture_mean(texture, frame(s, map), 4, {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
     }
 
-    /// Over all surfaces of a material.
+    /// The area-weighted mean of a texture over all surfaces of a material.
     Rgb mean_of(std::uint32_t material, const TextureMap& map, const Texture& texture) const
     {
         Rgb sum;
@@ -122,7 +125,7 @@ private:
         return 1.0 / areas_[material] * sum;
     }
 
-    void lay_reflectance(std::uint32_t m, const std::shared_ptr<const Texture>& texture, double limit)
+    void apply_reflectance_map(std::uint32_t m, const std::shared_ptr<const Texture>& texture, double limit)
     {
         Material& material = scene_.materials[m];
         const bool is_black = material.reflectance == Rgb{};
@@ -137,7 +140,7 @@ private:
             scene_.textures.push_back(texture);
     }
 
-    void lay_emittance(std::uint32_t m, const Texture& texture)
+    void apply_emission_map(std::uint32_t m, const Texture& texture)
     {
         Material& material = scene_.materials[m];
         const Rgb ke = definitions_[m].emission_line == 0 ? Rgb{1.0, 1.0, 1.0} : material.emittance;
@@ -152,7 +155,7 @@ private:
                 scene_.texture_frames[s] = frame(s, definitions_[scene_.material[s]].reflectance_map);
     }
 
-    void tell_of_failures()
+    void report_failures()
     {
         if (!black_.empty())
             scene_.warnings.push_back(scene_.path + ": Kd = 0 beside a texture, which counts alone: " + join(black_));
@@ -192,7 +195,7 @@ private:
     std::vector<double> areas_; ///< [m^2] per material
     std::map<std::pair<std::string, bool>, Loaded> known_;
     std::size_t maps_ = 0;
-    std::vector<std::pair<std::uint32_t, std::string>> failures_; ///< material, what is wrong
+    std::vector<std::pair<std::uint32_t, std::string>> failures_; ///< material and what is wrong
     std::vector<std::string> black_;
 };
 

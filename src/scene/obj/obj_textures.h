@@ -8,10 +8,10 @@
 
 namespace multipath {
 
-/// Reads the textures of a scene's materials and lays them on its surfaces: the reflectance of a textured material
-/// becomes the mean over its surfaces, its emittance that of `map_Ke` times `Ke`. `definitions`: of the materials of
-/// the scene; `pieces`: its surfaces. Files that are missing or cannot be read are told, and the material stays as it
-/// is. `limit` [1]: of reflectances.
+/// Reads the textures of a scene's materials and maps them onto its surfaces. The reflectance of a textured material
+/// becomes the mean over its surfaces, its emittance the mean of `map_Ke` times `Ke`. A file that is missing or cannot
+/// be read leaves its material unchanged, with a warning. `definitions` and `pieces` have one entry per material and
+/// surface of the scene; `limit` [1] is the upper limit of Kd as the factor of a texture.
 void add_textures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
                   double limit, SceneFile& scene);
 

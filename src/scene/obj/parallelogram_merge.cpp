@@ -1,6 +1,7 @@
-// Every pair that shares an edge may form a parallelogram, and in a regular mesh a triangle has up to three such
-// partners. The diagonal of a rectangle is the longest edge of both its halves, so pairs across longest edges go first:
-// that finds the rectangles that an exporter cut, in whatever order it wrote their halves. Then the rest is joined.
+// Every two triangles with a common edge may form a parallelogram, and in a regular mesh a triangle has up to three
+// such partners. The diagonal of a rectangle is the longest edge of both its halves, so pairs across a longest
+// edge are joined first. That restores the rectangles that an exporter cut, in whatever order it wrote their halves. A
+// second pass joins pairs across the other edges.
 
 #include "scene/obj/parallelogram_merge.h"
 
@@ -32,10 +33,11 @@ private:
     void merge_across_edge(std::uint32_t first, std::size_t edge);
     bool merge_pair(std::uint32_t first, std::size_t edge, std::uint32_t second);
     std::size_t longest_edge_of(const Corners& triangle) const;
-    bool is_open(std::uint32_t piece) const { return pieces_[piece].is_triangle() && !is_gone(pieces_[piece]); }
-    static bool is_gone(const Piece& piece) { return piece.corners[0] == Piece::no_vertex; }
+    /// True for a triangle that is not joined yet.
+    bool is_free(std::uint32_t piece) const { return pieces_[piece].is_triangle() && !is_removed(pieces_[piece]); }
+    static bool is_removed(const Piece& piece) { return piece.corners[0] == Piece::no_vertex; }
     Vec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
-    bool have_same_place(std::uint32_t a, std::uint32_t b) const
+    bool are_same_point(std::uint32_t a, std::uint32_t b) const
     {
         if (a == b || a == ObjMesh::no_point || b == ObjMesh::no_point)
             return a == b;
@@ -47,8 +49,8 @@ private:
     LargeVector<Piece>& pieces_;
     const ObjMesh& mesh_;
     const SceneScale scale_;
-    /// The open triangles at vertex v are triangles_[ends_[v]] up to triangles_[ends_[v + 1]].
-    LargeVector<std::uint32_t> ends_, triangles_;
+    /// The triangles at vertex v are triangles_[starts_[v]] ... triangles_[starts_[v + 1] - 1].
+    LargeVector<std::uint32_t> starts_, triangles_;
     std::size_t pair_count_ = 0;
 };
 
@@ -58,11 +60,11 @@ std::size_t TriangleMerger::merge()
     list_triangles_by_vertex();
     merge_across_edges(true);
     merge_across_edges(false);
-    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_gone), pieces_.end());
+    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_removed), pieces_.end());
     return pair_count_;
 }
 
-/// From here on, corners at the same position are the same vertex.
+/// Gives corners at the same position the same vertex.
 void TriangleMerger::weld_corners()
 {
     const LargeVector<std::uint32_t> welded = weld(mesh_.vertices);
@@ -71,48 +73,49 @@ void TriangleMerger::weld_corners()
             corner = corner == Piece::no_vertex ? corner : welded[corner];
 }
 
-/// Counts, sums up, fills in: the runs come out in the order of the triangles.
+/// Fills starts_ and triangles_ by a counting sort, which keeps the order of the triangles at a vertex.
 void TriangleMerger::list_triangles_by_vertex()
 {
-    ends_.assign(mesh_.vertices.size() + 1, 0);
+    starts_.assign(mesh_.vertices.size() + 1, 0);
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-        for (std::size_t k = 0; k < 3 && is_open(i); ++k)
-            ++ends_[pieces_[i].corners[k]];
+        for (std::size_t k = 0; k < 3 && is_free(i); ++k)
+            ++starts_[pieces_[i].corners[k]];
     std::uint32_t sum = 0;
-    for (std::uint32_t& end : ends_)
-        end = sum += end;
+    for (std::uint32_t& start : starts_)
+        start = sum += start; // the end for now; filling from the back turns it into the start
     triangles_.resize(sum);
     for (std::uint32_t i = static_cast<std::uint32_t>(pieces_.size()); i-- > 0;)
-        for (std::size_t k = 0; k < 3 && is_open(i); ++k)
-            triangles_[--ends_[pieces_[i].corners[k]]] = i;
+        for (std::size_t k = 0; k < 3 && is_free(i); ++k)
+            triangles_[--starts_[pieces_[i].corners[k]]] = i;
 }
 
-/// Either across the longest edge of each triangle or across the two others.
+/// Joins triangles across the longest edge of each triangle, or across its two other edges.
 void TriangleMerger::merge_across_edges(bool longest)
 {
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-        if (!is_open(i))
+        if (!is_free(i))
             continue;
         const std::size_t longest_edge = longest_edge_of(pieces_[i].corners);
-        for (std::size_t edge = 0; edge < 3 && is_open(i); ++edge)
+        for (std::size_t edge = 0; edge < 3 && is_free(i); ++edge)
             if ((edge == longest_edge) == longest)
                 merge_across_edge(i, edge);
     }
 }
 
-/// Looks for a later triangle that runs through the edge the other way.
+/// Joins a triangle with a later one that has the edge in the opposite direction, if they form a parallelogram.
 void TriangleMerger::merge_across_edge(std::uint32_t first, std::size_t edge)
 {
-    constexpr std::ptrdiff_t most_candidates = 64; // a file with all triangles at one vertex must not take for ever
+    constexpr std::ptrdiff_t most_candidates = 64; // limits the time if all triangles of a file share a vertex
     const std::uint32_t vertex = pieces_[first].corners[edge];
-    const auto end = triangles_.begin() + ends_[vertex + 1];
-    const auto begin = std::upper_bound(triangles_.begin() + ends_[vertex], end, first);
+    const auto end = triangles_.begin() + starts_[vertex + 1];
+    const auto begin = std::upper_bound(triangles_.begin() + starts_[vertex], end, first);
     for (auto other = begin; other != end && other - begin < most_candidates; ++other)
-        if (is_open(*other) && merge_pair(first, edge, *other))
+        if (is_free(*other) && merge_pair(first, edge, *other))
             return;
 }
 
-/// If the two form a parallelogram across this edge of the first, that becomes it and the second is marked as gone.
+/// Joins two triangles if they form a parallelogram across this edge of the first: it replaces the first triangle, and
+/// the second is marked as removed. Returns true if they were joined.
 bool TriangleMerger::merge_pair(std::uint32_t first, std::size_t edge, std::uint32_t second)
 {
     const Corners p = pieces_[first].corners;
@@ -141,8 +144,8 @@ bool TriangleMerger::merge_pair(std::uint32_t first, std::size_t edge, std::uint
     const Corners& t = pieces_[second].points;
     const Corners points = join(s, t);
     if (mesh_.is_textured(face) &&
-        !(have_same_place(s[edge], t[(opposite + 2) % 3]) &&
-          have_same_place(s[(edge + 1) % 3], t[(opposite + 1) % 3]) && is_parallelogram(points, mesh_)))
+        !(are_same_point(s[edge], t[(opposite + 2) % 3]) && are_same_point(s[(edge + 1) % 3], t[(opposite + 1) % 3]) &&
+          is_parallelogram(points, mesh_)))
         return false;
     pieces_[first].corners = joined;
     pieces_[first].points = points;
@@ -151,7 +154,7 @@ bool TriangleMerger::merge_pair(std::uint32_t first, std::size_t edge, std::uint
     return true;
 }
 
-/// Number of the edge from corner i to the next.
+/// The index i of the longest edge, which runs from corner i to the next.
 std::size_t TriangleMerger::longest_edge_of(const Corners& triangle) const
 {
     std::array<double, 3> squares = {};

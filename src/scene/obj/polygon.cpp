@@ -1,9 +1,9 @@
 // Ear clipping. A corner of a simple polygon is an ear if it is convex and no other part of the polygon reaches into
 // the triangle of the corner and its two neighbours; that triangle can be cut off. Every simple polygon has an ear
-// (Meisters 1975), so n - 2 cuts are enough. Only a reflex corner can reach into the triangle first, and an ear cut off
-// changes nothing for corners that are not its neighbours, so each corner is tested about three times. The polygon is
-// projected along the largest component of its normal: coordinates are copied, not computed, so corners that are
-// straight or equal in space are so in the projection.
+// (Meisters 1975), so n - 2 cuts are enough. Only reflex corners have to be tested against the triangle, and cutting
+// off an ear affects only its two neighbours, so each corner is tested about three times. The polygon is projected
+// along the largest component of its normal: coordinates are copied, not computed, so corners that are straight or
+// equal in space are so in the projection.
 
 #include "scene/obj/polygon.h"
 
@@ -62,17 +62,17 @@ private:
 
     double turn_at(std::uint32_t i) const { return turn(points_[previous_[i]], points_[i], points_[next_[i]]); }
     bool is_ear(std::uint32_t i);
-    bool reached_into(std::uint32_t i) const;
+    bool contains_reflex_corner(std::uint32_t i) const;
     void cut_off(std::uint32_t i);
     void neighbour_changed(std::uint32_t i);
     void fan_rest(std::uint32_t first);
 
     std::vector<Point2> points_;
     double smallest_turn_;
-    std::vector<std::uint32_t> next_, previous_; ///< ring of the corners that are left
+    std::vector<std::uint32_t> next_, previous_; ///< circular list of the remaining corners
     std::vector<State> state_;
     std::vector<std::uint32_t> reflex_;
-    bool touching_counts_ = true; ///< a corner on the border of a triangle reaches into it
+    bool touching_counts_ = true; ///< a corner on the border of a triangle counts as inside
     Triangulation result_;
 };
 
@@ -101,7 +101,7 @@ Triangulation EarClipper::clip()
     for (std::size_t tested = 0; left >= 3;) {
         if (is_ear(i)) {
             cut_off(i);
-            // The neighbour waits for the next round: a round polygon then falls into few slivers.
+            // Skipping the neighbour until the next round avoids slivers in round polygons.
             i = next_[next_[i]];
             --left;
             tested = 0;
@@ -124,12 +124,12 @@ bool EarClipper::is_ear(std::uint32_t i)
     if (state_[i] == State::untested) {
         const double size = turn_at(i);
         const bool straight = std::abs(size) <= smallest_turn_;
-        state_[i] = straight || (size > 0.0 && !reached_into(i)) ? State::ear : State::no_ear;
+        state_[i] = straight || (size > 0.0 && !contains_reflex_corner(i)) ? State::ear : State::no_ear;
     }
     return state_[i] == State::ear;
 }
 
-bool EarClipper::reached_into(std::uint32_t i) const
+bool EarClipper::contains_reflex_corner(std::uint32_t i) const
 {
     const Point2 a = points_[previous_[i]];
     const Point2 b = points_[i];
@@ -137,7 +137,7 @@ bool EarClipper::reached_into(std::uint32_t i) const
     for (const std::uint32_t r : reflex_) {
         const Point2 p = points_[r];
         const double least = std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)});
-        // Corners at the same point are the two ends of a cut that joins a hole to the outline.
+        // Corners at the same point are the ends of a bridge that joins a hole to the outline.
         if ((touching_counts_ ? least >= 0.0 : least > smallest_turn_) && !(p == a || p == b || p == c))
             return true;
     }
@@ -164,6 +164,7 @@ void EarClipper::neighbour_changed(std::uint32_t i)
         reflex_.erase(std::remove(reflex_.begin(), reflex_.end(), i), reflex_.end());
 }
 
+/// Covers a rest without ears, which intersects itself, by a fan of triangles.
 void EarClipper::fan_rest(std::uint32_t first)
 {
     result_.crosses_itself = true;
@@ -176,7 +177,7 @@ void EarClipper::fan_rest(std::uint32_t first)
 
 Vec3 area_vector(const std::vector<Vec3>& corners)
 {
-    // Relative to a corner, so that a scene far from the origin loses no digits.
+    // Relative to a corner, to keep precision in a scene far from the origin.
     Vec3 sum;
     for (std::size_t i = 2; i < corners.size(); ++i)
         sum = sum + cross(corners[i - 1] - corners[0], corners[i] - corners[0]);

@@ -9,24 +9,26 @@
 
 namespace multipath {
 
-/// Area times unit normal of a closed polygon, by Newell's formula; corners counter-clockwise seen from the front.
+/// The area of a closed polygon times its unit normal (Newell's formula). Its corners run counter-clockwise seen from
+/// the front.
 Vec3 area_vector(const std::vector<Vec3>& corners);
 
-/// Largest distance of a corner from the mean plane [scene units]; 0 for a planar polygon.
+/// The largest distance of a corner from the polygon's mean plane [scene units]; 0 for a planar polygon.
 double distance_from_plane(const std::vector<Vec3>& corners, Vec3 area_vector);
 
-/// How many corners turn clockwise; none in a convex polygon.
+/// The number of reflex corners, which turn clockwise; 0 for a convex polygon.
 std::size_t reflex_corner_count(const std::vector<Vec3>& corners, Vec3 area_vector);
 
-/// Triangles by corner numbers, counter-clockwise like the polygon.
+/// Triangles given by indices of the polygon's corners, counter-clockwise like the polygon.
 struct Triangulation
 {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     bool crosses_itself = false; ///< not a simple polygon: the triangles overlap
 };
 
-/// Cuts a polygon (its area vector not zero) into triangles that cover it once, as seen along the area vector. Corners
-/// whose triangle is not larger than `smallest_area` are taken for straight. Time grows like corners x reflex corners.
+/// Triangulates a polygon whose area vector is not zero, by ear clipping; seen along that vector, the triangles cover
+/// the polygon once. A corner whose triangle is at most `smallest_area` counts as straight. The time is proportional to
+/// corners x reflex corners.
 Triangulation clip_ears(const std::vector<Vec3>& corners, Vec3 area_vector, double smallest_area);
 
 } // namespace multipath

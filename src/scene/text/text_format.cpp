@@ -23,8 +23,8 @@ std::string format(const char* pattern, ...)
 std::string grouped(std::uint64_t count)
 {
     std::string digits = std::to_string(count);
-    for (std::size_t place = digits.size(); place > 3; place -= 3)
-        digits.insert(place - 3, ",");
+    for (std::size_t position = digits.size(); position > 3; position -= 3)
+        digits.insert(position - 3, ",");
     return digits;
 }
 
@@ -58,7 +58,7 @@ std::size_t utf8_character_size(std::string_view text)
     for (std::size_t k = 1; k < size; ++k)
         if (!is_continuation(text[k]))
             return 0;
-    // Longer than needed, a half of a pair of UTF-16, or beyond the last character.
+    // Overlong encodings, surrogates of UTF-16, and values above the last character.
     const bool wrong = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
                        (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
     return wrong ? 0 : size;
@@ -71,7 +71,7 @@ std::size_t column_count(std::string_view text)
 
 namespace {
 
-/// Read back as they are by every shell.
+/// Characters that no shell interprets.
 constexpr std::string_view plain_characters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,^%+=@";
 
@@ -80,7 +80,7 @@ bool is_control(char c)
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
 
-/// Inside $'...'
+/// A character as it is written inside $'...'.
 std::string escaped(char c)
 {
     if (c == '\'' || c == '\\')

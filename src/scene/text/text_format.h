@@ -8,30 +8,30 @@
 
 namespace multipath {
 
-/// What printf would print.
+/// Formats values like printf.
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
 std::string
 format(const char* pattern, ...);
 
-/// 4194304 as "4,194,304".
+/// A number with its digits in groups of three: "4,194,304".
 std::string grouped(std::uint64_t count);
 
 /// "a, b, c".
 std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
-/// A word as a POSIX shell reads it back, always on one line: plain, in '...' where it must be, and in $'...' (POSIX
-/// 2024) with octal escapes where it holds control characters.
+/// Quotes a word for a POSIX shell, on one line: unquoted if possible, else in '...', or in $'...' (POSIX 2024) with
+/// octal escapes if it contains control characters.
 std::string shell_word(std::string_view text);
 
-/// " --name value", such that a shell and a command line take the value for one.
+/// " --name value" with the value quoted for a shell; " --name=value" if the value begins with "--".
 std::string option_text(std::string_view name, std::string_view value);
 
-/// How many bytes at the beginning of a text make one well-formed character of UTF-8 (RFC 3629); 0 if none do.
+/// The length in bytes of the UTF-8 character at the beginning of a text (RFC 3629); 0 if it is malformed or missing.
 std::size_t utf8_character_size(std::string_view text);
 
-/// Columns of a screen that a text takes, if each of its characters takes one: bytes without continuation bytes.
+/// The width of a UTF-8 text on the screen, at one column per character: its bytes that are not continuation bytes.
 std::size_t column_count(std::string_view text);
 
 } // namespace multipath

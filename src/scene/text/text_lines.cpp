@@ -1,3 +1,7 @@
+// The file is read into one buffer, and lines are returned as views into it. Before a refill the unfinished line moves
+// to the front of the buffer, which grows only if a line does not fit. While the end of a line is searched for, eight
+// bytes at a time are tested for control characters, which include line ends.
+
 #include "scene/text/text_lines.h"
 
 #include "scene/input_error.h"
@@ -21,8 +25,8 @@ bool is_line_end(char c)
     return c == '\n' || c == '\r';
 }
 
-/// Whether none of the eight bytes at p is below ' ': then subtracting ' ' from each sets the high bit only where it
-/// was set before, as in UTF-8.
+/// True if none of the eight bytes at p is below ' '. Subtracting ' ' from a byte sets its high bit only if the byte is
+/// below ' ' or had that bit before, as in UTF-8.
 bool has_no_controls(const char* p)
 {
     constexpr std::uint64_t each_byte = 0x0101010101010101u;
@@ -31,7 +35,7 @@ bool has_no_controls(const char* p)
     return ((eight - ' ' * each_byte) & ~eight & 0x80 * each_byte) == 0;
 }
 
-/// Paths and names may end in a backslash of their own.
+/// True for statements with a name or path, which may itself end in a backslash.
 bool takes_name(std::string_view keyword)
 {
     constexpr std::array<std::string_view, 9> keywords = {"mtllib", "usemtl", "newmtl", "g",   "o",
@@ -126,7 +130,7 @@ TextLine TextLines::join_continued(std::string_view first)
     for (bool more = true; more;) {
         std::string_view text;
         if (!physical_line(text))
-            refuse(first_place, "the file ends behind a `\\`, expected the rest of the line");
+            refuse(first_place, "the file ends after a `\\`, expected the rest of the line");
         if (joined_.size() + text.size() > longest_line)
             refuse(first_place, "continued line is longer than 16 MB");
         more = ends_in_backslash(text);
@@ -154,7 +158,8 @@ bool TextLines::physical_line(std::string_view& text)
     return true;
 }
 
-/// Length of the line from begin_, of which `length` is known; up to end_ if the line goes on behind the buffer.
+/// The length of the line that starts at begin_; up to end_ if it continues past the buffer. `length` was scanned
+/// before.
 std::size_t TextLines::scan_to_end_of_line(std::size_t length) const
 {
     const char* const begin = buffer_.data() + begin_;
@@ -168,7 +173,7 @@ std::size_t TextLines::scan_to_end_of_line(std::size_t length) const
     return static_cast<std::size_t>(p - begin);
 }
 
-/// Adds more of the file to the buffer; false at its end.
+/// Reads more of the file into the buffer; false at the end of the file.
 bool TextLines::refill()
 {
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),

@@ -10,32 +10,33 @@
 
 namespace multipath {
 
-/// A line of a text file, for messages. The path must outlive it.
+/// The position of a line in a text file, for messages. The path must outlive it.
 struct TextPlace
 {
     std::string_view path;
     std::uint32_t line = 0; ///< from 1; 0 means the file as a whole
 };
 
-/// "room.obj:12"
+/// "room.obj:12", or "room.obj" for the file as a whole.
 std::string name_of(TextPlace place);
 
-/// Throws InputError "room.obj:12: problem".
+/// Throws InputError with the message "room.obj:12: problem".
 [[noreturn]] void refuse(TextPlace place, const std::string& problem);
 
-/// A word of the file made fit for a message: in backquotes, without control characters, cut when long.
+/// A word of a file, made safe for a message: in backquotes, `?` for control characters, cut after 60 bytes.
 std::string in_quotes(std::string_view word);
 
-/// One statement of a file, without the end of its line.
+/// A statement of a file, without its line end.
 struct TextLine
 {
     std::string_view text; ///< valid until the next line is read
-    TextPlace place;       ///< of its first line, if it was continued
-    bool ended = true;     ///< false only for a last line that lacks its line feed
+    TextPlace place;       ///< its first line, if it was continued
+    bool ended = true;     ///< false only for a last line without a line end
 };
 
-/// The statements of a Wavefront OBJ or MTL file, one by one: any kind of line end, UTF-8 with or without mark, lines
-/// continued by a backslash joined (except inside names and comments). Memory is bounded by the longest line.
+/// Reads the statements of a Wavefront OBJ or MTL file one by one. Accepts any kind of line end and UTF-8 with or
+/// without a byte order mark, and joins lines continued by a backslash (except in names and comments). Memory is
+/// proportional to the longest line.
 class TextLines
 {
 public:
@@ -44,11 +45,11 @@ public:
     /// Throws InputError for a file that cannot be read, is a directory or is not UTF-8 text.
     explicit TextLines(const std::string& path);
 
-    /// False behind the last. Throws InputError at binary data, a line that is too long, or a file that ends behind a
-    /// backslash.
+    /// Reads the next statement; returns false after the last. Throws InputError for binary data, a line longer than
+    /// longest_line, and a file that ends after a continuation backslash.
     bool next(TextLine& line);
 
-    /// How much of the file was handed out [1]; 0 where its size is not known beforehand.
+    /// [1] The share of the file that was returned so far; 0 if the size of the file is not known.
     double share_read() const;
 
 private:
@@ -67,8 +68,8 @@ private:
     std::unique_ptr<std::FILE, Closer> file_;
     std::vector<char> buffer_;
     double size_ = 0.0;          ///< [byte] of the file, 0 if not known
-    std::uint64_t buffered_ = 0; ///< [byte] of it that came into the buffer so far
-    std::size_t begin_ = 0;      ///< what is not yet handed out is [begin_, end_)
+    std::uint64_t buffered_ = 0; ///< [byte] read into the buffer so far
+    std::size_t begin_ = 0;      ///< [begin_, end_) of the buffer is not yet returned
     std::size_t end_ = 0;
     std::uint32_t number_ = 0;
     bool after_carriage_return_ = false;

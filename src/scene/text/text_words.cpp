@@ -1,6 +1,6 @@
-// Decimal numbers are read by hand: a number of a mesh has few digits, so that digits and power of ten are both exact
-// as doubles and one division gives the correctly rounded result (Clinger 1990). The rest, a small minority, goes to
-// strtod.
+// Decimal numbers are parsed by hand. Most numbers in a mesh have so few digits that the digits and the power of ten
+// are both exact as doubles, and one multiplication or division gives the correctly rounded result (Clinger 1990). The
+// few others go to strtod.
 
 #include "scene/text/text_words.h"
 
@@ -17,7 +17,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::ptrdiff_t most_digits = 19; // of 64 bits
+constexpr std::ptrdiff_t most_digits = 19; // that fit into 64 bits
 
 struct Decimal
 {
@@ -33,7 +33,7 @@ bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/// Adds the digits at p to the number and returns the end of them. More than most_digits overflow.
+/// Appends the digits at p to the number and returns their end. More than most_digits overflow.
 const char* scan_digits(const char* p, const char* end, Decimal& number)
 {
     for (; p != end && is_digit(*p); ++p)
@@ -48,10 +48,10 @@ const char* scan_sign(const char* p, const char* end, bool& negative)
     return p;
 }
 
-/// The optional "e-12" at p; nothing if the "e" has no digits.
+/// The exponent at p, such as "e-12": 0 if the word ends there, nothing if it is malformed.
 std::optional<int> scan_exponent(const char* p, const char* end)
 {
-    constexpr int beyond_all_doubles = 100'000'000; // also with all the digits of the longest line
+    constexpr int beyond_all_doubles = 100'000'000; // even after all the digits of the longest line
     if (p == end)
         return 0;
     if (*p != 'e' && *p != 'E')
@@ -92,10 +92,10 @@ constexpr std::array<double, 23> exact_powers_of_ten = {1e0,  1e1,  1e2,  1e3,  
                                                         1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                         1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// Not std::optional: to copy one costs as much as to read a number.
+// Not std::optional, because copying one costs as much as parsing a number.
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// no_number if one operation cannot give it.
+/// The value as the result of one exact operation, or no_number if that is not possible.
 double exact_value(const Decimal& number)
 {
     constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
@@ -109,7 +109,7 @@ double exact_value(const Decimal& number)
     return number.negative ? -value : value;
 }
 
-/// no_number for anything but a finite decimal number.
+/// The value of a finite decimal number; no_number for any other word.
 double value_of(std::string_view word)
 {
     const Decimal number = scan_decimal(word);
@@ -136,6 +136,7 @@ bool names_infinity_or_nan(std::string_view word)
     return lower == "nan" || lower == "inf";
 }
 
+/// Why a word is not a finite decimal number.
 std::string problem_with(std::string_view word)
 {
     if (word.empty())
@@ -143,7 +144,7 @@ std::string problem_with(std::string_view word)
     if (names_infinity_or_nan(word))
         return in_quotes(word) + " is not a finite number";
     if (scan_decimal(word).is_number)
-        return in_quotes(word) + " is too large for a number";
+        return in_quotes(word) + " is out of range, expected at most 1.8e308 in magnitude";
     if (word.find(',') != std::string_view::npos)
         return in_quotes(word) + " has a decimal comma, expected a decimal point";
     return in_quotes(word) + " is not a number";
@@ -182,8 +183,8 @@ std::string_view name_in(std::string_view rest)
 {
     for (std::size_t i = rest.find('#'); i != std::string_view::npos; i = rest.find('#', i + 1)) {
         const bool blank_before = i == 0 || is_blank(rest[i - 1]);
-        const bool blank_behind = i + 1 == rest.size() || is_blank(rest[i + 1]);
-        if (blank_before && blank_behind)
+        const bool blank_after = i + 1 == rest.size() || is_blank(rest[i + 1]);
+        if (blank_before && blank_after)
             return trimmed(rest.substr(0, i));
     }
     return trimmed(rest);

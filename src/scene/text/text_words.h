@@ -15,35 +15,35 @@ inline bool is_blank(char c)
     return c == ' ' || (c <= '\f' && (c == '\t' || c == '\v' || c == '\f'));
 }
 
-/// Without blanks at both ends.
+/// The text without blanks at either end.
 std::string_view trimmed(std::string_view text);
 
-/// Takes the first word off `rest`; empty when only blanks are left.
+/// Removes the first word from `rest` and returns it; empty if only blanks are left.
 std::string_view next_word(std::string_view& rest);
 
-/// Cuts the line at `#`: for statements whose arguments are numbers.
+/// The text before the first `#`, for statements whose arguments are numbers.
 std::string_view without_comment(std::string_view text);
 
-/// The argument of a statement that takes a name: blanks inside belong to it. Here a comment needs a blank on both
-/// sides of its `#`, because exporters write names like "Material #25".
+/// The name in the argument of a statement; it may contain blanks. Here a `#` begins a comment only with a blank (or an
+/// end of the text) on both sides, because exporters write names such as "Material #25".
 std::string_view name_in(std::string_view rest);
 
-/// A finite decimal number, correctly rounded, whatever the locale of the user; nothing else is a number.
+/// Parses a finite decimal number, correctly rounded and independent of the locale; nothing for any other word.
 std::optional<double> to_number(std::string_view word);
 
-/// The same, but throws InputError that says what `word` is instead; `owner` says whose number it is.
+/// Like to_number(), but throws InputError with the reason if `word` is not such a number. `owner` names the quantity.
 double read_number(std::string_view word, const TextPlace& place, std::string_view owner);
 
-/// Keywords that a reader ignores, told in one warning.
+/// The keywords that a reader ignores, for a single warning.
 class IgnoredKeywords
 {
 public:
-    /// `most`: so many are named.
+    /// At most `most` keywords are named.
     explicit IgnoredKeywords(std::size_t most) : most_(most) {}
 
     void note(std::string_view keyword, TextPlace place);
 
-    /// "room.obj:12: problem: `a`, `b`", with the place of the first; none if nothing was noted.
+    /// "room.obj:12: problem: `a`, `b`", with the line of the first keyword; nothing if no keyword was noted.
     std::optional<std::string> warning(const std::string& problem) const;
 
 private:

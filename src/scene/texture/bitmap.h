@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-/// A picture of 8 bits per colour, as files hold it (sRGB); the top row first.
+/// An image of 8 bits per channel, as in files (sRGB), from the top row to the bottom row.
 struct Bitmap
 {
     std::uint32_t width = 0;
@@ -18,17 +18,18 @@ struct Bitmap
     const std::uint8_t* row(std::uint32_t y) const { return &rgb[std::size_t{3} * width * y]; }
 };
 
-/// What is wrong with an image file, without its name: "ends too early", "12 bits per colour are not supported".
+/// An error in an image file. The message does not name the file: "ends too early", "12 bits per pixel are not
+/// supported".
 class ImageError : public std::runtime_error
 {
 public:
     explicit ImageError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Throws ImageError for a picture without pixels or of more than 2^26 (8192 x 8192).
+/// Throws ImageError for an image without pixels or with more than 2^26 (8192 x 8192).
 void require_bitmap_size(std::uint32_t width, std::uint32_t height);
 
-/// A black picture. Throws likewise.
+/// A black image. Throws ImageError like require_bitmap_size().
 Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
 
 } // namespace multipath

@@ -1,5 +1,4 @@
-// Reader of Windows bitmaps: BITMAPCOREHEADER, and BITMAPINFOHEADER with all its later versions, whose beginnings
-// agree.
+// Reader of Windows bitmaps with a BITMAPCOREHEADER, or a BITMAPINFOHEADER in any of its versions, which begin alike.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
@@ -27,7 +26,7 @@ public:
         else if (header_size >= info_size)
             read_info_header(file);
         else
-            throw ImageError("has a header of an unknown kind");
+            throw ImageError("has an unknown kind of header");
         require_supported();
         if (bits_ <= 8)
             read_palette(header_size, pixel_offset);
@@ -67,7 +66,7 @@ private:
         file.skip(4); // important colours
         if (bits_ == 16)
             masks_ = {0x7c00, 0x3e0, 0x1f};
-        // They follow the first 40 bytes, whether these are the whole header or the beginning of a later version.
+        // The masks follow the first 40 bytes, which are the whole header or the beginning of that of a later version.
         if (compression_ == bit_fields || compression_ == alpha_bit_fields)
             for (std::uint32_t& mask : masks_)
                 mask = file.little_endian_32();
@@ -84,10 +83,10 @@ private:
         const bool fits = compression_ == none || (compression_ == rle_8 && bits_ == 8) ||
                           (compression_ == rle_4 && bits_ == 4) || (has_masks && (bits_ == 16 || bits_ == 32));
         if (!fits)
-            throw ImageError("is compressed in a way that is not supported");
+            throw ImageError("uses a compression method that is not supported");
     }
 
-    /// Ends before the pixels begin, even if the header tells of more colours.
+    /// Reads the palette, which ends where the pixels begin even if the header claims more colours.
     void read_palette(std::uint32_t header_size, std::uint32_t pixel_offset)
     {
         ByteReader file(bytes_);
@@ -97,8 +96,8 @@ private:
         const std::uint32_t entry_bytes = header_size == core_size ? 3 : 4;
         const std::uint64_t room = pixel_offset > begin ? (pixel_offset - begin) / entry_bytes : 0;
         const std::uint64_t most = std::uint64_t{1} << bits_;
-        const std::uint64_t told = colours_used_ == 0 ? most : colours_used_;
-        const std::uint64_t count = std::min({told, most, room});
+        const std::uint64_t claimed = colours_used_ == 0 ? most : colours_used_;
+        const std::uint64_t count = std::min({claimed, most, room});
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint8_t* const entry = file.bytes(entry_bytes);
             palette_[i] = {entry[2], entry[1], entry[0]};
@@ -115,7 +114,7 @@ private:
         const std::uint64_t row_bits = std::uint64_t{width_} * bits_;
         const std::uint64_t row_bytes = (row_bits + 7) / 8;
         const std::uint64_t stride = (row_bits + 31) / 32 * 4;
-        const std::uint64_t padding = stride - row_bytes; // the last row may lack it
+        const std::uint64_t padding = stride - row_bytes; // may be missing after the last row
         if ((data.left() + padding) / stride < height_)
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_);
@@ -155,13 +154,12 @@ private:
         return static_cast<std::uint8_t>(((word & mask) / lowest * std::uint64_t{255} + largest / 2) / largest);
     }
 
-    /// Codes of two bytes: a run of pixels, or 0 and an escape: end of the row (0), end of the picture (1), a step to
-    /// the right and on (2), or a number of single pixels. What they leave out gets colour 0, what they put outside is
-    /// lost.
+    /// Reads run-length encoded pixels. A code has two bytes: the length of a run and its pixels, or 0 and an escape:
+    /// end of the row (0), end of the image (1), a step to the right and to later rows (2), or a number of single
+    /// pixels. Pixels that are skipped get colour 0; pixels outside the image are ignored.
     Bitmap read_packed(ByteReader& data) const
     {
-        // A run has 255 pixels at most. This also refuses pictures that leave out nearly everything, which nobody
-        // writes.
+        // A run has at most 255 pixels. This also refuses images that skip nearly all pixels, which nobody writes.
         if (std::uint64_t{width_} * height_ / 255 > data.left())
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_);
@@ -212,7 +210,7 @@ private:
     std::uint32_t compression_ = none;
     std::uint32_t colours_used_ = 0; ///< 0 for all
     std::array<std::uint32_t, 3> masks_ = {0xff0000, 0xff00, 0xff};
-    std::array<Colour, 256> palette_ = {}; ///< black behind its end
+    std::array<Colour, 256> palette_ = {}; ///< black after its end
 };
 
 } // namespace

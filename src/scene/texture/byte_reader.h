@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// The bytes of a file from front to back. Every function throws ImageError where the file has fewer bytes left.
+/// Reads the bytes of a file in order. Every function throws ImageError if too few bytes are left.
 class ByteReader
 {
 public:
@@ -16,7 +16,7 @@ public:
 
     std::size_t left() const { return rest_.size(); }
 
-    /// The next `count` bytes, which stay valid as long as the file's.
+    /// The next `count` bytes; the pointer is valid as long as the bytes of the file.
     const std::uint8_t* bytes(std::size_t count)
     {
         if (count > rest_.size())

@@ -60,7 +60,7 @@ Bitmap read_image(std::string_view name, std::string_view bytes)
         return read_pnm(bytes);
     if (is_named_tga(name))
         return read_tga(bytes);
-    throw ImageError("is no PNG, JPEG, TGA, BMP or PPM");
+    throw ImageError("is not a PNG, JPEG, TGA, BMP or PPM file");
 }
 
 } // namespace multipath

@@ -1,6 +1,5 @@
-// Decompression of a deflate stream (RFC 1951) in its zlib wrapping (RFC 1950). A stream is a list of blocks, each
-// stored or coded with two prefix codes: one for literal bytes and lengths of matches, one for the distances of
-// matches.
+// Decompression of a deflate stream (RFC 1951) in the zlib format (RFC 1950). A stream is a list of blocks, each stored
+// or coded with two prefix codes: one for literal bytes and the lengths of matches, one for the distances of matches.
 
 #include "scene/texture/inflate.h"
 
@@ -20,13 +19,13 @@ namespace {
     throw ImageError("has damaged pixel data");
 }
 
-/// The bits of a stream, the lowest of each byte first.
+/// Reads the bits of a stream, from the lowest to the highest of each byte.
 class DeflateBits
 {
 public:
     explicit DeflateBits(std::string_view bytes) : bytes_(bytes) {}
 
-    /// At least the next 48 bits, zeros behind the end of the stream.
+    /// At least the next 57 bits, with zeros after the end of the stream.
     std::uint64_t peek()
     {
         while (count_ <= 56 && next_ < bytes_.size()) {
@@ -44,7 +43,7 @@ public:
         count_ -= count;
     }
 
-    /// At most 16 bits as a number.
+    /// Reads a number of at most 16 bits.
     std::uint32_t take(unsigned count)
     {
         const std::uint64_t mask = (std::uint64_t{1} << count) - 1;
@@ -55,7 +54,7 @@ public:
 
     void drop_to_byte() { drop(count_ % 8); }
 
-    /// Whole bytes, after drop_to_byte().
+    /// Reads whole bytes, after drop_to_byte().
     std::string_view take_bytes(std::size_t count)
     {
         next_ -= count_ / 8;
@@ -74,8 +73,9 @@ private:
     unsigned count_ = 0; ///< valid bits of bits_
 };
 
-/// A canonical prefix code (RFC 1951, 3.2.2), given by the lengths of its code words; length 0 for unused symbols.
-/// Short code words are found in a table by the next bits of the stream, long ones by counting.
+/// A canonical prefix code (RFC 1951, 3.2.2), given by the lengths of its code words; length 0 means that a symbol is
+/// not used. Code words of up to 10 bits are looked up in a table by the next bits of the stream. Longer ones are
+/// decoded bit by bit: the code words of one length are consecutive numbers.
 class DeflateCode
 {
 public:
@@ -127,7 +127,7 @@ private:
         sorted_[first_index_[length] + code - first_code_[length]] = symbol;
         if (length > table_bits)
             return;
-        std::uint32_t reversed = 0; // the stream has the highest bit of a code word first
+        std::uint32_t reversed = 0; // in the stream the highest bit of a code word comes first
         for (unsigned bit = 0; bit < length; ++bit)
             reversed |= (code >> bit & 1) << (length - 1 - bit);
         for (std::uint32_t i = reversed; i < table_.size(); i += 1u << length)
@@ -141,7 +141,7 @@ private:
     std::array<std::uint16_t, 1u << table_bits> table_ = {};  ///< 16 symbol + length; 0: long or unused
 };
 
-/// The meaning of a length or distance symbol (RFC 1951, 3.2.5): base + the next extra bits.
+/// The value of a length or distance symbol (RFC 1951, 3.2.5): base + a number of `extra` bits.
 struct DeflateRange
 {
     std::uint16_t base;
@@ -223,7 +223,7 @@ private:
         read_symbols({lengths.data(), lengths.size()}, {distance_lengths.data(), distance_lengths.size()});
     }
 
-    /// A block that begins with its own codes, whose lengths are coded in turn (RFC 1951, 3.2.7).
+    /// Reads a block that begins with its own two codes, given by lengths that are themselves coded (RFC 1951, 3.2.7).
     void read_dynamic_block()
     {
         const std::size_t literals = bits_.take(5) + 257;
@@ -292,7 +292,7 @@ private:
         if (distance >= length)
             std::memcpy(to, to - distance, length);
         else
-            for (std::size_t i = 0; i < length; ++i) // the match goes on into its own copy
+            for (std::size_t i = 0; i < length; ++i) // the match overlaps its own copy
                 to[i] = (to - distance)[i];
         filled_ += length;
     }
@@ -307,7 +307,7 @@ private:
 
     std::uint32_t adler_32() const
     {
-        constexpr std::size_t sums_fit = 5552; // bytes until the second sum could exceed 32 bits
+        constexpr std::size_t sums_fit = 5552; // bytes before the second sum could exceed 32 bits
         std::uint32_t a = 1;
         std::uint32_t b = 0;
         for (std::size_t first = 0; first < contents_.size(); first += sums_fit) {

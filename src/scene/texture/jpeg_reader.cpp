@@ -1,17 +1,17 @@
 // JPEG reader after ITU-T T.81 (1992), whose section numbers are given below, and JFIF 1.02 for the colours.
 //
-// A file is a chain of marker segments: tables, one frame header and one or more scans. A scan holds the Huffman coded
-// coefficients of the 8 x 8 blocks of some components. In the sequential modes a scan brings the whole blocks, which
-// are transformed at once; in the progressive mode it brings a band of frequencies or one more bit of them, so the
-// coefficients are collected and transformed at the end. Components of reduced resolution are then interpolated and
-// the colours converted.
+// A file is a list of marker segments: tables, one frame header and one or more scans. A scan holds the Huffman coded
+// coefficients of the 8 x 8 blocks of some components. In the sequential modes a scan has complete blocks, which are
+// transformed at once. In the progressive mode it has a band of frequencies, or one more bit of their coefficients, so
+// the coefficients are stored and transformed after the last scan. Components of reduced resolution are then
+// interpolated and the colours converted.
 //
 // Inverse DCT: Loeffler, Ligtenberg and Moschytz, "Practical fast 1-D DCT algorithms with 11 multiplications", 1989,
 // with 13 fractional bits in the constants and 2 in the intermediate result. Transform, interpolation and colours round
 // like libjpeg's default ("islow", "fancy upsampling"), so both decoders agree in every pixel of a sound file.
 //
-// A file that ends or meets a marker too early keeps what was decoded until then; the rest is grey. What contradicts
-// the standard otherwise is an error.
+// If the file, or the data before a marker, ends too early, the blocks decoded so far are kept and the rest is grey.
+// Any other violation of the standard is an error.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
@@ -26,7 +26,7 @@ namespace multipath {
 namespace {
 
 constexpr std::size_t jpeg_max_scans = 256;
-/// Blocks visited by all scans together: twenty complete scans of three components of 2^26 pixels.
+/// Limit of the blocks visited by all scans together: twenty complete scans of three components of 2^26 pixels.
 constexpr std::size_t jpeg_max_block_visits = std::size_t{1} << 26;
 
 /// Position in the block, row by row, of the k-th coefficient of the file (figure A.6).
@@ -107,7 +107,7 @@ JpegHuffman read_jpeg_huffman(ByteReader& segment)
     return table;
 }
 
-/// Bits of the entropy coded data. At a marker and at the end of the file it goes on with zeros.
+/// Reads the bits of entropy coded data. After a marker or the end of the file it continues with zeros.
 class JpegBits
 {
 public:
@@ -115,10 +115,10 @@ public:
 
     std::size_t position() const { return position_; }
 
-    /// True if bits were read that the file does not have.
+    /// True if bits were read after the end of the data.
     bool exhausted() const { return padding_ > count_; }
 
-    /// `count` <= 16 bits.
+    /// Reads a number of `count` <= 16 bits.
     unsigned bits(unsigned count)
     {
         const unsigned result = peek(count);
@@ -144,7 +144,7 @@ public:
         return 0;
     }
 
-    /// A number of `size` <= 15 bits with its sign (F.2.2.1, EXTEND).
+    /// Reads a signed number of `size` <= 15 bits (F.2.2.1, EXTEND).
     int signed_number(unsigned size)
     {
         const int number = static_cast<int>(bits(size));
@@ -152,23 +152,23 @@ public:
         return 2 * number < range ? number - range + 1 : number;
     }
 
-    /// Throws unless the wrong code may come from the zeros after the end.
+    /// Throws ImageError, unless the wrong code may be due to the zeros after the end.
     void report_damage() const
     {
         if (!exhausted())
             throw ImageError("the coded JPEG data is damaged");
     }
 
-    /// Goes to the restart marker; false, without going further, if another marker or the end comes first.
+    /// Moves past the next restart marker. Returns false, without moving, if another marker or the end comes first.
     bool restart()
     {
         count_ = 0;
         padding_ = 0;
-        std::size_t behind = position_;
-        const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes_, behind);
+        std::size_t after = position_;
+        const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes_, after);
         if (!marker || !is_jpeg_restart(*marker))
             return false;
-        position_ = behind;
+        position_ = after;
         return true;
     }
 
@@ -198,7 +198,7 @@ private:
     std::string_view bytes_;
     std::size_t position_ = 0;
     std::uint64_t buffer_ = 0;
-    unsigned count_ = 0;   ///< bits in the buffer, the lowest ones
+    unsigned count_ = 0;   ///< number of valid bits, the lowest ones of the buffer
     unsigned padding_ = 0; ///< zeros put into the buffer after the end
 };
 
@@ -212,12 +212,12 @@ struct JpegComponent
     std::size_t quantization_index = 0;
     std::uint32_t width = 0; ///< [samples]
     std::uint32_t height = 0;
-    std::uint32_t blocks_x = 0; ///< without those that only fill up the last MCU
+    std::uint32_t blocks_x = 0; ///< without blocks that only pad the last MCU
     std::uint32_t blocks_y = 0;
     std::size_t block_count() const { return std::size_t{blocks_x} * blocks_y; }
     std::size_t stride() const { return std::size_t{8} * blocks_x; } ///< [samples]
 
-    std::optional<std::array<std::uint16_t, 64>> quantization; ///< that of its first scan
+    std::optional<std::array<std::uint16_t, 64>> quantization; ///< table at its first scan
     std::vector<JpegBlock> coefficients;                       ///< progressive mode only
     std::vector<std::uint8_t> samples;                         ///< rows of stride()
     const JpegHuffman* dc = nullptr;                           ///< tables of the current scan
@@ -225,7 +225,7 @@ struct JpegComponent
     int dc_prediction = 0;
 };
 
-/// Scan header (B.2.3): which coefficients of which components it brings.
+/// Scan header (B.2.3): the components and coefficients that the scan contains.
 struct JpegScan
 {
     std::vector<JpegComponent*> components;
@@ -237,8 +237,8 @@ struct JpegScan
 
 using JpegVector = std::array<std::int64_t, 8>;
 
-/// The one-dimensional inverse DCT, scaled by sqrt(8) 2^13 and rounded after dropping `shift` bits. 64 bits hold the
-/// result of the worst coefficients and quantization tables.
+/// The one-dimensional inverse DCT times sqrt(8) 2^(13 - shift), rounded. 64 bits hold the result of the largest
+/// coefficients and quantization tables.
 JpegVector jpeg_inverse_dct(const JpegVector& s, int shift)
 {
     constexpr auto fixed = [](double factor) { return static_cast<std::int64_t>(factor * 8192.0 + 0.5); };
@@ -376,8 +376,8 @@ private:
             if ((target & ~0x13U) != 0)
                 throw ImageError("a quantization table is damaged");
             std::array<std::uint16_t, 64> table = {};
-            for (const std::uint8_t place : jpeg_zigzag)
-                table[place] = static_cast<std::uint16_t>(target < 0x10 ? segment.byte() : jpeg_word(segment));
+            for (const std::uint8_t index : jpeg_zigzag)
+                table[index] = static_cast<std::uint16_t>(target < 0x10 ? segment.byte() : jpeg_word(segment));
             quantization_tables_[target & 3] = table;
         }
     }
@@ -424,7 +424,8 @@ private:
             component.blocks_x = (component.width + 7) / 8;
             component.blocks_y = (component.height + 7) / 8;
         }
-        // A block takes a bit at least; a file with less than a part of them is not worth the memory that it asks for.
+        // A block takes at least one bit. A file with fewer than 1/16 of these bits is refused before memory is
+        // allocated.
         constexpr std::size_t least_part = 16;
         std::size_t blocks = 0;
         for (const JpegComponent& component : components_)
@@ -445,10 +446,10 @@ private:
         for (unsigned i = 0; i < count; ++i) {
             const std::uint8_t id = segment.byte();
             const unsigned tables = segment.byte();
-            const auto is_meant = [&](const JpegComponent& c) {
+            const auto is_new_with_id = [&](const JpegComponent& c) {
                 return c.id == id && std::count(scan.components.begin(), scan.components.end(), &c) == 0;
             };
-            const auto component = std::find_if(components_.begin(), components_.end(), is_meant);
+            const auto component = std::find_if(components_.begin(), components_.end(), is_new_with_id);
             if (component == components_.end() || (tables & ~0x33U) != 0)
                 throw ImageError("a JPEG scan header is damaged");
             component->dc = &dc_tables_[tables >> 4];
@@ -470,7 +471,7 @@ private:
         return scan;
     }
 
-    /// Decodes a scan whose coded data begin at `position`; returns where they end.
+    /// Decodes a scan whose coded data begin at `position`; returns the position of their end.
     std::size_t read_scan(ByteReader segment, std::size_t position)
     {
         scan_ = read_scan_header(segment);
@@ -487,8 +488,8 @@ private:
         if (scans_++ == 0)
             allocate_blocks();
 
-        // A scan of several components interleaves h x v blocks of each in an MCU; one of a single component goes
-        // through its blocks (A.2).
+        // In a scan of several components, an MCU has h x v blocks of each of them; in a scan of a single component, it
+        // is one block (A.2).
         const bool interleaved = scan_.components.size() > 1;
         const JpegComponent& front = *scan_.components.front();
         const std::size_t mcus_x =
@@ -511,7 +512,7 @@ private:
                 reset_predictions();
             }
             if (bits_.exhausted())
-                continue; // the next restart interval may be sound
+                continue; // the next restart interval may be intact
             const std::size_t mcu_x = mcu % mcus_x;
             const std::size_t mcu_y = mcu / mcus_x;
             for (JpegComponent* component : scan_.components) {
@@ -542,8 +543,8 @@ private:
 
     void decode_block(JpegComponent& component, std::size_t x, std::size_t y)
     {
-        // Blocks that only fill up an MCU are decoded and dropped. In the progressive mode they occur only in scans of
-        // DC, whose code does not depend on earlier scans.
+        // Blocks that only pad an MCU are decoded and dropped. In the progressive mode they occur only in scans of the
+        // DC coefficient, whose code does not depend on earlier scans.
         const bool is_inside = x < component.blocks_x && y < component.blocks_y;
         JpegBlock block = {};
         if (progressive_)
@@ -554,7 +555,7 @@ private:
             transform(component, block, x, y);
     }
 
-    /// What a progressive scan has of a block (G.1.2).
+    /// Decodes the coefficients of a block that a progressive scan contains (G.1.2).
     void decode_band(JpegComponent& component, JpegBlock& block)
     {
         if (scan_.first > 0)
@@ -565,7 +566,7 @@ private:
             block[0] = static_cast<std::int16_t>(block[0] | 1 << scan_.low);
     }
 
-    /// Difference to the block before (F.2.2.1).
+    /// Decodes the DC coefficient, coded as the difference from that of the previous block (F.2.2.1).
     void decode_dc(JpegComponent& component, JpegBlock& block)
     {
         const unsigned size = bits_.symbol(*component.dc);
@@ -575,8 +576,8 @@ private:
         block[0] = static_cast<std::int16_t>(component.dc_prediction * (1 << scan_.low));
     }
 
-    /// Coefficients with the runs of zeros before them (F.2.2.2); the run of blocks that have no more of them (G.1.2.2)
-    /// is 0 in the sequential modes, which have only the symbol for this block.
+    /// Decodes AC coefficients, each with the run of zeros before it (F.2.2.2). In the progressive mode the end of a
+    /// block may also end a run of following blocks (G.1.2.2); in the sequential modes that run is always 0.
     void decode_ac(JpegComponent& component, JpegBlock& block)
     {
         if (end_of_band_run_ > 0) {
@@ -601,7 +602,7 @@ private:
         }
     }
 
-    /// One more bit of the coefficients that are not zero, between new ones (G.1.2.3).
+    /// Decodes one more bit of the nonzero AC coefficients, mixed with new coefficients (G.1.2.3).
     void refine_ac(JpegComponent& component, JpegBlock& block)
     {
         const int step = 1 << scan_.low;
@@ -645,9 +646,9 @@ private:
         transform_jpeg_block(block, *component.quantization, &component.samples[8 * (y * stride + x)], stride);
     }
 
-    /// Row `y` of a component in the resolution of the picture. Half resolution is interpolated: a sample weighs 3/4,
-    /// its neighbour on the other side 1/4; the rounding alternates so that it has no bias. Other ratios repeat
-    /// samples.
+    /// Row `y` of a component in the resolution of the image. Half resolution is interpolated with weights 3/4 of the
+    /// nearest sample and 1/4 of its neighbour; alternating rounding avoids a bias. For other ratios samples are
+    /// repeated.
     std::vector<std::uint8_t> full_row(const JpegComponent& component, std::uint32_t y) const
     {
         const std::size_t stride = component.stride();
@@ -691,7 +692,8 @@ private:
         return row;
     }
 
-    /// True if the first three components are YCbCr: what JFIF says comes before the mark of Adobe and the names.
+    /// True if the first three components are YCbCr. A JFIF segment takes precedence over an Adobe segment, and that
+    /// over the ids of the components.
     bool has_luma() const
     {
         if (components_.size() == 4)
@@ -707,7 +709,7 @@ private:
     {
         for (JpegComponent& component : components_) {
             if (!progressive_)
-                break; // the samples are there
+                break; // the samples exist already
             component.samples.assign(64 * component.block_count(), 128);
             for (std::size_t i = 0; i < component.block_count() && component.quantization; ++i)
                 transform(component, component.coefficients[i], i % component.blocks_x, i / component.blocks_x);
@@ -734,8 +736,8 @@ private:
             else if (!is_grey)
                 colour = {rows[0][x], rows[1][x], rows[2][x]};
             for (std::size_t i = 0; i < 3; ++i) {
-                // CMYK holds, as Adobe's programs write it, the share of light that each ink lets through. YCCK is the
-                // complement of that.
+                // As Adobe's programs write it, CMYK holds the share of light that each ink transmits, and YCCK its
+                // complement.
                 const int ink = is_ycc ? 255 - colour[i] : colour[i];
                 rgb[i] = is_cmyk ? static_cast<std::uint8_t>((ink * rows[3][x] + 127) / 255) : colour[i];
             }

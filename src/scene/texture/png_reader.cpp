@@ -1,5 +1,6 @@
-// Reader of PNG files (ISO/IEC 15948). Checksums of chunks are not compared: damage of the pixels shows in the Adler-32
-// of the data, and a wrong checksum elsewhere is no reason to refuse a texture.
+// Reader of PNG files (ISO/IEC 15948). A file is a list of chunks: a header, perhaps a palette, and a zlib stream of
+// filtered rows. The checksums of chunks are ignored: damaged pixels show in the Adler-32 checksum of the stream, and a
+// wrong checksum elsewhere is no reason to refuse a texture.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
@@ -23,7 +24,7 @@ public:
         file_.skip(8); // signature
         Chunk chunk = next_chunk();
         if (chunk.type != "IHDR")
-            throw ImageError("does not begin with its size");
+            throw ImageError("does not begin with a header");
         read_header(chunk.data);
         std::string stream;
         for (chunk = next_chunk(); chunk.type != "IEND"; chunk = next_chunk()) {
@@ -32,7 +33,7 @@ public:
             else if (chunk.type == "PLTE")
                 read_palette(chunk.data);
             else if (const bool is_critical = (chunk.type[0] & 0x20) == 0; is_critical)
-                throw ImageError("has parts of an unknown kind");
+                throw ImageError("has a chunk of an unknown type");
         }
         if (colour_type_ == indexed && !has_palette_)
             throw ImageError("has no palette");
@@ -48,7 +49,7 @@ private:
         std::string_view data;
     };
 
-    /// The pixels (x + i dx, y + j dy), which are filtered and stored like an image of their own.
+    /// A pass of an interlaced image (Adam7): the pixels (x + i dx, y + j dy), stored like an image of their own.
     struct Pass
     {
         std::uint32_t x, y, dx, dy;
@@ -81,9 +82,9 @@ private:
         const unsigned least = colour_type_ == grey || colour_type_ == indexed ? 1 : 8;
         const unsigned most = colour_type_ == indexed ? 8 : 16;
         if (samples_ == 0 || !is_power_of_two || depth_ < least || depth_ > most)
-            throw ImageError("has pixels of an unknown kind");
+            throw ImageError("has an unknown pixel format");
         if (compression != 0 || filter != 0 || interlace > 1)
-            throw ImageError("is compressed in an unknown way");
+            throw ImageError("uses an unknown compression method");
         is_interlaced_ = interlace == 1;
         require_bitmap_size(width_, height_);
     }
@@ -137,7 +138,7 @@ private:
         return bitmap;
     }
 
-    /// Removes the filters of the rows of the pass, copies them into the bitmap and returns what follows them.
+    /// Removes the filters of the rows of a pass, copies the rows into the bitmap and returns the end of their data.
     std::uint8_t* read_pass(const Pass& pass, std::uint8_t* next, Bitmap& bitmap) const
     {
         const std::uint32_t columns = pass.columns(width_);
@@ -157,11 +158,11 @@ private:
         return next;
     }
 
-    /// Adds to every byte its prediction from the bytes to the left and above, which are 0 outside (ISO/IEC
+    /// Adds to every byte its prediction from the bytes to the left and above, which are 0 outside the image (ISO/IEC
     /// 15948, 9.2).
     void remove_filter(unsigned filter, std::uint8_t* row, const std::uint8_t* above, std::size_t size) const
     {
-        const std::size_t left = std::max(1u, samples_ * depth_ / 8); // distance to the same byte of the pixel before
+        const std::size_t left = std::max(1u, samples_ * depth_ / 8); // distance to the same byte of the previous pixel
         const std::size_t first = std::min(left, size);
         const auto add = [row](std::size_t i, unsigned prediction) {
             row[i] = static_cast<std::uint8_t>(row[i] + prediction);
@@ -194,7 +195,7 @@ private:
         }
     }
 
-    /// Whichever of left, above and corner is next to left + above - corner.
+    /// The Paeth predictor: that of left, above and corner that is nearest to left + above - corner.
     static unsigned paeth(int left, int above, int corner)
     {
         const int to_left = std::abs(above - corner);
@@ -204,7 +205,7 @@ private:
         return static_cast<unsigned>(to_left <= to_above && to_left <= to_corner ? left : vertical);
     }
 
-    /// One byte for each sample: the high byte of 16 bits; fewer bits as they are.
+    /// Unpacks a row into one byte per sample: the high byte of 16 bits; fewer than 8 bits are not scaled.
     void unpack(const std::uint8_t* row, std::vector<std::uint8_t>& samples) const
     {
         if (depth_ == 8) {
@@ -246,7 +247,7 @@ private:
     unsigned samples_ = 0; ///< of a pixel
     bool is_interlaced_ = false;
     bool has_palette_ = false;
-    std::array<std::uint8_t, 768> palette_ = {}; ///< black behind its end
+    std::array<std::uint8_t, 768> palette_ = {}; ///< black after its end
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// Reader of Netpbm's bitmaps (P1, P4), grey maps (P2, P5) and colour maps (P3, P6), as text or binary.
+// Reader of Netpbm files: bitmaps (P1, P4), grey maps (P2, P5) and colour maps (P3, P6), as text (P1 to P3) or binary.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
@@ -44,11 +44,12 @@ public:
     }
 
 private:
-    /// Numbers are at most 10^8 and samples of two bytes at most, so that nothing overflows here.
+    /// Throws ImageError if the file is too short for these rows. Nothing overflows here, since numbers are at most
+    /// 10^8 and samples have at most two bytes.
     void require_rows(std::uint64_t samples, std::uint64_t rows) const
     {
         std::uint64_t least = samples * rows * (largest_ > 255 ? 2 : 1);
-        if (is_text_) // digits, and what separates numbers
+        if (is_text_) // at least one digit per number, and separators
             least = is_bitmap_ ? samples * rows : std::max(samples * rows, std::uint64_t{1}) * 2 - 1;
         else if (is_bitmap_)
             least = (samples + 7) / 8 * rows;
@@ -78,7 +79,7 @@ private:
         return bits_ >> (7 - used_bits_++ % 8) & 1u;
     }
 
-    /// A character; a comment, up to the end of its line, counts as one white space.
+    /// The next character; a comment, up to the end of its line, counts as a single white space.
     std::uint8_t character()
     {
         std::uint8_t c = file_.byte();
@@ -88,18 +89,18 @@ private:
         return c;
     }
 
-    /// The next digit after white space.
+    /// Skips white space and returns the value of the digit that follows.
     unsigned digit()
     {
         std::uint8_t c = character();
         while (c == ' ' || (c >= '\t' && c <= '\r'))
             c = character();
         if (c < '0' || c > '9')
-            throw ImageError("has something else where a number is expected");
+            throw ImageError("has other text where a number is expected");
         return c - unsigned{'0'};
     }
 
-    /// The next number and the character that ends it, which is the last before binary values.
+    /// Reads a number and the single character after it, which is all that separates the header from binary values.
     std::uint32_t number()
     {
         std::uint32_t value = digit();

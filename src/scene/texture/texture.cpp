@@ -3,9 +3,9 @@
 //
 //   integral of T over P = integral of S dt around P.
 //
-// T is constant within a pixel, so that S is linear in s there: along a straight piece that stays within one pixel the
-// midpoint rule is exact. S comes from sums of the pixels of a row, kept for every 16th pixel. Linear light is counted
-// in whole units of 1/65535: sums are exact, and the same on every machine.
+// T is constant within a pixel, so S is linear in s there, and along the part of an edge that lies in one pixel the
+// midpoint rule is exact. S follows from prefix sums along each row, which are stored for every 16th pixel. Linear
+// light is counted in whole units of 1/65535, so sums are exact, and the same on every machine.
 
 #include "scene/texture/texture.h"
 
@@ -47,12 +47,14 @@ std::uint64_t hash_of(const Bitmap& bitmap, bool repeats)
     return hash;
 }
 
+/// The remainder of a division by n, in 0 ... n - 1 also for negative x.
 std::int64_t remainder(std::int64_t x, std::int64_t n)
 {
     const std::int64_t r = x % n;
     return r < 0 ? r + n : r;
 }
 
+/// The area of a polygon, positive if its corners run counter-clockwise.
 double area_of(const TextureFootprint& p)
 {
     double twice = 0.0;
@@ -112,7 +114,7 @@ std::int64_t Texture::column(std::int64_t x) const
     return repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width - 1);
 }
 
-/// Of the file, whose first row is the top one.
+/// The row of the bitmap, whose first row is at the top, for a row counted from the bottom.
 std::uint32_t Texture::row(std::int64_t y) const
 {
     const std::int64_t height = bitmap_.height;
@@ -125,7 +127,7 @@ const std::uint8_t* Texture::pixel(std::int64_t x, std::int64_t y) const
     return bitmap_.row(row(y)) + 3 * column(x);
 }
 
-/// Of the pixels 0 ... x - 1 of a row, of which x may be any whole number.
+/// The sums of the pixels 0 ... x - 1 of a row. x may lie outside the image, on either side.
 Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
 {
     const std::int64_t width = bitmap_.width;
@@ -144,7 +146,7 @@ Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
     if (x >= 0 && x <= width)
         return within(x);
     const std::int64_t inside = repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width);
-    const std::int64_t beyond = x - inside; // whole rows, or pixels like the one at the border
+    const std::int64_t beyond = x - inside; // a multiple of the width, or copies of the border pixel
     Sums sums = within(inside);
     const Sums row_sums = repeats_ ? within(width) : Sums{};
     const std::uint8_t* border = bitmap_.row(row) + 3 * (x < 0 ? 0 : width - 1);
@@ -153,7 +155,7 @@ Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
     return sums;
 }
 
-/// Adds the integral of S dt along a straight line; coordinates in pixels, S counted from `first_column`.
+/// Adds the integral of S dt along an edge, pixel by pixel. Coordinates are in pixels; S starts at `first_column`.
 void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_column,
                         std::array<double, 3>& sums) const
 {
@@ -164,7 +166,7 @@ void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_c
     const auto next_border = [](double x, double d) { return d > 0.0 ? std::floor(x) + 1.0 : std::ceil(x) - 1.0; };
     double border_s = next_border(from.s, ds);
     double border_t = next_border(from.t, dt);
-    double before = 0.0; // parameter along the line
+    double before = 0.0; // parameter along the edge
     while (before < 1.0) {
         const double at_s = ds != 0.0 ? (border_s - from.s) / ds : 2.0;
         const double at_t = (border_t - from.t) / dt;
@@ -194,7 +196,7 @@ Rgb Texture::mean(const TextureFootprint& footprint) const
 {
     const double width = bitmap_.width;
     const double height = bitmap_.height;
-    // Near the origin, where numbers are exact; a texture that repeats looks the same there.
+    // A repeating texture may be shifted by whole periods, towards the origin, where numbers are more precise.
     const double shift_s = repeats_ ? std::floor(footprint.corners[0].s) : 0.0;
     const double shift_t = repeats_ ? std::floor(footprint.corners[0].t) : 0.0;
     TextureFootprint p = footprint;
@@ -207,7 +209,7 @@ Rgb Texture::mean(const TextureFootprint& footprint) const
     for (std::size_t k = 0; k < p.count; ++k)
         length += std::abs(p.corners[k].s - p.corners[(k + 1) % p.count].s) +
                   std::abs(p.corners[k].t - p.corners[(k + 1) % p.count].t);
-    constexpr double too_long = 1e6; // pixels: so many that their mean is that of the texture
+    constexpr double too_long = 1e6; // [pixels] along the border: the mean of so many is that of the texture
     if (!(length < too_long))
         return mean_;
     const double area = area_of(p);
@@ -236,10 +238,10 @@ Rgb texture_mean(const Texture& texture, const TextureFrame& frame, std::size_t 
     return texture.mean(footprint);
 }
 
-Rgb Texture::at(TexturePoint place) const
+Rgb Texture::at(TexturePoint point) const
 {
-    const double s = (repeats_ ? place.s - std::floor(place.s) : std::clamp(place.s, 0.0, 1.0)) * bitmap_.width - 0.5;
-    const double t = (repeats_ ? place.t - std::floor(place.t) : std::clamp(place.t, 0.0, 1.0)) * bitmap_.height - 0.5;
+    const double s = (repeats_ ? point.s - std::floor(point.s) : std::clamp(point.s, 0.0, 1.0)) * bitmap_.width - 0.5;
+    const double t = (repeats_ ? point.t - std::floor(point.t) : std::clamp(point.t, 0.0, 1.0)) * bitmap_.height - 0.5;
     const double x = std::floor(s);
     const double y = std::floor(t);
     const auto corner = [&](int right, int up) {

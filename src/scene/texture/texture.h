@@ -11,27 +11,27 @@
 
 namespace multipath {
 
-/// A place of a texture: (0, 0) is its lower left corner, (1, 1) the upper right.
+/// A point of a texture: (0, 0) is the lower left corner of the image, (1, 1) the upper right.
 struct TexturePoint
 {
     double s = 0.0;
     double t = 0.0;
 };
 
-/// An image as browsers and glTF take it.
+/// An encoded image in a format of browsers and glTF.
 struct ImageFile
 {
     std::string type; ///< "image/png" or "image/jpeg"
     std::string bytes;
 };
 
-/// How a surface lies on a texture: its point (u, v) at origin + u along_u + v along_v.
+/// The affine map from a surface to a texture: (u, v) to origin + u along_u + v along_v.
 struct TextureFrame
 {
     TexturePoint origin;
     TexturePoint along_u;
     TexturePoint along_v;
-    bool known = false; ///< otherwise the surface shows the mean of the texture
+    bool known = false; ///< false: the surface shows the mean of the texture
 
     TexturePoint at(double u, double v) const
     {
@@ -39,32 +39,33 @@ struct TextureFrame
     }
 };
 
-/// A triangle or parallelogram of a texture.
+/// A triangle or parallelogram in texture coordinates.
 struct TextureFootprint
 {
     std::array<TexturePoint, 4> corners;
     std::size_t count = 4; ///< or 3
 };
 
-/// A picture as a colour that varies over a surface, in linear light [1]. Constant within each pixel, repeated in all
-/// directions, or continued from its border.
+/// An image as a colour in linear light [1] that varies over a surface. It is constant within each pixel (except in
+/// at()); outside its square it repeats, or continues the pixels of its border.
 class Texture
 {
 public:
-    /// `bytes`: of an image file. Throws ImageError.
+    /// `bytes` is the contents of an image file. Throws ImageError.
     Texture(std::string name, std::string bytes, bool repeats);
 
     const std::string& name() const { return name_; }
     const std::string& bytes() const { return bytes_; }
     bool repeats() const { return repeats_; }
-    std::uint64_t hash() const { return hash_; } ///< of pixels and `repeats`
+    std::uint64_t hash() const { return hash_; } ///< of the pixels and `repeats`
     const Bitmap& bitmap() const { return bitmap_; }
 
     Rgb mean() const { return mean_; }
-    /// Exact, by Green's theorem, in time proportional to the pixels along the border. Of an area of 0 the middle.
+    /// The mean over a polygon: exact, by Green's theorem, in time proportional to the pixels along its border. Without
+    /// area it is the pixel at the middle; with a border of 10^6 pixels or more it is the mean of the whole texture.
     Rgb mean(const TextureFootprint& footprint) const;
-    /// Between the middles of four pixels, bilinear.
-    Rgb at(TexturePoint place) const;
+    /// The colour at a point, by bilinear interpolation between the centres of four pixels.
+    Rgb at(TexturePoint point) const;
 
 private:
     using Sums = std::array<std::int64_t, 3>;
@@ -80,16 +81,17 @@ private:
     bool repeats_;
     Bitmap bitmap_;
     std::uint64_t hash_ = 0;
-    std::vector<std::uint32_t> sums_; ///< of the pixels of a row before every 16th, three colours each
+    std::vector<std::uint32_t> sums_; ///< of a row's pixels before every 16th one, three channels each
     std::size_t sums_per_row_ = 0;
     Rgb mean_;
 };
 
-/// [1] Mean over the part of a surface between these points (u, v) of its square; of a triangle the first three count.
+/// [1] The mean of a texture over the polygon with these (u, v) corners on a surface; `corners`, 3 or 4, is their
+/// number. With an unknown frame it is the mean of the whole texture.
 Rgb texture_mean(const Texture& texture, const TextureFrame& frame, std::size_t corners,
                  const std::array<std::array<double, 2>, 4>& uv);
 
-/// [1] Linear light of a colour of 8 bits (IEC 61966-2-1, sRGB).
+/// [1] Linear light of an 8-bit sRGB colour (IEC 61966-2-1).
 Rgb linear_colour(const std::uint8_t* rgb);
 
 } // namespace multipath

@@ -21,7 +21,7 @@ public:
         file_.skip(id_size_);
         read_colour_map();
         const std::uint64_t pixels = std::uint64_t{width_} * height_;
-        constexpr std::uint64_t most_per_byte = 64; // a packet has two bytes or more for at most 128 pixels
+        constexpr std::uint64_t most_per_byte = 64; // a packet of at most 128 pixels has at least two bytes
         if (is_packed_ ? pixels > most_per_byte * file_.left() : pixels * pixel_bytes_ > file_.left())
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_);
@@ -88,7 +88,7 @@ private:
             map_.push_back(colour_at(entries + i * entry_bytes, entry_bytes));
     }
 
-    /// 15 and 16 bits are 5 of red, green and blue each from the top on, below a bit that is ignored.
+    /// Pixels of 15 and 16 bits hold 5 bits of red, green and blue each, from high to low; bit 15 is ignored.
     static Colour colour_at(const std::uint8_t* bytes, std::size_t count)
     {
         if (count > 2)
@@ -109,8 +109,8 @@ private:
         return index < map_.size() ? map_[index] : Colour{};
     }
 
-    /// A packet is a byte with its number of pixels, then one pixel for all or all of them; it may go on in the next
-    /// row.
+    /// The next pixel. A packet is a byte with the number of its pixels, followed by a single pixel that is repeated,
+    /// or by all pixels. It may continue in the next row.
     const std::uint8_t* next_pixel()
     {
         if (!is_packed_)
@@ -130,7 +130,7 @@ private:
     ByteReader file_;
     std::size_t id_size_ = 0;
     bool has_map_ = false;
-    std::size_t map_first_ = 0; ///< number of the first colour of the map
+    std::size_t map_first_ = 0; ///< index of the first colour in the map
     std::size_t map_size_ = 0;
     unsigned map_bits_ = 0;
     std::vector<Colour> map_;

@@ -106,7 +106,7 @@ const std::vector<Loads> loads = {
 };
 
 const std::vector<Fails> failures = {
-    {"04_neg_out_of_range", ":5: vertex `-9` counts back beyond the first vertex, 4 are defined"},
+    {"04_neg_out_of_range", ":5: vertex `-9` counts back past the first vertex, 4 are defined"},
     {"05_index_zero", ":5: vertex number 0, expected numbers from 1"},
     {"06_index_too_big", ":5: vertex 99 does not exist, the file has 4"},
     {"07_index_overflow", ":5: vertex number `99999999999999999999` is too large"},

@@ -104,7 +104,7 @@ TEST_CASE("a scene without light says why")
     const std::string faces = "mtllib room.mtl\n" + square + "usemtl paint\nf 1 2 3 4\n";
     CHECK(contains(SceneText{square + "f 1 2 3\n", ""}.problem(), "no material file is named"));
     CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(),
-                   "used but defined nowhere: `light`, read `room.mtl`"));
+                   "used but not defined in `room.mtl`: `light`"));
     CHECK(contains(SceneText{faces, paint + "Ke 1e-323\n"}.problem(), "below 1e-30, which counts as 0: `paint`"));
     CHECK(contains(SceneText{faces, paint + "newmtl sun\nKe 9\n"}.problem(), "emitting but used by no face: `sun`"));
     std::string suns;
@@ -123,7 +123,7 @@ TEST_CASE("a lamp in Ka is found on request, and pointed out without")
 {
     const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\nusemtl wall\nf 4 3 2 1\n",
                          "newmtl lamp\nKa 20 10 5\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
-    CHECK(contains(text.problem(), "Ka makes a lamp of `lamp`: multipath solve "));
+    CHECK(contains(text.problem(), "to read lamps from Ka (`lamp`): multipath solve "));
     CHECK(contains(text.problem(), "room.obj --emission-from Ka"));
     const SceneFile scene = text.read(EmissionFrom::ka);
     CHECK(scene.materials[scene.material[0]].emittance == Rgb{20, 10, 5});
@@ -251,7 +251,7 @@ TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open o
 {
     const std::string white = "newmtl white\nKd 0.5 1 0.5\nKe 1\n";
     const std::string start = "mtllib room.mtl\nusemtl white\n";
-    CHECK(contains(SceneText{start + cube, white}.problem(), "nothing absorbs"));
+    CHECK(contains(SceneText{start + cube, white}.problem(), "nothing absorbs light"));
 
     const std::string open_cube = cube.substr(0, cube.rfind("f "));
     const SceneFile open = SceneText{start + open_cube, white}.read();
@@ -276,7 +276,7 @@ TEST_CASE("reflectances above 1 are refused or lowered, and the error's command 
     CHECK(any_contains(scene.warnings, "lowered to the limit of --reflectance-limit: `white`"));
 
     const SceneText dark_cube{start + cube, "newmtl white\nKd 1\n"};
-    CHECK(contains(dark_cube.problem(), "nothing absorbs"));
+    CHECK(contains(dark_cube.problem(), "nothing absorbs light"));
     CHECK(contains(dark_cube.problem(), "no emitter"));
     CHECK(contains(dark_cube.problem(), "room.obj --reflectance-limit 0.9 --lamp white=10"));
     lowered.lamps.push_back({"white", {10, 10, 10}});

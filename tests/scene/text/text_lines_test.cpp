@@ -80,7 +80,7 @@ TEST_CASE("a backslash joins lines, but not in names and comments")
     CHECK(split("f 1 \\\r\n2\\ \n3\nv\n") == Lines{{"f 1  2 3", 1}, {"v", 4}});
     CHECK(split("mtllib a\\\n# c\\\nmap_Kd d\\\nv 1 # \\\n") ==
           Lines{{"mtllib a\\", 1}, {"# c\\", 2}, {"map_Kd d\\", 3}, {"v 1 # \\", 4}});
-    CHECK(contains(problem("a\nf 1 \\\n"), "a.txt:2: the file ends behind a `\\`"));
+    CHECK(contains(problem("a\nf 1 \\\n"), "a.txt:2: the file ends after a `\\`"));
 }
 
 TEST_CASE("what is not UTF-8 text is refused")

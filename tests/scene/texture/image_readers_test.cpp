@@ -179,7 +179,7 @@ TEST_CASE("the first bytes of an image choose its reader, its name only that of 
     CHECK(picture("a.jpg", png(1, 1, "08 02 000000", "00 010203")) == "010203");
     const std::string tga = hex("00 00 02 0000 0000 00 0000 0000 0100 0100 18 00 010203");
     CHECK(picture("A.TgA", tga) == "030201");
-    const std::string refusal = "is no PNG, JPEG, TGA, BMP or PPM";
+    const std::string refusal = "is not a PNG, JPEG, TGA, BMP or PPM file";
     CHECK(picture("tga", tga) == refusal);
     CHECK(picture("", "") == refusal);
     CHECK(picture("a.ppm", "P7 1 1 255\nabc") == refusal);
@@ -313,20 +313,20 @@ TEST_CASE("PNG: data in several chunks, with others between them that are ignore
     const std::string data =
         chunk("IDAT", stream.substr(0, 3)) + chunk("IDAT", "") + chunk("tEXt", "?") + chunk("IDAT", stream.substr(3));
     CHECK(picture("a", start + data + end) == "010203");
-    CHECK(picture("a", start + data + chunk("WHAT", "") + end) == "has parts of an unknown kind");
+    CHECK(picture("a", start + data + chunk("WHAT", "") + end) == "has a chunk of an unknown type");
     CHECK(picture("a", start + data) == "ends too early");
     CHECK(picture("a", start + chunk("IDAT", stream.substr(0, 9)) + end) == "ends too early");
     CHECK(picture("a", start + end) == "ends too early");
-    CHECK(picture("a", hex("89504e470d0a1a0a") + data + end) == "does not begin with its size");
+    CHECK(picture("a", hex("89504e470d0a1a0a") + data + end) == "does not begin with a header");
 }
 
 TEST_CASE("PNG: unknown kinds of pixels and compression are refused")
 {
     for (const char* const kind : {"00 00 000000", "03 00 000000", "20 00 000000", "04 02 000000", "10 03 000000",
                                    "08 01 000000", "08 05 000000", "08 07 000000", "04 04 000000", "01 06 000000"})
-        CHECK(png_picture(1, 1, kind, "00 00") == "has pixels of an unknown kind");
+        CHECK(png_picture(1, 1, kind, "00 00") == "has an unknown pixel format");
     for (const char* const kind : {"08 00 010000", "08 00 000100", "08 00 000002"})
-        CHECK(png_picture(1, 1, kind, "00 00") == "is compressed in an unknown way");
+        CHECK(png_picture(1, 1, kind, "00 00") == "uses an unknown compression method");
 }
 
 TEST_CASE("PNG: a small file of a huge image is refused by its size")
@@ -453,14 +453,14 @@ TEST_CASE("BMP: what is unknown, empty or cut short is refused")
     CHECK(bmp_picture(info(one, "1800 00000000")) == "030201");
     CHECK(bmp_picture(info(one, "0200 00000000")) == "2 bits per pixel are not supported");
     for (const char* const kind : {"1800 01000000", "0800 02000000", "1800 04000000", "2000 05000000"})
-        CHECK(bmp_picture(info(one, kind)) == "is compressed in a way that is not supported");
+        CHECK(bmp_picture(info(one, kind)) == "uses a compression method that is not supported");
     CHECK(bmp_picture(info(one, "1800 03000000") + "0000000000000000") ==
-          "is compressed in a way that is not supported");
+          "uses a compression method that is not supported");
     for (const char* const size : {"00000000 01000000", "ffffffff 01000000", "01000000 00000000"})
         CHECK(bmp_picture(info(size, "1800 00000000")) == "has no pixels");
     for (const char* const size : {"02000000 01000000", "ffffff7f 00000080", "00400000 00400000"})
         CHECK(bmp_picture(info(size, "1800 00000000")) == "ends too early");
-    CHECK(bmp_picture("00000000 0000 0000 36000000 10000000" + one) == "has a header of an unknown kind");
+    CHECK(bmp_picture("00000000 0000 0000 36000000 10000000" + one) == "has an unknown kind of header");
     const std::string whole = "BM" + hex(info(one, "1800 00000000"));
     for (std::size_t size = 2; size + 1 < whole.size(); ++size)
         CHECK(picture("a", whole.substr(0, size)) == "ends too early");
@@ -482,8 +482,8 @@ TEST_CASE("Netpbm: bitmaps, grey maps and colour maps, as text and binary")
 
 TEST_CASE("Netpbm: damaged headers and files cut short are refused")
 {
-    CHECK(pnm_picture("P5 x") == "has something else where a number is expected");
-    CHECK(pnm_picture("P5 1 -1 255 a") == "has something else where a number is expected");
+    CHECK(pnm_picture("P5 x") == "has other text where a number is expected");
+    CHECK(pnm_picture("P5 1 -1 255 a") == "has other text where a number is expected");
     CHECK(pnm_picture("P5 1 99999999999 255 a") == "has a number that is too large");
     CHECK(pnm_picture("P5 1 1 0 a") == "has a largest value of 0, expected 1 to 65535");
     CHECK(pnm_picture("P5 1 1 65536 a") == "has a largest value of 65536, expected 1 to 65535");
