@@ -43,7 +43,7 @@ bool contains(const std::array<std::string_view, size>& words, std::string_view 
 class NameNumbers
 {
 public:
-    /// The number of the name, and whether it is new.
+    /// The index of a name, and true if the name is new.
     std::pair<std::uint32_t, bool> number_of(const std::string& name)
     {
         const auto [entry, is_new] = numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));

@@ -1,3 +1,6 @@
+// A reflectance map is kept, with a frame for each of its surfaces, so that every patch can have its own mean. An
+// emission map is averaged at once over all surfaces of its material, which has a single emittance.
+
 #include "scene/obj/obj_textures.h"
 
 #include "scene/text/text_format.h"
