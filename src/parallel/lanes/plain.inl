@@ -52,10 +52,10 @@ KERNEL_CODE Lanes smaller(Lanes a, Lanes b)
 {
     return {a.x < b.x ? a.x : b.x};
 }
-/// -a where `sign` is negative, else a; either of them where `sign` is -0.
+/// -a where the sign bit of `sign` is set, else a.
 KERNEL_CODE Lanes with_sign_of(Lanes sign, Lanes a)
 {
-    return {sign.x < 0.0f ? -a.x : a.x};
+    return {std::signbit(sign.x) ? -a.x : a.x};
 }
 KERNEL_CODE Lanes quotient(Lanes a, Lanes b)
 {

@@ -17,9 +17,10 @@
 
 namespace multipath {
 
-inline Vec3 along_axis(std::size_t axis, double size)
+/// `others`: the two other coordinates.
+inline Vec3 along_axis(std::size_t axis, double size, double others = 0.0)
 {
-    return {axis == 0 ? size : 0.0, axis == 1 ? size : 0.0, axis == 2 ? size : 0.0};
+    return {axis == 0 ? size : others, axis == 1 ? size : others, axis == 2 ? size : others};
 }
 
 /// Lines of all kinds around surfaces, difficult ones among them: through corners and edges, along axes, in planes,
@@ -39,7 +40,8 @@ inline std::vector<Line> difficult_lines(const SurfaceList& surfaces, std::size_
         const Surface& s = surface();
         const Vec3 far_point = box.centre() + 1e3 * size * numbers.point(-1, 1);
         const Vec3 very_far_point = box.centre() + 1e8 * size * numbers.point(-1, 1);
-        const std::array<Line, 13> kinds = {
+        const double minus_nothing = numbers.unit() < 0.5 ? -0.0 : -1e-60; // both -0 in single precision
+        const std::array<Line, 14> kinds = {
             chord(anywhere(), anywhere()),
             Line{anywhere(), numbers.point(-1, 1)},
             Line{inside(), numbers.point(-1, 1)},
@@ -48,6 +50,7 @@ inline std::vector<Line> difficult_lines(const SurfaceList& surfaces, std::size_
             chord(on_edge(), on_edge()),
             Line{corner(), along_axis(numbers.below(3), numbers.within(-1, 1))},
             Line{inside(), along_axis(numbers.below(3), numbers.within(-1, 1)), numbers.within(0, size)},
+            Line{inside(), along_axis(numbers.below(3), numbers.within(-1, 1), minus_nothing)},
             chord(s.at(-1, numbers.unit()), s.at(2, numbers.unit())), // in the plane of the surface
             Line{far_point, inside() - far_point},
             Line{far_point, corner() - far_point},
