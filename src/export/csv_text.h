@@ -11,50 +11,51 @@
 
 namespace multipath {
 
-/// Comments, such as "command: multipath solve room.obj", which record a file's provenance, as its first lines: a `# `
-/// line for each.
+/// Formats comments, which record a file's provenance ("command: multipath solve room.obj"), as `# ` lines.
 std::string comment_lines(const std::vector<std::string>& comments);
 
-/// Value of the comment "name: value"; the first one if there are several.
+/// Value of the first comment "name: value"; nothing if there is none.
 std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name);
 
-/// Appends a number with 17 significant digits, which read back as the same double; never "-0".
+/// Appends a number with 17 significant digits, from which the same double is read back; never "-0".
 void append_number(std::string& row, double value);
 
-/// The text as a field of a row: quoted where it holds commas, quotes or line ends.
+/// Formats text as a CSV field: in quotes if it contains commas, quotes or line ends.
 std::string csv_field(const std::string& text);
 
 struct CsvRow
 {
-    std::vector<std::string> fields; ///< without the quotes
-    std::uint32_t line = 0;          ///< of the file, from 1; the first one if a quoted field goes over several
+    std::vector<std::string> fields; ///< without quotes
+    std::uint32_t line = 0;          ///< line number in the file, from 1; the first if quoted fields contain line ends
 };
 
-/// A table as text: comments, the names of the columns, and rows that are all as long as the header.
+/// A parsed CSV file. All rows have as many fields as the header.
 struct CsvTable
 {
-    std::string path;                  ///< what messages call the table
+    std::string path;                  ///< name of the table in messages
     std::vector<std::string> comments; ///< without "# "
     CsvRow header;
     std::vector<CsvRow> rows;
 
+    /// Index of the column with this name; nothing if there is none.
     std::optional<std::size_t> find_column(std::string_view name) const;
 
-    /// Throws InputError when there is none of that name.
+    /// Index of the column with this name. Throws InputError if there is none.
     std::size_t column(std::string_view name) const;
 
-    /// The field as a finite number, correctly rounded, whatever the locale. Throws InputError for any other text.
+    /// Parses a field as a finite number, correctly rounded and independent of the locale. Throws InputError if it is
+    /// none.
     double number(const CsvRow& row, std::size_t column) const;
 
     TextPlace place(const CsvRow& row) const { return {path, row.line}; }
 };
 
-/// Reads CSV strictly as RFC 4180 has it: fields quoted whole or not at all, lines that end in LF or CRLF; and besides,
-/// lines with `#` before the header, which are comments. Throws InputError for anything else, for control characters
-/// outside of what the project takes for text, and for two columns of one name. `path` is for messages.
+/// Parses CSV according to RFC 4180: fields are quoted entirely or not at all, and lines end in LF or CRLF. In
+/// addition, lines before the header that start with `#` are comments. Throws InputError for anything else, for control
+/// characters other than tabs and form feeds, and for two columns with the same name. `path` is for messages.
 CsvTable parse_csv(std::string_view text, const std::string& path);
 
-/// The same from a file; throws InputError also for a file that TextLines refuses.
+/// Parses a CSV file. Throws InputError like parse_csv(), and for a file that TextLines refuses.
 CsvTable read_csv(const std::string& path);
 
 } // namespace multipath

@@ -12,9 +12,10 @@ namespace multipath {
 class FileBytes
 {
 public:
-    /// Maps a file, or reads a pipe to its end. Throws std::runtime_error with the reason: "Permission denied".
+    /// Maps a regular file, or reads a pipe to its end. Throws std::runtime_error with the reason, such as "Permission
+    /// denied", also for a device and for more than 1 GiB from a pipe.
     explicit FileBytes(const std::string& path);
-    /// Bytes that are in memory already.
+    /// Takes bytes that are already in memory.
     explicit FileBytes(std::vector<char> bytes);
 
     const char* data() const { return data_; }
@@ -27,7 +28,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// A copy of all bytes of a file. Throws InputError "room.csv: cannot be read: Permission denied".
+/// Reads a whole file. Throws InputError, such as "room.csv: cannot be read: Permission denied".
 std::string bytes_of_file(const std::string& path);
 
 } // namespace multipath

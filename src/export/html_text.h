@@ -4,14 +4,14 @@
 
 namespace multipath {
 
-/// Text as HTML holds it, between tags or in quotation marks.
+/// Escapes text for HTML, for use between tags or in a double-quoted attribute.
 std::string html_escaped(const std::string& text);
 
-/// The line of a page's head for a part of its record, such as "command: multipath solve room.obj". As metadata,
-/// because in a comment two hyphens must not follow each other.
+/// Formats one line of a page's provenance record, such as "command: multipath solve room.obj", as a <meta> element of
+/// its head. A comment would not do, since it must not contain two consecutive hyphens.
 std::string html_record_line(const std::string& fact);
 
-/// Bytes as text (RFC 4648), for a page that holds files.
+/// Base64 encoding (RFC 4648), to embed files in a page.
 std::string base64(const std::string& bytes);
 
 } // namespace multipath

@@ -7,13 +7,13 @@
 
 namespace multipath {
 
-/// A JSON object that is written key by key, in the order of the calls, which can be chained. Bytes that are not UTF-8
-/// are read as Latin-1.
+/// Builds a JSON object. Members appear in the order of the calls, which can be chained. Bytes of texts that are not
+/// UTF-8 are taken for Latin-1.
 class JsonObject
 {
 public:
     JsonObject& text(std::string_view key, std::string_view value);
-    JsonObject& number(std::string_view key, double value); ///< null when not finite, which JSON cannot say
+    JsonObject& number(std::string_view key, double value); ///< null if not finite, which JSON cannot represent
     JsonObject& count(std::string_view key, std::uint64_t value);
     JsonObject& boolean(std::string_view key, bool value);
     JsonObject& null(std::string_view key);
@@ -22,7 +22,7 @@ public:
     JsonObject& object(std::string_view key, const JsonObject& value);
     JsonObject& objects(std::string_view key, const std::vector<JsonObject>& values);
 
-    /// One line per key, indented.
+    /// The text of a JSON file: one line per member of the object, indented.
     std::string document() const;
 
 private:

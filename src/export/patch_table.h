@@ -10,29 +10,29 @@
 
 namespace multipath {
 
-/// The result as CSV, one row per patch: place, area, material and radiosity [W/m^2], numbers with 17 significant
-/// digits, so that reading them gives the same doubles. Standard errors, if there are any, are three columns more. The
-/// comments become `# ` lines before the header.
+/// A solution as CSV, one row per patch: surface, material, centre, normal, area, reflectance, emittance and radiosity
+/// [W/m^2], with 17 significant digits, from which the same doubles are read back. If `standard_error` is not empty, it
+/// fills three more columns. Patches of the sky have area 0. The comments become `# ` lines before the header.
 std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
                         const std::vector<std::string>& comments, int threads = 1);
 
-/// A result as patch_table() wrote it. The lists have one entry per patch.
+/// A solution read from a file of patch_table(). The lists have one entry per patch.
 struct PatchTable
 {
     std::string path;
-    std::vector<std::string> comments; ///< without "# "; comment_value() finds what one of them says
+    std::vector<std::string> comments; ///< without "# "; comment_value() searches them
     std::vector<std::uint32_t> surfaces;
     std::vector<std::string> materials; ///< names
     std::vector<Vec3> centres;          ///< [m]
-    std::vector<double> areas;          ///< [m^2] above 0
+    std::vector<double> areas;          ///< [m^2] not negative, 0 for the sky; not all are 0
     std::vector<Rgb> radiosity;         ///< [W/m^2]
     std::vector<Rgb> standard_error;    ///< [W/m^2] of the radiosity, not negative; empty if the table has none
 };
 
-/// Reads the columns by their names, the numbers to the same doubles that were written; columns of other names are
-/// ignored. Throws InputError for a file that is no such table, or whose patches are not counted 0, 1, 2 ...
-/// A table without areas, as another program may have written it, needs only `patch` and `radiosity` [W/m^2], or the
-/// three channels of it; if it is `beside` another one of as many patches, the rest is taken from there.
+/// Reads a table; columns are found by name, and columns with other names are ignored. Throws InputError for a file
+/// that is no such table, whose patches are not numbered 0, 1, 2 ..., or whose areas are all 0. A table without areas,
+/// for example by another program, needs only the columns `patch` and `radiosity` [W/m^2], or `radiosity_r`, `_g`,
+/// `_b`. All else is then copied from `beside`, which must have as many patches.
 PatchTable read_patch_table(const std::string& path, const PatchTable* beside = nullptr);
 
 } // namespace multipath

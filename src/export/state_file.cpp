@@ -160,11 +160,11 @@ void StateReader::refuse(const std::string& problem) const
     throw ArchiveError(name_ + ": " + problem);
 }
 
-std::uint64_t StateReader::word(std::size_t place) const
+std::uint64_t StateReader::word(std::size_t offset) const
 {
-    if (bytes_.size() < word_size || place > bytes_.size() - word_size)
+    if (bytes_.size() < word_size || offset > bytes_.size() - word_size)
         refuse("damaged: the state ends too early; expected a whole copy");
-    return word_at(bytes_.data() + place);
+    return word_at(bytes_.data() + offset);
 }
 
 void StateReader::require_version() const
@@ -189,22 +189,22 @@ void StateReader::require_checksum() const
 
 void StateReader::find_arrays()
 {
-    std::size_t place = state_header.size();
-    while (const std::uint64_t head = word(place)) {
+    std::size_t offset = state_header.size();
+    while (const std::uint64_t head = word(offset)) {
         const auto scalar = static_cast<Scalar>(head >> 32);
         const auto name_size = static_cast<std::size_t>(head & 0xffffffffu);
-        const std::uint64_t length = word(place + word_size);
-        place += 2 * word_size;
-        const std::size_t left = bytes_.size() - place;
+        const std::uint64_t length = word(offset + word_size);
+        offset += 2 * word_size;
+        const std::size_t left = bytes_.size() - offset;
         const bool known = scalar == Scalar::bytes || scalar == Scalar::u32 || scalar == Scalar::u64 ||
                            scalar == Scalar::f32 || scalar == Scalar::f64;
         if (!known || name_size > left || length > left / size_of(scalar) ||
             padded(name_size) + padded(static_cast<std::size_t>(length) * size_of(scalar)) > left)
             refuse("damaged: it holds no whole array; expected a whole copy");
-        const std::string name(bytes_.data() + place, name_size);
-        place += padded(name_size);
-        arrays_[name] = {scalar, static_cast<std::size_t>(length), place};
-        place += padded(static_cast<std::size_t>(length) * size_of(scalar));
+        const std::string name(bytes_.data() + offset, name_size);
+        offset += padded(name_size);
+        arrays_[name] = {scalar, static_cast<std::size_t>(length), offset};
+        offset += padded(static_cast<std::size_t>(length) * size_of(scalar));
     }
 }
 
@@ -234,7 +234,7 @@ void StateReader::read(const std::string& name, Scalar scalar, void* data, std::
                std::to_string(length));
     if (length == 0)
         return;
-    std::memcpy(data, bytes_.data() + found.place, length * size_of(scalar));
+    std::memcpy(data, bytes_.data() + found.offset, length * size_of(scalar));
     swap_on_big_endian(scalar, static_cast<char*>(data), length);
     if ((scalar == Scalar::f64 && !all_finite<double>(data, length)) ||
         (scalar == Scalar::f32 && !all_finite<float>(data, length)))

@@ -25,8 +25,8 @@ public:
     using Sink = std::function<void(std::string_view bytes)>;
 
     explicit StateWriter(Sink sink);
-    bool has(const std::string& name) const { return names_.count(name) > 0; } ///< has such an array been written?
-    void finish();                                                             ///< the end of the file
+    bool has(const std::string& name) const { return names_.count(name) > 0; } ///< true if it has been written
+    void finish();                                                             ///< writes the end mark and checksum
 
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
@@ -34,10 +34,10 @@ protected:
     bool holds(const std::string& name) const override;
     std::size_t length(const std::string& name, Scalar scalar) override;
 
-    void put(std::string_view bytes); ///< and zeros up to a multiple of eight
+    void put(std::string_view bytes); ///< padded with zeros to a multiple of eight bytes
 
 private:
-    /// `bytes` in the order of files.
+    /// `bytes`: in little-endian order.
     void put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes);
 
     Sink sink_;
@@ -45,26 +45,26 @@ private:
     std::uint64_t checksum_ = 0;
 };
 
-/// True if the file begins like a state file. False if it cannot be read.
+/// True if the file can be read and begins like a state file.
 bool is_state_file(const std::string& path);
 
-/// The arrays of a state file.
+/// Reads the arrays of a state file.
 class StateReader : public Archive
 {
 public:
-    /// Throws ArchiveError "run.state: ..." for a file that cannot be read, is no state file, was written by a newer
-    /// version, or is damaged.
+    /// Throws ArchiveError for a file that cannot be read, is no state file, was written by a newer version, or is
+    /// damaged.
     explicit StateReader(const std::string& path);
-    /// The same from the bytes of a file; `name` is for messages.
+    /// Reads from the bytes of a file; `name` is for messages.
     StateReader(std::string name, FileBytes bytes);
 
     const std::string& name() const { return name_; }
 
     std::string_view bytes() const { return bytes_.view(); }
 
-    /// Writes all arrays that the other file does not have yet.
+    /// Copies all arrays that `other` does not have yet.
     void copy_rest(StateWriter& other) const;
-    /// True if the other file has the same array.
+    /// True if both files have this array with the same type and bytes.
     bool has_same(const StateReader& other, const std::string& name) const;
 
 protected:
@@ -77,19 +77,19 @@ private:
     struct Array
     {
         Scalar scalar;
-        std::size_t length; ///< in numbers
-        std::size_t place;  ///< in bytes_
+        std::size_t length; ///< number of scalars
+        std::size_t offset; ///< [byte] in bytes_
     };
 
     [[noreturn]] void refuse(const std::string& problem) const;
-    std::uint64_t word(std::size_t place) const;
+    std::uint64_t word(std::size_t offset) const;
     void require_version() const;
     void require_checksum() const;
     void find_arrays();
     const Array& array(const std::string& name, Scalar scalar) const;
     std::string_view bytes_of(const Array& array) const
     {
-        return {bytes_.data() + array.place, array.length * size_of(array.scalar)};
+        return {bytes_.data() + array.offset, array.length * size_of(array.scalar)};
     }
 
     std::string name_;
@@ -97,22 +97,23 @@ private:
     std::map<std::string, Array> arrays_;
 };
 
-/// A scene as a state file keeps it, so that the file alone is enough to go on or to make pictures.
+/// A scene as stored in a state file, which is sufficient to resume a run or to render pictures.
 struct ArchivedScene
 {
-    std::shared_ptr<const SceneFile> file; ///< shared with the scene; none before one is read
+    std::shared_ptr<const SceneFile> file; ///< shared with the scene; null before it is read
     double patch_size = 0.0;               ///< [scene units]
-    std::uint64_t two_sided = 0;
-    std::uint64_t patches = 0;
-    std::uint64_t hash = 0;             ///< of the scene
-    std::vector<std::uint8_t> levels{}; ///< Scene::levels()
+    std::uint64_t two_sided = 0;           ///< 0 or 1
+    std::uint64_t patches = 0;             ///< number of patches
+    std::uint64_t hash = 0;                ///< Scene::hash()
+    std::vector<std::uint8_t> levels{};    ///< Scene::levels()
 
+    /// Writes or reads all members. Throws ArchiveError for values that no scene has.
     void visit(Archive& archive);
 };
 
 ArchivedScene archived(const Scene& scene);
 
-/// Builds it again. Throws ArchiveError where it is not the scene that was kept.
+/// Rebuilds the scene. Throws ArchiveError if the number of patches or the hash differs from the stored one.
 Scene restored(const ArchivedScene& archived);
 
 } // namespace multipath

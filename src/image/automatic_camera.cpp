@@ -54,26 +54,26 @@ std::uint64_t cell_of(const Bounds& box, Vec3 point)
 }
 
 /// nearest: what the ray meets first, if anything; seen: what is seen along it.
-void look(const LitScene& sight, const Line& ray, Vec3 up, const Hit* nearest, const std::optional<Hit>& seen,
+void look(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nearest, const std::optional<Hit>& seen,
           View& view)
 {
-    const Scene& scene = sight.scene;
+    const Scene& scene = lit_scene.scene;
     if (nearest != nullptr && !nearest->front && !scene.is_sky(nearest->surface))
         ++view.backs;
     const Hit* const hit = seen && !scene.is_sky(seen->surface) ? &*seen : nullptr;
     if (hit == nullptr && scene.file().sky_surfaces == 0)
         ++view.escaped;
-    const bool dark = hit != nullptr && !sight.is_lit[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)];
+    const bool dark = hit != nullptr && !lit_scene.is_lit[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)];
     view.dark += dark ? 1 : 0;
     if (hit == nullptr || !hit->front || dark)
         return;
-    if (hit->t < too_near * sight.box.diagonal())
+    if (hit->t < too_near * lit_scene.box.diagonal())
         ++view.near;
     const double upward = dot(scene.surfaces()[hit->surface].normal(), up);
     view.floor += upward > 0.7 ? 1 : 0;
     view.ceiling += upward < -0.7 ? 1 : 0;
     view.materials.push_back(scene.file().material[hit->surface]);
-    view.cells.push_back(cell_of(sight.box, ray.at(hit->t)));
+    view.cells.push_back(cell_of(lit_scene.box, ray.at(hit->t)));
     view.surfaces.push_back(hit->surface);
 }
 
@@ -165,9 +165,9 @@ LitScene::LitScene(const Scene& whole, const std::vector<Rgb>& radiosity)
         weight += multipath::weight(scene.surfaces()[s]);
 }
 
-ViewQuality view_quality(const LitScene& sight, const Camera& camera, double aspect, int rows)
+ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double aspect, int rows)
 {
-    const Scene& scene = sight.scene;
+    const Scene& scene = lit_scene.scene;
     const int columns = std::max(1, static_cast<int>(std::lround(aspect * rows)));
     const PixelRays rays(camera, columns, rows);
     const Vec3 up = normalized(camera.up);
@@ -179,7 +179,7 @@ ViewQuality view_quality(const LitScene& sight, const Camera& camera, double asp
     const std::vector<std::optional<Hit>>& hits = visible.first(lines);
     View view;
     for (std::size_t k = 0; k < lines.size(); ++k)
-        look(sight, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
+        look(lit_scene, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
     keep_distinct(view.cells);
     keep_distinct(view.surfaces);
     keep_distinct(view.materials);
@@ -189,7 +189,7 @@ ViewQuality view_quality(const LitScene& sight, const Camera& camera, double asp
 
     const double count = static_cast<double>(columns) * rows;
     const double variety = static_cast<double>(view.cells.size()) / count;
-    const double completeness = seen / sight.weight;
+    const double completeness = seen / lit_scene.weight;
     const double balance = 0.5 * share_up_to(view.floor, count, 0.25) + 0.2 * share_up_to(view.ceiling, count, 0.08);
     const double colours =
         0.8 * static_cast<double>(view.materials.size()) / static_cast<double>(scene.materials().size());
@@ -355,12 +355,12 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
 }
 
 /// The `count` best of the cameras, the best first; of equals the earlier.
-std::vector<Camera> best_cameras(const LitScene& sight, const std::vector<Camera>& cameras, double aspect, int rows,
+std::vector<Camera> best_cameras(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect, int rows,
                                  std::size_t count)
 {
     std::vector<std::pair<double, std::size_t>> ranking; // penalty, number
     for (std::size_t i = 0; i < cameras.size(); ++i)
-        ranking.emplace_back(-view_quality(sight, cameras[i], aspect, rows).score, i);
+        ranking.emplace_back(-view_quality(lit_scene, cameras[i], aspect, rows).score, i);
     std::sort(ranking.begin(), ranking.end());
     std::vector<Camera> best;
     for (std::size_t i = 0; i < std::min(count, ranking.size()); ++i)
@@ -370,12 +370,12 @@ std::vector<Camera> best_cameras(const LitScene& sight, const std::vector<Camera
 
 /// The cameras outside that look through no back and fill much of their picture: those in front of an open side or an
 /// object.
-std::vector<Camera> unobstructed(const LitScene& sight, const std::vector<Camera>& outside, double aspect)
+std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Camera>& outside, double aspect)
 {
-    const double most_backs = sight.scene.file().sky_surfaces > 0 ? 0.15 : 0.01; // under a sky the outside is lit
+    const double most_backs = lit_scene.scene.file().sky_surfaces > 0 ? 0.15 : 0.01; // under a sky the outside is lit
     std::vector<Camera> result;
     for (const Camera& camera : outside) {
-        const ViewQuality quality = view_quality(sight, camera, aspect, fine_rows);
+        const ViewQuality quality = view_quality(lit_scene, camera, aspect, fine_rows);
         if (quality.back_share < most_backs && quality.escaped_share + quality.dark_share < 0.6)
             result.push_back(camera);
     }
@@ -383,19 +383,19 @@ std::vector<Camera> unobstructed(const LitScene& sight, const std::vector<Camera
 }
 
 /// The best of all places in and around a room.
-Camera best_camera(const LitScene& sight, const Room& room, double aspect, Vec3 up)
+Camera best_camera(const LitScene& lit_scene, const Room& room, double aspect, Vec3 up)
 {
     const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
-    const std::vector<Camera> open = unobstructed(sight, outside, aspect);
+    const std::vector<Camera> open = unobstructed(lit_scene, outside, aspect);
     if (!open.empty())
-        return best_cameras(sight, open, aspect, fine_rows, 1).front();
+        return best_cameras(lit_scene, open, aspect, fine_rows, 1).front();
 
     std::vector<Camera> cameras = outside;
     for (const double vertical : {58.0, 68.0})
         append_inside(room, up, field_of_view(vertical, vertical + 20.0, aspect), cameras);
     append_behind_walls(room, up, field_of_view(54.0, 74.0, aspect), cameras);
-    const std::vector<Camera> shortlist = best_cameras(sight, cameras, aspect, coarse_rows, 8);
-    return best_cameras(sight, shortlist, aspect, fine_rows, 1).front();
+    const std::vector<Camera> shortlist = best_cameras(lit_scene, cameras, aspect, coarse_rows, 8);
+    return best_cameras(lit_scene, shortlist, aspect, fine_rows, 1).front();
 }
 
 } // namespace
@@ -407,18 +407,18 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::v
     // The light is used only if needed, so that a good view does not depend on the noise of the solution.
     const Room room = room_of(scene, up);
     const Camera plain = best_camera(LitScene(scene), room, aspect, up);
-    LitScene sight(scene, radiosity);
-    if (view_quality(sight, plain, aspect, fine_rows).is_lit())
+    LitScene lit_scene(scene, radiosity);
+    if (view_quality(lit_scene, plain, aspect, fine_rows).is_lit())
         return plain;
-    const Camera camera = best_camera(sight, room, aspect, up);
-    const ViewQuality quality = view_quality(sight, camera, aspect, fine_rows);
+    const Camera camera = best_camera(lit_scene, room, aspect, up);
+    const ViewQuality quality = view_quality(lit_scene, camera, aspect, fine_rows);
     if (quality.is_lit() || radiosity.empty())
         return camera;
 
     const Room lit = lit_room(scene, radiosity, up);
-    sight.box = lit.in_space();
-    const Camera closer = best_camera(sight, lit, aspect, up);
-    return view_quality(sight, closer, aspect, fine_rows).dark_share < quality.dark_share ? closer : camera;
+    lit_scene.box = lit.in_space();
+    const Camera closer = best_camera(lit_scene, lit, aspect, up);
+    return view_quality(lit_scene, closer, aspect, fine_rows).dark_share < quality.dark_share ? closer : camera;
 }
 
 } // namespace multipath

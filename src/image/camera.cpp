@@ -80,14 +80,14 @@ const std::vector<std::optional<Hit>>& VisibleHits::first(const std::vector<Line
     from_.assign(rays.size(), Intersector::no_surface);
     scene_.intersector().closest_hits_from(from_.data(), rays.data(), rays.size(), nearest_);
     seen_.assign(rays.size(), std::nullopt);
-    behind_.clear();
+    back_first_.clear();
     for (std::size_t k = 0; k < rays.size(); ++k) {
         if (!nearest_.is_hit(k))
             continue;
         if (is_seen(nearest_[k]))
             seen_[k] = nearest_[k];
         else
-            behind_.push_back(k);
+            back_first_.push_back(k);
     }
     look_through_backs(rays);
     return seen_;
@@ -96,18 +96,18 @@ const std::vector<std::optional<Hit>>& VisibleHits::first(const std::vector<Line
 void VisibleHits::look_through_backs(const std::vector<Line>& rays)
 {
     constexpr std::size_t at_a_time = 256; // each may meet thousands of surfaces
-    for (std::size_t first = 0; first < behind_.size(); first += at_a_time) {
-        const std::size_t end = std::min(behind_.size(), first + at_a_time);
+    for (std::size_t first = 0; first < back_first_.size(); first += at_a_time) {
+        const std::size_t end = std::min(back_first_.size(), first + at_a_time);
         lines_.clear();
         for (std::size_t i = first; i < end; ++i)
-            lines_.push_back(rays[behind_[i]]);
+            lines_.push_back(rays[back_first_[i]]);
         scene_.intersector().all_hits(lines_.data(), lines_.size(), hits_);
         for (std::size_t i = first; i < end; ++i) {
             const HitLists::List hits = hits_[i - first];
             const Hit* const front =
                 std::find_if(hits.begin(), hits.end(), [this](const Hit& hit) { return is_seen(hit); });
             if (front != hits.end())
-                seen_[behind_[i]] = *front;
+                seen_[back_first_[i]] = *front;
         }
     }
 }

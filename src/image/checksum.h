@@ -8,7 +8,7 @@ namespace multipath {
 /// CRC-32 as PNG uses it (ISO 3309, reflected polynomial 0xEDB88320).
 std::uint32_t crc32(const std::string& bytes);
 
-/// Adler-32 of RFC 1950.
+/// Adler-32 as zlib uses it (RFC 1950).
 std::uint32_t adler32(const std::string& bytes);
 
 } // namespace multipath

@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// The place of a pixel in a picture that is stored row by row from the top left.
+/// Index of a pixel in a picture that is stored row by row from the top left.
 inline std::size_t pixel_index(int width, int x, int y)
 {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -25,14 +25,14 @@ struct Image
     Rgb& at(int x, int y) { return pixels[pixel_index(width, x, y)]; }
 };
 
-/// A picture for the screen: sRGB, one byte for each of red, green, blue per pixel, row by row from the top left.
+/// A picture for the screen: sRGB, one byte each for red, green and blue per pixel, row by row from the top left.
 struct ScreenImage
 {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> bytes; ///< 3 * width * height
 
-    std::uint8_t* at(int x, int y) { return &bytes[3 * pixel_index(width, x, y)]; } ///< its three bytes
+    std::uint8_t* at(int x, int y) { return &bytes[3 * pixel_index(width, x, y)]; } ///< the three bytes of a pixel
 };
 
 } // namespace multipath

@@ -6,10 +6,10 @@
 
 namespace multipath {
 
-/// A binary portable pixmap (P6). The comment may be empty; line ends in it become blanks.
+/// Bytes of a binary portable pixmap (PPM, P6). Line ends in the comment become blanks; it may be empty.
 std::string ppm_bytes(const ScreenImage& image, const std::string& comment = "");
 
-/// A portable float map (PF): linear values in single precision, little endian, rows from the bottom.
+/// Bytes of a portable float map (PFM, PF): linear values in single precision, little endian, bottom row first.
 std::string pfm_bytes(const Image& image);
 
 } // namespace multipath

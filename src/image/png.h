@@ -9,11 +9,11 @@
 
 namespace multipath {
 
-/// A PNG file, 8 bits per channel, sRGB. The comment may be empty; png_comment reads it again. What is neither
-/// printable, a line feed nor well-formed UTF-8 becomes '?'.
+/// Bytes of a PNG file with 8 bits per channel, sRGB. The comment becomes a text chunk, in which control characters
+/// other than line feeds and bytes that are not UTF-8 become '?'; there is no chunk if it is empty.
 std::string png_bytes(const ScreenImage& image, const std::string& comment = "");
 
-/// The scene's textures for browsers and glTF: PNG and JPEG files as they are, others as PNG.
+/// The scene's textures as files for browsers and glTF: PNG and JPEG files unchanged, other formats as PNG.
 std::vector<ImageFile> texture_files(const Scene& scene);
 
 } // namespace multipath

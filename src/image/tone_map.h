@@ -9,22 +9,22 @@
 
 namespace multipath {
 
-/// The transfer function of sRGB (IEC 61966-2-1), from linear light to the encoded value in [0, 1]. Light is clamped to
-/// [0, 1]; NaN counts as 0.
+/// sRGB transfer function (IEC 61966-2-1): the encoded value in [0, 1] of linear light. Light is clamped to [0, 1]; NaN
+/// counts as 0.
 double srgb_encoded(double linear);
 Rgb srgb_encoded(Rgb linear);
 
-/// Its inverse.
+/// Inverse of the sRGB transfer function.
 Rgb srgb_decoded(Rgb encoded);
 
-/// A channel of linear light as the nearest sRGB byte.
+/// The sRGB byte of a channel of linear light, rounded to the nearest.
 std::uint8_t screen_byte(double linear);
 
 enum class ToneOperator {
     linear,     ///< clipped at white
-    reinhard,   ///< soft shoulder, natural colours
-    aces,       ///< S-shaped film curve
-    percentile, ///< linear, with white at the brightest part of the room
+    reinhard,   ///< soft shoulder, natural colours (Reinhard et al. 2002)
+    aces,       ///< S-shaped film curve (Narkowicz 2015)
+    percentile, ///< linear, with white at a high percentile of the room without its lamps
 };
 
 struct NamedToneOperator
@@ -33,23 +33,24 @@ struct NamedToneOperator
     ToneOperator tone;
 };
 
-/// All of them as users call them; options, the viewer's menu and tests go through this table.
+/// All tone operators with the names that users give; options, the viewer's menu and tests iterate over this table.
 inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard", ToneOperator::reinhard},
                                                                      {"linear", ToneOperator::linear},
                                                                      {"aces", ToneOperator::aces},
                                                                      {"percentile", ToneOperator::percentile}}};
 
-/// [m^2/W] The scale that puts the room's mid-tones where a photographer would, for an image seen through `tone`.
-/// Ignores black pixels and does not let lamps or dark corners decide. 1 for a black image.
+/// [m^2/W] Automatic exposure: the scale at which `tone` shows the mid-tones of the image as middle grey, or for
+/// ToneOperator::percentile its brightest part below the lamps as white. Black pixels are ignored, and lamps and dark
+/// corners have little influence. 1 for a black image.
 double automatic_scale(const Image& image, ToneOperator tone);
 
-/// The input at which an operator's output reaches white.
+/// [1] The input at which the tone operator's output reaches white.
 double white_point(ToneOperator tone);
 
-/// Linear light on the screen for radiosity [W/m^2] at a scale [m^2/W]; 1 is white.
+/// [1] Linear light on the screen for radiosity [W/m^2] at a scale [m^2/W], clamped to [0, 1]; 1 is white.
 Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale);
 
-/// The picture for the screen; rounded with a fixed pattern of thresholds, so that smooth walls show no bands.
+/// Converts an image to a picture for the screen, with ordered dithering so that smooth walls show no bands.
 ScreenImage tone_map(const Image& image, ToneOperator tone, double scale);
 
 } // namespace multipath

@@ -6,8 +6,8 @@
 
 namespace multipath {
 
-/// True for each patch that no picture shows any part of, because other surfaces of the same plane lie over all of it:
-/// by the rule of Intersector::closest_hit, the smaller surface over the larger. Meshes would show both at random.
+/// True for each patch that is invisible in all pictures because coplanar surfaces cover all of it: of two coincident
+/// surfaces the smaller lies on top, as in Intersector::closest_hit. A mesh with both would flicker (z-fighting).
 std::vector<bool> covered_patches(const Scene& scene, int threads);
 
 } // namespace multipath

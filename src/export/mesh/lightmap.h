@@ -12,23 +12,23 @@
 
 namespace multipath {
 
-/// [W/m^2] Radiosity at a point of a side of a surface, texture included. Called by several threads at once.
+/// [W/m^2] Radiosity at a point on one side of a surface, texture included. Called by several threads at once.
 using SurfaceLight = std::function<Rgb(std::uint32_t surface, bool front, double u, double v)>;
 
-/// The light on all surfaces of a scene in one picture, the texture atlas. Connected coplanar surfaces of one material
-/// are one chart, a rigid copy of them at the common scale; only what is narrower than a texel is stretched to one.
-/// Sides whose charts differ are at least four texels apart. The sky has no place in it.
+/// A texture atlas with the light on all surfaces of a scene, except the sky. Connected coplanar surfaces of one
+/// material form a chart, which is mapped rigidly at a common scale; only charts narrower than a texel are stretched to
+/// one. Charts are at least four texels apart.
 struct Lightmap
 {
     std::uint32_t width = 0; ///< [texel]
     std::uint32_t height = 0;
-    std::vector<Rgb> texels; ///< [W/m^2] row by row from the top left; those far from all charts hold the mean
-    /// How sides lie on the picture, whose lower left corner is (0, 0) and whose upper right corner is (1, 1): the
-    /// fronts of Scene::own_surfaces(), then their backs if the scene has two sides.
+    std::vector<Rgb> texels; ///< [W/m^2] row by row from the top left; texels far from all charts have the mean
+    /// Position of each side in the atlas, from (0, 0) at the lower left corner to (1, 1) at the upper right: the
+    /// fronts of the Scene::own_surfaces(), then their backs if the scene is two-sided.
     std::vector<TextureFrame> frames;
     std::uint32_t chart_count = 0;
     double texels_per_unit = 0.0; ///< [1 / scene unit] the common scale
-    double used_share = 0.0;      ///< [1] of the picture that lies on a surface
+    double used_share = 0.0;      ///< [1] share of the atlas that lies on a surface
 
     const TextureFrame& frame(std::uint32_t surface, bool front) const
     {
@@ -37,29 +37,29 @@ struct Lightmap
 };
 
 constexpr std::uint32_t usual_lightmap_size = 2048;
-constexpr std::uint32_t largest_lightmap_size = 8192; ///< that graphics processors of all kinds can hold
+constexpr std::uint32_t largest_lightmap_size = 8192; ///< supported by all common graphics processors
 
-/// An atlas of size x size texels with the light at the middles of the texels, over textures its mean over the texel.
-/// The size is doubled, up to the largest, if the charts do not fit; throws InputError if that does not suffice. The
-/// same for any number of threads.
+/// Computes an atlas of size x size texels, with the light at the centre of each texel or, on textured surfaces, its
+/// mean over the texel. If the charts do not fit, the size is doubled, up to `largest_size`; throws InputError if that
+/// does not suffice. The result does not depend on the number of threads.
 Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& light, int threads,
                   std::uint32_t largest_size = largest_lightmap_size);
 
-/// The surfaces, each one or two triangles, as binary glTF 2.0: one mesh per material, unlit, with the atlas as its
-/// texture by TEXCOORD_0, and the cameras. `atlas_png` shows min(1, scale * texels) in sRGB; the asset's extras hold
-/// the scale [m^2/W] and the comments. `images`: the scene's own textures, or none. They are kept for who wants to
-/// change materials: TEXCOORD_1 says how a textured surface lies on its own, and the material's extras which it is.
-/// Throws InputError for 4 GB or more.
+/// Bytes of a binary glTF 2.0 file with the cameras and the surfaces, each as one or two triangles: one unlit mesh per
+/// material, with the atlas as its texture through TEXCOORD_0. `atlas_png` must show min(1, scale * texels) in sRGB.
+/// The extras of the asset contain the scale [m^2/W] and the comments. `images`: the scene's own textures, or none.
+/// They are included for users who change materials: TEXCOORD_1 holds their coordinates, and the extras of a material
+/// the index of its texture. Throws InputError for 4 GB or more.
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
                          const std::vector<GlbCamera>& cameras, const std::vector<ImageFile>& images,
                          const std::vector<std::string>& comments);
 
-/// The same surfaces as Wavefront OBJ with a texture coordinate for each corner, material by material. The comments
+/// The surfaces as a Wavefront OBJ file with texture coordinates into the atlas, grouped by material. The comments
 /// become `# ` lines at the top.
 std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::string& mtl_name,
                          const std::vector<std::string>& comments);
 
-/// The materials of lightmap_obj(): all show the atlas.
+/// The MTL file of lightmap_obj(): every material shows the atlas.
 std::string lightmap_mtl(const Scene& scene, const std::string& png_name);
 
 } // namespace multipath

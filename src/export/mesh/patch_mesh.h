@@ -30,34 +30,35 @@ inline Rgb to_rgb(Float3 c)
     return {c[0], c[1], c[2]};
 }
 
-/// A triangle or a quadrilateral, counter-clockwise seen from where its patch is lit.
+/// A triangle or quadrilateral, counter-clockwise seen from the side of its patch.
 struct MeshFace
 {
-    std::array<std::uint32_t, 4> corners{}; ///< numbers of vertices
-    std::uint32_t corner_count = 4;         ///< or 3
+    std::array<std::uint32_t, 4> corners{}; ///< indices of vertices
+    std::uint32_t corner_count = 4;         ///< 3 or 4
     std::uint32_t patch = 0;
 
     const std::uint32_t* begin() const { return corners.data(); }
     const std::uint32_t* end() const { return corners.data() + corner_count; }
 };
 
-/// A front or back of a surface: what part of the mesh it is.
+/// The front or back of a surface, and its range of vertices and faces in the mesh.
 struct MeshSide
 {
     std::uint32_t surface = 0;
-    Vec3 normal; ///< towards where it is lit
+    Vec3 normal; ///< unit normal of the side
     std::size_t first_vertex = 0;
     std::size_t vertex_count = 0;
     std::size_t first_face = 0;
     std::size_t face_count = 0;
 };
 
-/// The patches as vertices and faces, in the form and precision of mesh files. Sides follow each other without a gap.
+/// The patches as vertices and faces, in single precision like mesh files. The ranges of the sides follow each other
+/// without gaps.
 struct PatchMesh
 {
     std::vector<Float3> positions; ///< [scene units] per vertex
     std::vector<Float3> radiosity; ///< [W/m^2] per vertex
-    std::vector<Float3> error;     ///< [W/m^2] per vertex: standard error of the radiosity; empty if unknown
+    std::vector<Float3> error;     ///< [W/m^2] standard error of the radiosity per vertex; empty if unknown
     std::vector<MeshFace> faces;
     std::vector<MeshSide> sides;
 };
@@ -68,13 +69,13 @@ using CornerFunction = std::function<std::array<Rgb, 4>(std::uint32_t patch)>;
 /// Colour on the screen for a radiosity [W/m^2]: encoded sRGB in [0, 1].
 using ScreenColour = std::function<Rgb(Rgb radiosity)>;
 
-/// One value per patch at all its corners: every patch in one colour. The values must outlive the result.
+/// Flat shading: the value of a patch at all its corners. The values must outlive the result.
 CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch);
 
-/// All sides that exist, surface by surface, each front before its back, without their covered_patches. Patches that
-/// meet within a side have one vertex for a common corner if their values [W/m^2] agree there. Between sides there is
-/// no crack: a patch on whose edge others have a corner is several triangles. `error` may be empty. Throws InputError
-/// where 2^31 vertices do not suffice.
+/// Builds the mesh of all sides with patches, except those of the sky: surface by surface, front before back, without
+/// covered_patches(). Patches of one side share the vertex of a common corner if their values [W/m^2] agree there.
+/// There are no cracks between sides: a patch with corners of other sides on its edges is split into triangles. `error`
+/// may be empty. Throws InputError for 2^31 vertices or more.
 PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads = 1);
 
 } // namespace multipath

@@ -10,21 +10,20 @@
 
 namespace multipath {
 
-/// A straight piece of a line; bold where it carries power.
+/// A segment of a line.
 struct DrawnStretch
 {
     Vec3 from;
     Vec3 to;
-    bool bold = false;
+    bool bold = false; ///< the segment carries power
 };
 
-/// A line with the places where it meets surfaces, which are numbered from 1. A ring marks where its first stretch
-/// begins, an arrowhead where the last one ends.
+/// A line and its hits, which are numbered from 1. A ring marks its start, an arrowhead its end.
 struct DrawnLine
 {
     std::string label; ///< for the legend
     std::vector<DrawnStretch> stretches;
-    std::vector<Vec3> meetings;
+    std::vector<Vec3> meetings; ///< hits of surfaces
 };
 
 struct DrawnSphere
@@ -33,19 +32,19 @@ struct DrawnSphere
     double radius; ///< [scene units]
 };
 
-/// Everything in the drawing beside the lines.
+/// Everything in a drawing except the lines.
 struct LineDrawing
 {
     std::string title;
     std::string subtitle;
     Vec3 up = {0.0, 1.0, 0.0};
-    std::optional<DrawnSphere> sphere; ///< on which the lines begin and end
-    std::optional<Bounds> box;         ///< instead of the sphere
-    std::vector<std::string> comments; ///< for readers of the file
+    std::optional<DrawnSphere> sphere; ///< the lines are its chords
+    std::optional<Bounds> box;         ///< drawn like the sphere: the lines are its chords
+    std::vector<std::string> comments; ///< go into the file, not into the picture
 };
 
-/// The scene's outlines from above and from the side, beside each other, with the lines in both: an SVG. Sources are
-/// yellow. Meetings are numbered if there are few lines.
+/// Draws lines as SVG in two views side by side, from above and from the side, with the outlines of the scene. Sources
+/// are yellow. Hits are numbered if there are at most eight lines.
 std::string draw_lines(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing);
 
 } // namespace multipath

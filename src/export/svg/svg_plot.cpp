@@ -132,24 +132,24 @@ MarkStyle svg_series_mark(std::size_t series)
     return {colours[series % colours.size()], series % outlines.size()};
 }
 
-std::string svg_marks(const std::vector<SvgPoint>& places, const MarkStyle& style, bool hollow)
+std::string svg_marks(const std::vector<SvgPoint>& points, const MarkStyle& style, bool hollow)
 {
     std::string shapes;
-    for (const SvgPoint place : places)
-        shapes += "M" + svg_place(place) + outlines[style.shape];
+    for (const SvgPoint point : points)
+        shapes += "M" + svg_place(point) + outlines[style.shape];
     return svg_path(shapes, svg_attribute("fill", hollow ? "#ffffff" : style.colour) +
                                 svg_attribute("stroke", hollow ? style.colour : "#ffffff") +
                                 svg_attribute("stroke-width", hollow ? "1.3" : "0.7") +
                                 svg_attribute("stroke-linejoin", "round"));
 }
 
-std::string svg_polyline(const std::vector<SvgPoint>& places, const LineStyle& style)
+std::string svg_polyline(const std::vector<SvgPoint>& points, const LineStyle& style)
 {
-    if (places.size() < 2)
+    if (points.size() < 2)
         return "";
     std::string shape;
-    for (const SvgPoint place : places)
-        shape += (shape.empty() ? "M" : "L") + svg_place(place);
+    for (const SvgPoint point : points)
+        shape += (shape.empty() ? "M" : "L") + svg_place(point);
     return svg_path(shape, line_attributes(style));
 }
 

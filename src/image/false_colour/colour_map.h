@@ -4,8 +4,8 @@
 
 namespace multipath {
 
-/// A colour of the space OKLab: lightness 0 ... 1 and two hue axes, green to red and blue to yellow. Equal distances in
-/// it look equally large.
+/// A colour in the perceptually uniform space OKLab (Ottosson 2020): lightness 0 ... 1 and two opponent axes, green to
+/// red and blue to yellow. Equal distances look about equally large.
 struct OkLab
 {
     double lightness = 0.0;
@@ -13,12 +13,12 @@ struct OkLab
     double blue_yellow = 0.0;
 };
 
-/// The colour in linear light; outside [0, 1] where a screen cannot show it.
+/// The colour in linear light. Channels lie outside [0, 1] if a screen cannot show it.
 Rgb linear_light(OkLab colour);
 
-/// The colour, in linear light, that stands for a share of a scale: from dark blue at 0 (or less) to light yellow at 1
-/// (or more). Equal steps look equally large, and every step is lighter than the one before, so that the scale can be
-/// read without seeing hues. Black is not in it.
+/// Colour (linear light) for a share of the scale, clamped to [0, 1]: from dark blue at 0 to light yellow at 1. Equal
+/// steps look about equally large, and lightness increases along the scale, so that it can be read without seeing hues.
+/// The map does not contain black.
 Rgb map_colour(double share);
 
 } // namespace multipath

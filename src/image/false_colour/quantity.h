@@ -7,25 +7,25 @@
 
 namespace multipath {
 
-/// Something that every patch has its own value of, to be shown in a picture.
+/// A quantity with one value per patch, to be shown in false colours.
 struct Quantity
 {
     std::string title;       ///< with its unit in brackets, in the characters of draw_text
-    std::vector<Rgb> values; ///< per patch, >= 0; not a number in the channels where a patch has none
-    bool contours = false;   ///< it varies smoothly over surfaces: lines of equal values help to read it
+    std::vector<Rgb> values; ///< per patch, >= 0; NaN in channels without a value
+    bool contours = false;   ///< draw contour lines; for quantities that vary smoothly over surfaces
 };
 
-/// [W/m^2] H = (B - E) / rho of every patch; not a number in the channels in which it reflects nothing, since there the
-/// radiosity does not tell.
+/// [W/m^2] Irradiance H = (B - E) / rho of every patch; NaN in channels with a reflectance below 1e-6, where B does not
+/// determine H.
 std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosity);
 
 /// Absolute values, channel by channel.
 std::vector<Rgb> magnitudes(const std::vector<Rgb>& values);
 
-/// The unit normal of every patch as a colour: 0.5 + 0.5 n, so that x is red, y green and z blue.
+/// The unit normal of every patch as a colour: 0.5 + 0.5 n, with x in red, y in green and z in blue.
 std::vector<Rgb> normal_colours(const Scene& scene);
 
-/// For every patch a colour (linear light, 0 ... 1) that has nothing to do with its neighbours'.
+/// A pseudo-random colour per patch (linear light, 0 ... 1), so that neighbours can be told apart.
 std::vector<Rgb> patch_colours(std::size_t patches);
 
 } // namespace multipath

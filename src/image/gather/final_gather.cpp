@@ -35,48 +35,48 @@ FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, 
       source_light_(scene),
       indirect_light_(scene, radiosity, rays.around, threads),
       grid_(width, height),
-      middles_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+      centres_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
 {
     if (rays.around == 0)
         return;
-    find_middles(pixels, threads);
+    trace_pixel_centres(pixels, threads);
     gather_indirect_light(threads);
 }
 
-void FinalGather::find_middles(const PixelRays& pixels, int threads)
+void FinalGather::trace_pixel_centres(const PixelRays& pixels, int threads)
 {
     parallel_blocks(static_cast<std::uint64_t>(height_), threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
         VisibleHits visible(scene_);
         for_each_visible(pixels, width_, y, visible,
-                         [&](int x, const std::optional<Hit>& hit) { middle(x, y).hit = hit; });
+                         [&](int x, const std::optional<Hit>& hit) { centre(x, y).hit = hit; });
     });
 }
 
 /// Rays for one pixel of four do where the light varies slowly; where things are close, every pixel has its own.
 void FinalGather::gather_indirect_light(int threads)
 {
-    const auto for_each_middle = [&](int spacing, const auto& act) {
+    const auto for_each_centre = [&](int spacing, const auto& act) {
         const int rows = (height_ + spacing - 1) / spacing;
         parallel_blocks(static_cast<std::uint64_t>(rows), threads, [&](std::uint64_t row) {
             const int y = spacing * static_cast<int>(row);
             RayFan fan;
             for (int x = 0; x < width_; x += spacing)
-                if (const std::optional<Hit>& hit = middle(x, y).hit)
+                if (const std::optional<Hit>& hit = centre(x, y).hit)
                     act(place_of(scene_, *hit), x, y, fan);
         });
     };
-    for_each_middle(2, [&](const Place& place, int x, int y, RayFan& fan) {
+    for_each_centre(2, [&](const Place& place, int x, int y, RayFan& fan) {
         grid_.set(x, y, indirect_light_.at(place, *sequence_around_, number_in_squares(x / 2, y / 2), fan));
     });
     const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
-    for_each_middle(1, [&](const Place& place, int x, int y, RayFan& fan) {
+    for_each_centre(1, [&](const Place& place, int x, int y, RayFan& fan) {
         if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(place, x, y))
             grid_.set(x, y, indirect_light_.at(place, *sequence_around_, used + number_in_squares(x, y), fan));
     });
-    for_each_middle(1, [&](const Place& place, int x, int y, RayFan&) {
+    for_each_centre(1, [&](const Place& place, int x, int y, RayFan&) {
         if (grid_.is_supported(place, x, y))
-            middle(x, y).indirect = grid_.irradiance(place, x, y);
+            centre(x, y).indirect = grid_.irradiance(place, x, y);
     });
 }
 
@@ -93,9 +93,9 @@ Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFa
     const Place place = place_of(scene_, hit);
     const std::uint64_t pixel = number_in_squares(x, y);
     const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
-    const Middle& middle = middles_[pixel_index(width_, x, y)];
-    const bool is_level = middle.indirect && middle.hit->surface == hit.surface && middle.hit->front == hit.front;
-    Rgb irradiance = is_level ? *middle.indirect : indirect_irradiance(place, x, y, fan);
+    const PixelCentre& centre = centres_[pixel_index(width_, x, y)];
+    const bool same_side = centre.indirect && centre.hit->surface == hit.surface && centre.hit->front == hit.front;
+    Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(place, x, y, fan);
     const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
     irradiance += source_light_.irradiance(place, items, offset, fan);

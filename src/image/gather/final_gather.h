@@ -20,36 +20,37 @@ namespace multipath {
 /// Number of rays for one point.
 struct GatherRays
 {
-    int to_sources = 16;
-    int around = 64; ///< for indirect light, which neighbours share; 0 leaves it out
+    int to_sources = 16; ///< shadow rays
+    int around = 64;     ///< hemisphere rays for indirect light, cached for neighbouring pixels; 0 leaves it out
 };
 
-/// One picture of a scene in which the last reflection on the light's way to the eye is computed for each point on its
-/// own: radiosity without patches. Immutable and safe to share between threads.
+/// Final gathering for one picture: the radiosity of each visible point is computed from the light that arrives there,
+/// so that patches are not visible. Direct light is sampled for every point; indirect light comes from an irradiance
+/// cache. Immutable after construction and safe to share between threads.
 class FinalGather
 {
 public:
-    /// Gathers the indirect light for all pixels. `radiosity`: the solution [W/m^2] per patch. The scene must outlive
+    /// Fills the irradiance cache for all pixels. `radiosity`: the solution [W/m^2] per patch. The scene must outlive
     /// this object.
     FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width, int height,
                 GatherRays rays, int threads);
 
-    /// [W/m^2] Radiosity where a line through pixel (x, y) meets a side that exists. `sample` is the number of the line
-    /// in its pixel, 0 <= sample < samples; `fan` is room to work in.
+    /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y). `sample`: index of the ray in its
+    /// pixel, 0 <= sample < samples. `fan`: reusable buffers.
     Rgb at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const;
 
 private:
-    /// The point seen through the middle of a pixel.
-    struct Middle
+    /// The point seen through the centre of a pixel.
+    struct PixelCentre
     {
         std::optional<Hit> hit;
-        std::optional<Rgb> indirect; ///< [W/m^2] irradiance, where it hardly changes within the pixel
+        std::optional<Rgb> indirect; ///< [W/m^2] irradiance, where it is almost constant within the pixel
     };
 
-    void find_middles(const PixelRays& pixels, int threads);
+    void trace_pixel_centres(const PixelRays& pixels, int threads);
     void gather_indirect_light(int threads);
     Rgb indirect_irradiance(const Place& place, int x, int y, RayFan& fan) const;
-    Middle& middle(int x, int y) { return middles_[pixel_index(width_, x, y)]; }
+    PixelCentre& centre(int x, int y) { return centres_[pixel_index(width_, x, y)]; }
 
     const Scene& scene_;
     int width_;
@@ -60,7 +61,7 @@ private:
     SourceLight source_light_;
     IndirectLight indirect_light_;
     IndirectGrid grid_;
-    std::vector<Middle> middles_; ///< row by row
+    std::vector<PixelCentre> centres_; ///< row by row
 };
 
 } // namespace multipath

@@ -12,7 +12,7 @@
 
 namespace multipath {
 
-/// Irradiance of a place by reflected light.
+/// Irradiance of a point by indirect light.
 struct IndirectSample
 {
     Place place;
@@ -20,19 +20,19 @@ struct IndirectSample
     double distance = 0.0; ///< [scene units] harmonic mean distance to the surfaces seen
 };
 
-/// Light that was reflected at least once, gathered by rays over the hemisphere, which look up what the patches
-/// reflect. Immutable and safe to share between threads.
+/// Indirect light, which was reflected at least once. It is gathered with cosine-distributed rays over the hemisphere,
+/// which look up the reflected part of the solution. Immutable and safe to share between threads.
 class IndirectLight
 {
 public:
-    /// `radiosity`: the solution [W/m^2] per patch; `rays` for one place, 0 for darkness. The scene must outlive this
-    /// object.
+    /// `radiosity`: the solution [W/m^2] per patch. `rays`: number of rays per point; 0 means no indirect light. The
+    /// scene must outlive this object.
     IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads);
     IndirectLight(const IndirectLight&) = delete;
     IndirectLight& operator=(const IndirectLight&) = delete;
 
-    /// Rays from the items of a sequence that belong to this number: places with neighbouring numbers get rays that
-    /// complement each other. `fan` is room to work in.
+    /// Gathers at a point with the items number * rays ... (number + 1) * rays - 1 of the sequence, so that the rays of
+    /// points with consecutive numbers are stratified together. `fan`: reusable buffers.
     IndirectSample at(const Place& place, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
 
 private:
@@ -42,30 +42,32 @@ private:
     SmoothShading reflected_light_;
 };
 
-/// Irradiance cache: indirect light at the points seen through the middles of the pixels of a picture, interpolated at
-/// points nearby. It varies slowly, except close to where surfaces meet (G. Ward, F. Rubinstein, R. Clear: A ray
+/// Irradiance cache in image space: samples of indirect light at the points seen through pixel centres, interpolated at
+/// nearby points. Indirect light varies slowly, except near other surfaces (G. Ward, F. Rubinstein, R. Clear: A ray
 /// tracing solution for diffuse interreflection, SIGGRAPH 1988).
 class IndirectGrid
 {
 public:
     IndirectGrid(int width, int height);
 
-    /// Each pixel once, by any thread.
+    /// Stores the sample of pixel (x, y). Threads may set different pixels at the same time.
     void set(int x, int y, const IndirectSample& sample);
 
-    /// [W/m^2] Irradiance of a place that pixel (x, y) shows, from the samples around; none if none is near enough.
+    /// [W/m^2] Irradiance of a point seen through pixel (x, y), interpolated from the samples of pixels around; nothing
+    /// if none of them is valid there.
     std::optional<Rgb> irradiance(const Place& place, int x, int y) const;
 
-    /// True if there are enough samples near a place that pixel (x, y) shows. Reads only the pixels with even
-    /// coordinates, so that the others may be set meanwhile.
+    /// True if the samples of the pixels with even coordinates suffice for a point seen through pixel (x, y). Reads no
+    /// others, so that these may be set at the same time.
     bool is_supported(const Place& place, int x, int y) const;
 
 private:
+    /// A weighted sum of samples.
     struct Shared
     {
         Rgb irradiance; ///< [W/m^2] times the weights
         double weights = 0.0;
-        int pixels = 0; ///< looked at
+        int pixels = 0; ///< number of pixels visited, with or without a sample
     };
 
     static bool is_enough(const Shared& found);
@@ -73,7 +75,7 @@ private:
 
     int width_;
     int height_;
-    std::vector<IndirectSample> samples_; ///< distance 0 where there is none
+    std::vector<IndirectSample> samples_; ///< per pixel; distance 0 means none
 };
 
 } // namespace multipath

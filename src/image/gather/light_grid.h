@@ -8,42 +8,42 @@
 
 namespace multipath {
 
-/// A horizontal plane of measurement, as EN 12464-1 asks of work places.
+/// A horizontal measuring plane, such as the task area of a work place (EN 12464-1).
 struct GridPlan
 {
     double height; ///< [m] above the lowest point of the scene
-    double step;   ///< [m] between points, at most
+    double step;   ///< [m] largest distance between neighbouring points
     Vec3 up;
 };
 
-/// A point of it, and the light that a horizontal surface there would receive from above.
+/// A measuring point and the irradiance of a horizontal surface there that faces up.
 struct GridPointLight
 {
     Vec3 point;
     Rgb irradiance; ///< [W/m^2]
 };
 
-/// Irradiance on a grid: points in the middles of equal rectangles over the scene, but for those with no front of a
-/// surface below, which lie in walls, in furniture or beside the scene.
+/// Irradiance on a grid of points, the centres of equal rectangles over the scene. Points without a visible side of a
+/// surface below them, which lie in walls, in furniture or outside the scene, are left out.
 struct LightGrid
 {
     std::vector<GridPointLight> points;
-    double mean = 0.0; ///< [W/m^2] of the points, each as the mean of its channels
-    double least = 0.0;
-    double most = 0.0;
+    double mean = 0.0;  ///< [W/m^2] over the points; these three are of the mean of the channels
+    double least = 0.0; ///< [W/m^2]
+    double most = 0.0;  ///< [W/m^2]
 
-    double uniformity() const { return mean > 0.0 ? least / mean : 0.0; } ///< U_0
+    double uniformity() const { return mean > 0.0 ? least / mean : 0.0; } ///< [1] U_0 = minimum / mean
 };
 
-/// Gathers `rays` over the upper hemisphere of each point, and as many to sources, from a solution: radiosity [W/m^2]
-/// per patch. Throws SettingsError for more than a million points, or none.
+/// Computes the irradiance on a grid from a solution, radiosity [W/m^2] per patch, with `rays` rays over the upper
+/// hemisphere of each point and as many to the sources. Throws SettingsError for more than a million points, or none.
 LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, const GridPlan& plan, int rays,
                      int threads);
 
-/// As a table (CSV): x, y, z [m], irradiance of the channels and its mean.
+/// The grid as CSV, one row per point: x, y, z [m], irradiance [W/m^2] per channel and their mean.
 std::string light_grid_table(const LightGrid& grid);
 
-/// "512 lx on average, least 301, most 820, uniformity 0.588, of 96 points"
+/// One line of statistics: "512 lx on average, least 301, most 820, uniformity 0.588, of 96 points".
 std::string light_grid_summary(const Scene& scene, const LightGrid& grid);
 
 } // namespace multipath

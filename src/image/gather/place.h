@@ -12,17 +12,18 @@
 
 namespace multipath {
 
-/// A point of a surface on one of its sides.
+/// A point that receives light: a point on one side of a surface, or a point in free space.
 struct Place
 {
-    static constexpr std::uint32_t free = Intersector::no_surface; ///< in the open, on no surface
+    static constexpr std::uint32_t free = Intersector::no_surface; ///< value of `surface` in free space
 
     std::uint32_t surface = 0;
     Vec3 point;
-    Vec3 normal;                           ///< unit vector on that side
-    std::uint32_t patch = Scene::no_patch; ///< if it is known
+    Vec3 normal;                           ///< unit vector on the receiving side
+    std::uint32_t patch = Scene::no_patch; ///< no_patch if unknown
 };
 
+/// The point of a hit on the side that was hit.
 inline Place place_of(const Scene& scene, const Hit& hit)
 {
     const Surface& surface = scene.surfaces()[hit.surface];
@@ -30,15 +31,15 @@ inline Place place_of(const Scene& scene, const Hit& hit)
             scene.patch_at(hit.surface, hit.u, hit.v, hit.front)};
 }
 
-/// Rays from one point, made from items and traced together, which is faster than one by one. Keeps its memory for the
-/// next point.
+/// A bundle of rays from one point, traced together, which is faster than one by one. Its buffers are reusable.
 class RayFan
 {
 public:
-    std::vector<Item> items; ///< one per ray, in whatever way rays are made from them
+    std::vector<Item> items; ///< one sequence item per ray
     std::vector<Line> rays;
 
-    /// First hits of the rays, which leave the surface on which the point lies through its front.
+    /// The first hit of each ray. The rays start on `surface`, or in free space (Place::free). The reference is valid
+    /// until the next call.
     const FirstHits& trace(const Scene& scene, std::uint32_t surface)
     {
         from_.assign(rays.size(), surface);

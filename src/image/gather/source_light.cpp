@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t most_surfaces = 1000; // a search looks at all of them
 constexpr std::size_t most_pairs = std::size_t{1} << 24;
-constexpr std::uint8_t unclear = 1;
-constexpr std::uint8_t clear = 2;
+constexpr std::uint8_t not_certain = 1;
+constexpr std::uint8_t fully_visible = 2;
 
 /// True if all points lie on one side of the plane of the surface, or in it.
 bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double touching)
@@ -41,7 +41,7 @@ bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double
 
 } // namespace
 
-ClearSight::ClearSight(const Scene& scene, std::vector<std::uint32_t> targets)
+ShaftVisibility::ShaftVisibility(const Scene& scene, std::vector<std::uint32_t> targets)
     : scene_(scene),
       targets_(std::move(targets)),
       touching_(1e-6 * scene.bounds().diagonal()),
@@ -51,7 +51,7 @@ ClearSight::ClearSight(const Scene& scene, std::vector<std::uint32_t> targets)
 {
 }
 
-bool ClearSight::is_clear(std::uint32_t patch, std::size_t target) const
+bool ShaftVisibility::is_fully_visible(std::uint32_t patch, std::size_t target) const
 {
     if (patch == Scene::no_patch || known_.empty())
         return false;
@@ -59,13 +59,13 @@ bool ClearSight::is_clear(std::uint32_t patch, std::size_t target) const
     std::atomic<std::uint8_t>& known = known_[patch * targets_.size() + target];
     std::uint8_t state = known.load(std::memory_order_relaxed);
     if (state == 0) {
-        state = find(patch, targets_[target]) ? clear : unclear;
+        state = find(patch, targets_[target]) ? fully_visible : not_certain;
         known.store(state, std::memory_order_relaxed);
     }
-    return state == clear;
+    return state == fully_visible;
 }
 
-bool ClearSight::find(std::uint32_t patch, std::uint32_t target) const
+bool ShaftVisibility::find(std::uint32_t patch, std::uint32_t target) const
 {
     const Surface here = scene_.patch(patch).shape;
     const Surface& there = scene_.surfaces()[target];
@@ -133,7 +133,7 @@ private:
 } // namespace
 
 SourceLight::SourceLight(const Scene& scene)
-    : scene_(scene), sources_(sources_of(scene)), clear_sight_(scene, surfaces_of(sources_))
+    : scene_(scene), sources_(sources_of(scene)), shafts_(scene, surfaces_of(sources_))
 {
 }
 
@@ -174,9 +174,9 @@ double SourceLight::importance(const Source& source, const Place& place)
 
 /// Views of the sources. Of more than `most_views` sources about that many are chosen with probability proportional to
 /// their importance and weighted by its inverse.
-SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
+SourceLight::SourceViews SourceLight::source_views(const Place& place, double offset) const
 {
-    Sight result;
+    SourceViews result;
     const bool all = static_cast<double>(sources_.size()) <= most_views;
     double sum = 0.0;
     for (const Source& source : sources_)
@@ -200,7 +200,7 @@ SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
         if (!(form_factor > 0.0))
             continue;
         const Rgb irradiance = weight * form_factor * source.emittance;
-        if (clear_sight_.is_clear(place.patch, k))
+        if (shafts_.is_fully_visible(place.patch, k))
             result.clear += irradiance;
         else
             result.views.push_back({source.surface, outline, form_factor, irradiance});
@@ -210,7 +210,7 @@ SourceLight::Sight SourceLight::sight(const Place& place, double offset) const
 
 Rgb SourceLight::irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const
 {
-    const auto [unobstructed, views] = sight(place, offset);
+    const auto [unobstructed, views] = source_views(place, offset);
     if (views.empty())
         return unobstructed;
     fan.items.resize(items.count);

@@ -12,38 +12,39 @@
 
 namespace multipath {
 
-/// Full visibility between patches and surfaces (shaft culling): certain where no surface reaches into the convex hull
-/// of the two. Computed on first use, so that only the patches in a picture are tested. Safe to share between threads.
-class ClearSight
+/// Conservative test of full visibility between patches and target surfaces: they see each other entirely if no other
+/// surface reaches into their convex hull (shaft culling, Haines and Wallace 1991). Results are computed on first use
+/// and cached, so that only the patches in a picture are tested. Safe to share between threads.
+class ShaftVisibility
 {
 public:
-    /// `targets`: numbers of surfaces. The scene must outlive this object. In very large scenes, where the search would
-    /// cost more than it saves, no pair is clear.
-    ClearSight(const Scene& scene, std::vector<std::uint32_t> targets);
+    /// `targets`: indices of surfaces. The scene must outlive this object. In large scenes, where the test would cost
+    /// more than it saves, no pair counts as fully visible.
+    ShaftVisibility(const Scene& scene, std::vector<std::uint32_t> targets);
 
-    /// True if nothing stands between any point of a patch and any of a target, given by its index in the list. False
-    /// if that is not certain, and for Scene::no_patch.
-    bool is_clear(std::uint32_t patch, std::size_t target) const;
+    /// True if certainly nothing lies between any point of the patch and any point of the target (an index into
+    /// `targets`). False for Scene::no_patch.
+    bool is_fully_visible(std::uint32_t patch, std::size_t target) const;
 
 private:
     bool find(std::uint32_t patch, std::uint32_t target) const;
 
     const Scene& scene_;
     std::vector<std::uint32_t> targets_;
-    double touching_; ///< [scene units] smaller depths inside the hull count as touching
-    mutable std::vector<std::atomic<std::uint8_t>> known_; ///< per patch and target: 0 not yet, 1 no, 2 yes
+    double touching_; ///< [scene units] surfaces that reach less deep into the hull only touch it
+    mutable std::vector<std::atomic<std::uint8_t>> known_; ///< per patch and target: 0 unknown, 1 false, 2 true
 };
 
-/// The light that comes straight from the sources of a scene to any of its points. The unoccluded irradiance has a
-/// closed form; shadow rays estimate the visible share of sources that something may hide. A point that is lit by all
-/// or by none of its sources has no noise. Immutable and safe to share between threads.
+/// Direct light: the irradiance of points by the sources of a scene. The unoccluded irradiance has a closed form, and
+/// shadow rays estimate the visible share of sources that may be occluded. There is no noise where all sources, or
+/// none, are visible, unless they are so many that only some are sampled. Immutable and safe to share between threads.
 class SourceLight
 {
 public:
     /// The scene must outlive this object.
     explicit SourceLight(const Scene& scene);
 
-    /// Consecutive items of a sequence, one for each ray, which takes the item's first two numbers.
+    /// Consecutive items of a sequence, one per shadow ray, of which the first two numbers are used.
     struct Items
     {
         const Sequence& sequence;
@@ -51,8 +52,8 @@ public:
         std::size_t count;
     };
 
-    /// [W/m^2] At a place. `offset` in [0, 1) decides which sources get the rays if these are few, and is to differ
-    /// from place to place; `fan` is room to work in.
+    /// [W/m^2] Irradiance of a point by all sources. `offset` in [0, 1) shifts the systematic sampling of the sources
+    /// and should differ from point to point. `fan`: reusable buffers.
     Rgb irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const;
 
 private:
@@ -62,33 +63,33 @@ private:
         Rgb emittance; ///< [W/m^2]
         double power;  ///< [W] mean of the channels
         Vec3 centre;
-        double radius; ///< of a sphere around the centre that holds it
+        double radius; ///< [scene units] of a bounding sphere around the centre
     };
 
-    /// A source as it is seen from a place if nothing stands between.
+    /// A source seen from a point without occlusion.
     struct View
     {
         std::uint32_t surface;
-        FlatPolygon outline; ///< of the part above the horizon
-        double form_factor;  ///< [1] of the outline
-        Rgb irradiance;      ///< [W/m^2]
+        FlatPolygon outline; ///< the part above the horizon
+        double form_factor;  ///< [1] from the point to the outline
+        Rgb irradiance;      ///< [W/m^2] unoccluded
     };
 
-    /// The sources that a place sees: `clear` of those that nothing can hide, and views of the others.
-    struct Sight
+    /// The sources above the horizon of a point.
+    struct SourceViews
     {
-        Rgb clear; ///< [W/m^2] irradiance
-        std::vector<View> views;
+        Rgb clear;               ///< [W/m^2] irradiance by the sources that are certainly fully visible
+        std::vector<View> views; ///< the other sources
     };
 
     static std::vector<Source> sources_of(const Scene& scene);
     static std::vector<std::uint32_t> surfaces_of(const std::vector<Source>& sources);
     static double importance(const Source& source, const Place& place);
-    Sight sight(const Place& place, double offset) const;
+    SourceViews source_views(const Place& place, double offset) const;
 
     const Scene& scene_;
     std::vector<Source> sources_;
-    ClearSight clear_sight_; ///< of the sources
+    ShaftVisibility shafts_; ///< its targets are the sources
 };
 
 } // namespace multipath

@@ -128,7 +128,7 @@ public:
             if (!whole || with_points)
                 add_points(turn, k, groups.back());
         }
-        const auto of_edge_only = [](const CornerGroup& group) { return group.places.empty(); };
+        const auto of_edge_only = [](const CornerGroup& group) { return group.slots.empty(); };
         groups.erase(std::remove_if(groups.begin() + static_cast<std::ptrdiff_t>(before), groups.end(), of_edge_only),
                      groups.end());
         lighten_covered(groups.data() + before, groups.data() + groups.size());
@@ -183,7 +183,7 @@ private:
 
     bool is_free(const std::optional<OpenPoint>& from, const std::optional<OpenPoint>& to) const
     {
-        return from && to && !parted(scene_, *from, *to);
+        return from && to && !occluded_between(scene_, *from, *to);
     }
 
     Vec3 centre(CellCorner cell) const { return scene_.patch(first_patch_ + cell.cell).shape.centre(); }
@@ -205,7 +205,7 @@ private:
         else
             group.value = value;
         group.weight += weight;
-        group.places.push_back(CornerLattice::per_cell * patch + turn.cells[k]->number);
+        group.slots.push_back(CornerLattice::per_cell * patch + turn.cells[k]->number);
     }
 
     /// Points from which other surfaces are looked for, at the border.

@@ -14,8 +14,8 @@
 
 namespace multipath {
 
-/// One corner of one cell: number 0 ... 3 counter-clockwise from the cell's origin, 0 ... 2 of a triangle; or a corner
-/// of smaller cells on an edge of this one.
+/// A cell and the index of one of its corners, counter-clockwise from the cell's origin: 0 ... 3, or 0 ... 2 in a
+/// triangle. `on_edge` stands for a hanging node, a corner of smaller cells inside an edge of this cell.
 struct CellCorner
 {
     static constexpr std::uint32_t on_edge = 4;
@@ -28,7 +28,7 @@ struct CellCorner
 class CornerLattice
 {
 public:
-    static constexpr std::size_t per_cell = 4; ///< places for the corners of a cell; a triangle uses three
+    static constexpr std::size_t per_cell = 4; ///< slots in arrays of corner values per cell; a triangle uses three
 
     explicit CornerLattice(const Tessellation& tessellation) : tessellation_(tessellation) {}
 
@@ -37,17 +37,16 @@ public:
     double u(std::uint32_t i) const { return static_cast<double>(i) / tessellation_.grid_u(); }
     double v(std::uint32_t j) const { return static_cast<double>(j) / tessellation_.grid_v(); }
 
-    /// In rows first_row ... end_row - 1, row by row; each once.
+    /// The corners in rows first_row ... end_row - 1, row by row, each once.
     std::vector<GridPoint> points(std::uint32_t first_row, std::uint32_t end_row) const;
 
-    /// The cells that meet at corner (i, j), in the order of a turn around it: four, or six of a triangle, of which
-    /// some do not exist at the border. The last one's next is the first. On a parallelogram the cells differ in i and
-    /// j by turns: next to an even one lies the one with the same j.
+    /// The cells around corner (i, j), counter-clockwise: most_around() entries, empty beyond the border. On a
+    /// parallelogram, cells 0 and 1 share the same row j, and so do cells 2 and 3.
     std::array<std::optional<CellCorner>, 6> around(std::uint32_t i, std::uint32_t j) const;
     std::size_t most_around() const { return triangle() ? 6 : 4; }
 
-    /// Between the corners of the cell at (u, v): bilinear, or barycentric on a triangle. `values`: per_cell for each
-    /// cell.
+    /// Interpolates between the corners of the cell at (u, v): bilinear in a parallelogram, barycentric in a triangle.
+    /// `values`: per_cell entries for each cell.
     Rgb interpolated(const Rgb* values, double u, double v) const;
 
 private:
@@ -57,32 +56,33 @@ private:
     Tessellation tessellation_;
 };
 
-/// Patches of one side of one surface that meet at a corner and have nothing between them: they share one value there.
+/// Patches on one side of a surface that meet at a corner without an occluder between them. They share one value there.
 struct CornerGroup
 {
     std::uint32_t surface = 0;
-    Vec3 normal; ///< of the side
+    Vec3 normal; ///< unit normal of the side
     Vec3 corner;
-    std::vector<std::size_t> places; ///< CornerLattice::per_cell * patch + number of the corner
+    std::vector<std::size_t> slots; ///< CornerLattice::per_cell * patch + index of the corner
     Rgb value;
-    double weight = 0.0; ///< open shares of the patches, added up
-    /// In the open, by turns close to the corner and to the middle of a cell; on a border, or if asked for.
+    double weight = 0.0; ///< [1] sum of the open shares of the patches
+    /// For each patch an uncovered point near the corner and one near its centre, if there are any. Only on the border
+    /// of the surface, or if requested.
     std::vector<OpenPoint> points;
-    bool on_border = false; ///< of the surface
+    bool on_border = false; ///< the corner lies on the border of the surface
 
-    /// The edge of a larger patch of the group on which the corner lies: it has the value that this edge has there.
+    /// The edge of a larger patch of the group that has the corner as a hanging node.
     struct Edge
     {
-        std::size_t from; ///< places of its ends
+        std::size_t from; ///< slots of its ends
         std::size_t to;
-        double share;       ///< of the way
+        double share;       ///< [1] position of the corner along the edge
         std::uint8_t level; ///< of the larger patch
     };
-    std::optional<Edge> edge;
+    std::optional<Edge> edge; ///< if set, the final value is interpolated between the ends of this edge
 };
 
-/// The groups at the corners of one side of a surface, for the rows first_row ... end_row - 1 of its lattice. A value
-/// is the mean of what the linear functions of the patches have there.
+/// The groups at the corners of one side of a surface, in rows first_row ... end_row - 1 of its lattice. The value of a
+/// group is the mean of the linear functions of its patches at the corner, weighted by their open shares.
 std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes,
                                        std::uint32_t surface, bool front, std::uint32_t first_row,
                                        std::uint32_t end_row, bool with_points);

@@ -130,7 +130,7 @@ Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads
         const FlatPolygon polygon = polygon_of(surfaces[s]);
         std::array<std::uint64_t, 4> keys{};
         for (std::size_t k = 0; k < polygon.size; ++k)
-            keys[k] = place_key(scene, polygon.corners[k], scene.file().material[s]);
+            keys[k] = position_hash(scene, polygon.corners[k], scene.file().material[s]);
         for (std::size_t k = 0; k < polygon.size; ++k) {
             const auto [low, high] = std::minmax(keys[k], keys[(k + 1) % polygon.size]);
             edges[first[s] + k] = {mix_bits(low) ^ high, s};
@@ -234,7 +234,7 @@ void FlatRegions::fill(const Region& region, std::uint32_t surface, bool front)
         Bin& bin = bins_[region.bin(region.column(centre), region.row(centre), front)];
         bin.point = *point;
         bin.weight += weight;
-        bin.place = bin.place + weight * centre;
+        bin.centre = bin.centre + weight * centre;
         bin.value += weight * patches_.value(patch);
     }
 }
@@ -253,15 +253,15 @@ std::optional<Rgb> FlatRegions::value(std::uint32_t surface, bool front, Vec3 co
             around.push_back(&bin);
             points.push_back({bin.point, own.normal});
         }
-    const Surroundings surroundings(patches_.scene(), normals_, points);
+    const NearbyOccluders occluders(patches_.scene(), normals_, points);
     LinearFit fit;
     for (std::size_t k = 0; k < around.size(); ++k) {
         const Bin& bin = *around[k];
-        const Vec3 way = (1.0 / region.reach) * ((1.0 / bin.weight) * bin.place - corner);
+        const Vec3 way = (1.0 / region.reach) * ((1.0 / bin.weight) * bin.centre - corner);
         const double x = dot(way, region.axis_u);
         const double y = dot(way, region.axis_v);
         const double near = 1.0 - x * x - y * y;
-        if (near > 0.0 && (surroundings.part_nothing() || !surroundings.part(own, points[k + 1])))
+        if (near > 0.0 && (occluders.empty() || !occluders.separate(own, points[k + 1])))
             fit.add(bin.weight * near * near, x, y, (1.0 / bin.weight) * bin.value);
     }
     return fit.empty() ? std::nullopt : std::optional<Rgb>(fit.at_origin());

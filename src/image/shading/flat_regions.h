@@ -13,10 +13,10 @@
 
 namespace multipath {
 
-/// Flat polygons that a scene file cuts into needles, as triangulation does with walls that have windows. Patches of
-/// needles are slender, so that each gets few lines and its corners lie far from its middle; shaded one by one, they
-/// show as streaks. Here faces of one material in one plane that share edges are one region, of which the values at
-/// places are fitted to all patches around, as far as a patch that is no needle would reach.
+/// Flat polygons that the scene file splits into needle-shaped faces, as triangulation does with walls that have
+/// windows. Patches of needles are slender: each gets few lines, and its corners lie far from its centre. Shaded one by
+/// one, they show as streaks. Faces of one material that share edges in one plane therefore form one region, and the
+/// value at a corner is fitted to all patches of the region within the length of its longest patch edge.
 class FlatRegions
 {
 public:
@@ -24,11 +24,11 @@ public:
     FlatRegions(const VisiblePatches& patches, int threads);
 
     /// True if the surface belongs to a region with needles.
-    bool hold(std::uint32_t surface) const { return region_of_[surface] != none; }
+    bool contains(std::uint32_t surface) const { return region_of_[surface] != none; }
 
-    /// At `corner` of a surface that belongs to a region: a linear fit by weighted least squares to the patches around
-    /// that can be seen from `own`, a point of the same side in the open close to the corner. Nothing if there are
-    /// none.
+    /// Value at `corner` of a surface in a region, by moving least squares (Lancaster and Salkauskas 1981): a linear
+    /// fit to the nearby patches of the region, without those that are occluded from `own`, an uncovered point of the
+    /// same side near the corner. Nothing if no patch is left.
     std::optional<Rgb> value(std::uint32_t surface, bool front, Vec3 corner, const OpenPoint& own) const;
 
 private:
@@ -37,21 +37,21 @@ private:
     /// Sums over the patches in one cell of a region's grid.
     struct Bin
     {
-        double weight = 0.0; ///< open area
-        Vec3 place;          ///< [weight * scene units]
-        Rgb value;           ///< [weight * value]
-        Vec3 point;          ///< in the open
+        double weight = 0.0; ///< [m^2] sum of the open areas
+        Vec3 centre;         ///< [m^3] sum of weight * centre
+        Rgb value;           ///< sum of weight * value
+        Vec3 point;          ///< an uncovered point of one of the patches
     };
-    /// A region with a grid of bins on each side that exists.
+    /// A region with a grid of bins for its front and, in a two-sided scene, one for its back.
     struct Region
     {
         Vec3 origin;
         Vec3 axis_u, axis_v; ///< unit vectors
-        double reach = 0.0;  ///< [scene units] the longest edge of a patch
-        double cell = 0.0;   ///< [scene units]
+        double reach = 0.0;  ///< [scene units] longest edge of a patch: radius of the fit
+        double cell = 0.0;   ///< [scene units] size of the grid's square cells
         std::size_t columns = 0;
         std::size_t rows = 0;
-        std::size_t first_bin = 0; ///< of the front; the back's follow
+        std::size_t first_bin = 0; ///< of the front; those of the back follow
 
         std::size_t bin(std::size_t i, std::size_t j, bool front) const
         {
@@ -66,8 +66,8 @@ private:
     void fill(const Region& region, std::uint32_t surface, bool front);
 
     const VisiblePatches& patches_;
-    std::vector<Vec3> normals_;            ///< of all surfaces
-    std::vector<std::uint32_t> region_of_; ///< per surface
+    std::vector<Vec3> normals_;            ///< per surface
+    std::vector<std::uint32_t> region_of_; ///< per surface; `none` if it is in no region
     std::vector<Region> regions_;
     std::vector<Bin> bins_;
 };

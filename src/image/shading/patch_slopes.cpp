@@ -146,7 +146,7 @@ private:
         const std::optional<Vec3> from = patches_.open_point_near(patch, middle);
         const std::optional<Vec3> to = patches_.open_point_near(other, middle);
         const Vec3 normal = scene_.patch(patch).shape.normal();
-        return from && to && !parted(scene_, {*from, normal}, {*to, normal});
+        return from && to && !occluded_between(scene_, {*from, normal}, {*to, normal});
     }
 
     /// The centre and the edges of a patch on the grid.

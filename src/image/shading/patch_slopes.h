@@ -10,13 +10,13 @@
 
 namespace multipath {
 
-/// Change of a value over a patch: along the whole of its edge_u, and of its edge_v.
+/// Slope of a linear function on a patch.
 struct PatchSlope
 {
-    Rgb along_u;
-    Rgb along_v;
+    Rgb along_u; ///< change over the whole length of edge_u
+    Rgb along_v; ///< change over the whole length of edge_v
 
-    /// From the middle to corner k of 3 or 4, counter-clockwise from the origin.
+    /// Change from the centroid to corner k of 3 or 4, counter-clockwise from the origin.
     Rgb at_corner(std::size_t k, std::size_t corners) const
     {
         const double middle = corners == 3 ? 1.0 / 3.0 : 0.5;
@@ -26,15 +26,15 @@ struct PatchSlope
     }
 };
 
-/// A linear function for every patch, made from one value per patch: its mean is the value of the patch, and its slope
-/// a fit by least squares to the values of the patches across its edges, as finite volume methods reconstruct them,
-/// limited to what these have (Barth and Jespersen 1989). Neighbours belong to the same surface, and nothing stands
-/// between them and the patch. At a border, where the neighbours of one side are missing, the slope is that of the
-/// quadratic function that patch and neighbours tell, between 0 and twice that of the neighbours.
+/// Reconstructs a linear function on every patch from one value per patch, like a finite volume method. The mean of the
+/// function is the value of the patch. Its slope is a least-squares fit to the values of the patches across its edges,
+/// limited to their range (Barth and Jespersen 1989). Neighbours belong to the same surface and are not occluded from
+/// the patch. At a border, where neighbours are missing on one side, the slope is extrapolated with a quadratic
+/// function through patch and neighbours, and limited to lie between 0 and twice the slope of the neighbours.
 ///
-/// `bends`, if wanted: per patch the square of the change of slope towards a neighbour over one step of the size of the
-/// patch, as the mean over neighbours and channels: of b x^2 / 2 per step it is b^2 in the direction of x. 40 times as
-/// much at a border, where the slope is a guess. 0 without neighbours.
+/// `bends`, unless null, receives per patch the mean square of the second derivative towards its neighbours, over
+/// neighbours and channels, with the patch size as unit of length: b^2 along x for the function b x^2 / 2. It is
+/// multiplied by 40 at a border, where the slope is uncertain, and 0 for a patch without neighbours.
 std::vector<PatchSlope> patch_slopes(const VisiblePatches& patches, int threads, std::vector<double>* bends = nullptr);
 
 } // namespace multipath

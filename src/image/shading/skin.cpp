@@ -9,7 +9,7 @@
 
 namespace multipath {
 
-bool level(Vec3 a, Vec3 b)
+bool same_smoothing_group(Vec3 a, Vec3 b)
 {
     constexpr double smallest_cosine = 0.8660254037844386; // 30 degrees: more is a crease
     return dot(a, b) >= smallest_cosine;
@@ -26,14 +26,14 @@ Line sight(const OpenPoint& a, const OpenPoint& b)
     return chord(a.point + height * a.normal, b.point + height * b.normal);
 }
 
-bool may_part(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
+bool may_occlude(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
 {
-    return !level(normal, a.normal) && !level(normal, b.normal);
+    return !same_smoothing_group(normal, a.normal) && !same_smoothing_group(normal, b.normal);
 }
 
 } // namespace
 
-std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind)
+std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind)
 {
     // On a grid that is shifted so that round numbers fall inside cells.
     const double cell = 1e-6 * scene.bounds().diagonal();
@@ -44,15 +44,16 @@ std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind)
     return key;
 }
 
-bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
+bool occluded_between(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
 {
     std::vector<Hit> hits;
     scene.intersector().all_hits(sight(a, b), hits);
     return std::any_of(hits.begin(), hits.end(),
-                       [&](const Hit& hit) { return may_part(scene.surfaces()[hit.surface].normal(), a, b); });
+                       [&](const Hit& hit) { return may_occlude(scene.surfaces()[hit.surface].normal(), a, b); });
 }
 
-Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points)
+NearbyOccluders::NearbyOccluders(const Scene& scene, const std::vector<Vec3>& normals,
+                                 const std::vector<OpenPoint>& points)
     : scene_(scene)
 {
     Bounds box;
@@ -67,8 +68,9 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals,
     near_.emplace();
     for (const std::uint32_t surface : *listed) {
         const Vec3 normal = normals[surface];
-        const bool is_level = std::all_of(points.begin(), points.end(),
-                                          [&](const OpenPoint& point) { return level(normal, point.normal); });
+        const bool is_level = std::all_of(points.begin(), points.end(), [&](const OpenPoint& point) {
+            return same_smoothing_group(normal, point.normal);
+        });
         if (is_level)
             continue;
         const Bounds own = scene.surfaces()[surface].bounds();
@@ -79,16 +81,17 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Vec3>& normals,
     }
 }
 
-bool Surroundings::part(const OpenPoint& a, const OpenPoint& b) const
+bool NearbyOccluders::separate(const OpenPoint& a, const OpenPoint& b) const
 {
     if (!near_)
-        return parted(scene_, a, b);
+        return occluded_between(scene_, a, b);
     const Line line = sight(a, b);
     Bounds box;
     box.include(line.origin);
     box.include(line.origin + line.direction);
     return std::any_of(near_->begin(), near_->end(), [&](const Near& near) {
-        return overlap(box, near.box) && may_part(near.normal, a, b) && scene_.intersector().hit_on(line, near.surface);
+        return overlap(box, near.box) && may_occlude(near.normal, a, b) &&
+               scene_.intersector().hit_on(line, near.surface);
     });
 }
 

@@ -9,37 +9,37 @@
 
 namespace multipath {
 
-// A skin: surfaces that look like one, such as the triangles of a sphere, and are shaded as one (a smoothing group).
+// Smoothing groups: surfaces that look like one, such as the triangles of a sphere, and are shaded as one.
 
-/// A point of a skin in the open, with the unit normal there.
+/// An uncovered point of a surface with the unit normal of its side.
 struct OpenPoint
 {
     Vec3 point;
     Vec3 normal;
 };
 
-/// True if surfaces with these unit normals can belong to one skin; false if there is a crease between them.
-bool level(Vec3 a, Vec3 b);
+/// True if surfaces with these unit normals can belong to one smoothing group: they differ by at most 30 degrees.
+bool same_smoothing_group(Vec3 a, Vec3 b);
 
-/// Hash of a position, rounded to a millionth of the scene, and a kind of thing there.
-std::uint64_t place_key(const Scene& scene, Vec3 point, std::uint64_t kind);
+/// Hash of a position, rounded to a millionth of the scene's diagonal, and a number `kind`.
+std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind);
 
-/// True if something such as a wall on a floor stands between two nearby points of one skin. Surfaces level with one of
-/// the points do not count.
-bool parted(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
+/// True if an occluder, such as a wall on a floor, separates two nearby points of one smoothing group. Surfaces that
+/// fit into the smoothing group of either point do not count as occluders.
+bool occluded_between(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
 
-/// The same for many pairs of points near each other: tests only the surfaces nearby that are not level with all of the
-/// points.
-class Surroundings
+/// Accelerates occluded_between() for many pairs out of a set of nearby points. Tests only the surfaces close to them
+/// that do not fit into the smoothing group of all of them.
+class NearbyOccluders
 {
 public:
-    /// `points`: those that will be asked for; `normals`: of all surfaces. The scene must outlive this object.
-    Surroundings(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points);
+    /// `normals`: of all surfaces. `points`: the set from which pairs are tested. The scene must outlive this object.
+    NearbyOccluders(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points);
 
-    /// True if no two of the points are parted.
-    bool part_nothing() const { return near_ && near_->empty(); }
-    /// parted() for two of the points.
-    bool part(const OpenPoint& a, const OpenPoint& b) const;
+    /// True if there are certainly no occluders between any two of the points.
+    bool empty() const { return near_ && near_->empty(); }
+    /// occluded_between() for two of the points.
+    bool separate(const OpenPoint& a, const OpenPoint& b) const;
 
 private:
     struct Near
@@ -50,7 +50,7 @@ private:
     };
 
     const Scene& scene_;
-    std::optional<std::vector<Near>> near_; ///< none: all surfaces
+    std::optional<std::vector<Near>> near_; ///< the candidates; nothing means all surfaces
 };
 
 } // namespace multipath

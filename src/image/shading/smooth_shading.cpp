@@ -30,7 +30,7 @@ struct BorderGroup
 
 std::uint64_t border_key(const Scene& scene, std::uint32_t surface, bool front, Vec3 corner)
 {
-    return place_key(scene, corner, 2 * std::uint64_t{scene.file().material[surface]} + (front ? 1 : 0));
+    return position_hash(scene, corner, 2 * std::uint64_t{scene.file().material[surface]} + (front ? 1 : 0));
 }
 
 /// Rows of corners of one side of a surface.
@@ -107,13 +107,13 @@ Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool f
 }
 
 /// True if a point of one group can be connected to a point of the other by a free line.
-bool joins(const Surroundings& surroundings, const CornerGroup& a, const CornerGroup& b)
+bool joins(const NearbyOccluders& occluders, const CornerGroup& a, const CornerGroup& b)
 {
-    if (surroundings.part_nothing())
+    if (occluders.empty())
         return !a.points.empty() && !b.points.empty();
     for (const OpenPoint& from : a.points)
         for (const OpenPoint& to : b.points)
-            if (!surroundings.part(from, to))
+            if (!occluders.separate(from, to))
                 return true;
     return false;
 }
@@ -127,7 +127,7 @@ void join_place(const Scene& scene, const std::vector<Vec3>& normals, const std:
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // of groups that may join
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
-            if (groups[i]->surface != groups[j]->surface && level(groups[i]->normal, groups[j]->normal))
+            if (groups[i]->surface != groups[j]->surface && same_smoothing_group(groups[i]->normal, groups[j]->normal))
                 pairs.emplace_back(i, j);
     if (pairs.empty())
         return;
@@ -136,10 +136,10 @@ void join_place(const Scene& scene, const std::vector<Vec3>& normals, const std:
         points.insert(points.end(), group->points.begin(), group->points.end());
     if (points.empty())
         return;
-    const Surroundings surroundings(scene, normals, points);
+    const NearbyOccluders occluders(scene, normals, points);
     std::vector<bool> joined(count * count);
     for (const auto& [i, j] : pairs)
-        joined[i * count + j] = joined[j * count + i] = joins(surroundings, *groups[i], *groups[j]);
+        joined[i * count + j] = joined[j * count + i] = joins(occluders, *groups[i], *groups[j]);
     for (std::size_t i = 0; i < count; ++i) {
         Rgb sum;
         double weight = 0.0;
@@ -169,7 +169,7 @@ void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>
     std::vector<Order> order;
     for (const std::vector<BorderGroup>& block : borders)
         for (const BorderGroup& border : block)
-            order.push_back({border.key, border.group.places.front(), &border.group});
+            order.push_back({border.key, border.group.slots.front(), &border.group});
     std::sort(order.begin(), order.end());
 
     // Places in the order of the surfaces, where neighbours are close in memory.
@@ -208,9 +208,9 @@ void put_on_edges(const std::vector<std::vector<CornerGroup>>& blocks, std::vect
         for (const std::vector<CornerGroup>& groups : blocks)
             for (const CornerGroup& group : groups)
                 if (group.edge->level == level)
-                    for (const std::size_t place : group.places)
-                        corners[place] = (1.0 - group.edge->share) * corners[group.edge->from] +
-                                         group.edge->share * corners[group.edge->to];
+                    for (const std::size_t slot : group.slots)
+                        corners[slot] = (1.0 - group.edge->share) * corners[group.edge->from] +
+                                        group.edge->share * corners[group.edge->to];
 }
 
 } // namespace
@@ -254,8 +254,8 @@ void SmoothShading::find_corners(const VisiblePatches& patches, const std::vecto
     const Scene& scene = scene_;
     // Every place belongs to one group, so that threads may put at the same time.
     const auto put = [this](const CornerGroup& group, Rgb value) {
-        for (const std::size_t place : group.places)
-            corners_[place] = value;
+        for (const std::size_t slot : group.slots)
+            corners_[slot] = value;
     };
     const FlatRegions regions(patches, threads);
     std::vector<std::vector<BorderGroup>> borders;
@@ -267,10 +267,10 @@ void SmoothShading::find_corners(const VisiblePatches& patches, const std::vecto
         on_edges.resize(first + blocks.size());
         parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
             for (const Strip& strip : blocks[block]) {
-                const bool held = regions.hold(strip.surface);
-                for (CornerGroup& group :
-                     corner_groups(patches, slopes, strip.surface, strip.front, strip.first_row, strip.end_row, held)) {
-                    if (held)
+                const bool in_region = regions.contains(strip.surface);
+                for (CornerGroup& group : corner_groups(patches, slopes, strip.surface, strip.front, strip.first_row,
+                                                        strip.end_row, in_region)) {
+                    if (in_region)
                         group.value = value_in_region(regions, group, strip.front);
                     put(group, group.value);
                     if (group.edge)

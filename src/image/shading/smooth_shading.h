@@ -12,28 +12,27 @@
 
 namespace multipath {
 
-/// Continuous values over the surfaces of a scene, made from one value per patch. Patches share values at corners that
-/// they have in common if they are of one material, without a crease between them, and nothing stands between them;
-/// what furniture covers does not count. A linear ramp over a parallelogram is reproduced; sources keep the plain
-/// values of their patches.
+/// Interpolates one value per patch to a continuous function on the surfaces of a scene. Patches share a value at a
+/// common corner if they have the same material, lie in one smoothing group, and no occluder separates them. Parts that
+/// are covered by furniture are ignored. Sources are interpolated like other surfaces. A linear ramp is reproduced.
 class SmoothShading
 {
 public:
-    /// One value per patch; the scene and the values must outlive this object. `shown`: the surfaces that will be
-    /// asked for, which saves time if they are few; all if it is empty.
+    /// The scene and the values, one per patch, must outlive this object. `shown`: nonzero for the surfaces that at()
+    /// and at_corners() will be called for, which saves time if they are few; empty means all.
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   const std::vector<char>& shown = {});
 
-    /// The same of all surfaces, and how well the patches fit together: for each patch the square of what the values at
-    /// its corners differ from its own linear function, as the mean over corners and channels, and a share of its bend
-    /// (patch_slopes), times the share of the patch that is open. 0 for sources.
+    /// Also computes a residual per patch, an indicator of the interpolation error: the mean square, over corners and
+    /// channels, of the difference between the corner values and the patch's own linear function, plus a multiple of
+    /// its bend (patch_slopes), times the open share of the patch.
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   std::vector<double>& residuals);
 
-    /// The value where a line meets a side that exists.
+    /// The interpolated value at a hit on a side that has patches.
     Rgb at(const Hit& hit) const;
 
-    /// The values at the corners of a patch, in the order of Scene::corners(); three of a triangle, then one unused.
+    /// The values at the corners of a patch, in the order of Scene::corners(). For a triangle the fourth is unused.
     std::array<Rgb, 4> at_corners(std::uint32_t patch) const;
 
 private:
@@ -42,7 +41,7 @@ private:
 
     const Scene& scene_;
     const std::vector<Rgb>& values_;
-    std::vector<Rgb> corners_; ///< CornerLattice::per_cell for each patch
+    std::vector<Rgb> corners_; ///< CornerLattice::per_cell slots for each patch
 };
 
 } // namespace multipath

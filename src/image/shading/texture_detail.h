@@ -7,14 +7,14 @@
 
 namespace multipath {
 
-// Pictures show textures at full resolution on light that is known per patch: what is interpolated is the radiosity
-// that the patches would have without the detail of their texture, and the texture is put back at each point.
+// Pictures show textures at full resolution although light is known per patch only. The radiosity that patches would
+// have without the detail of their texture is interpolated, and the texture is applied again at each point.
 
-/// [W/m^2] The radiosity of every patch if it reflected what its material reflects on average. The same as `radiosity`
-/// in scenes without textures.
+/// [W/m^2] The radiosity that every patch would have with the mean reflectance of its material in place of its texture.
+/// Equal to `radiosity` in scenes without textures.
 std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity);
 
-/// [W/m^2] At a point, of what was interpolated from without_texture().
+/// [W/m^2] Applies the texture at a point: radiosity there for `plain`, interpolated from without_texture().
 Rgb with_texture(const Scene& scene, const Hit& hit, Rgb plain);
 
 } // namespace multipath

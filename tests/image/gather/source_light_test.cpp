@@ -59,10 +59,10 @@ SceneBuilder lit_floor()
     return builder.rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 1.0));
 }
 
-/// Is the lamp in clear sight of the patch under the point (x, 0, z)?
+/// True if the lamp is fully visible from the patch under the point (x, 0, z).
 bool is_clear(const Scene& scene, double x, double z)
 {
-    return ClearSight(scene, {1}).is_clear(scene.patch_at(0, z / 2, x / 2, true), 0);
+    return ShaftVisibility(scene, {1}).is_fully_visible(scene.patch_at(0, z / 2, x / 2, true), 0);
 }
 
 } // namespace
@@ -185,7 +185,7 @@ TEST_CASE("a patch and a lamp see each other clearly if nothing reaches between 
     CHECK_FALSE(is_clear(sheet.scene(1.0), 1.5, 1.5));
     CHECK(is_clear(sheet.scene(1.0), 0.5, 0.5));
 
-    CHECK_FALSE(ClearSight(lit_floor().scene(1.0), {1}).is_clear(Scene::no_patch, 0));
+    CHECK_FALSE(ShaftVisibility(lit_floor().scene(1.0), {1}).is_fully_visible(Scene::no_patch, 0));
 }
 
 TEST_CASE("no ray between a patch and a lamp in clear sight of it meets anything else")
@@ -195,7 +195,7 @@ TEST_CASE("no ray between a patch and a lamp in clear sight of it meets anything
         std::uint32_t lamp = 0;
         while (scene.emittance(scene.first_patch(lamp)) == Rgb{})
             ++lamp;
-        const ClearSight sight(scene, {lamp});
+        const ShaftVisibility shafts(scene, {lamp});
         const Surface& source = scene.surfaces()[lamp];
         std::vector<Item> items(50);
         int clear = 0;
@@ -203,7 +203,7 @@ TEST_CASE("no ray between a patch and a lamp in clear sight of it meets anything
         for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
             const Surface shape = scene.patch(patch).shape;
             REQUIRE(shape.shape == Shape::parallelogram);
-            if (!sight.is_clear(patch, 0))
+            if (!shafts.is_fully_visible(patch, 0))
                 continue;
             ++clear;
             make_sequence("random", patch)->generate(0, items);

@@ -25,23 +25,23 @@ TEST_CASE("what stands between points near each other is found as among all surf
         for (const Surface& surface : scene.surfaces())
             normals.push_back(surface.normal());
 
-        int parted_pairs = 0;
+        int occluded_pairs = 0;
         for (int trial = 0; trial < 100; ++trial) {
             const Vec3 middle = point(1.0);
             std::vector<OpenPoint> points;
             for (int k = 0; k < 4; ++k)
                 points.push_back({middle + point(0.05), normalized(point(1.0) + Vec3{0, 3, 0})});
-            const Surroundings surroundings(scene, normals, points);
+            const NearbyOccluders occluders(scene, normals, points);
             for (const OpenPoint& a : points)
                 for (const OpenPoint& b : points) {
-                    const bool expected = parted(scene, a, b);
-                    REQUIRE(surroundings.part(a, b) == expected);
-                    REQUIRE_FALSE((expected && surroundings.part_nothing()));
-                    parted_pairs += expected ? 1 : 0;
+                    const bool expected = occluded_between(scene, a, b);
+                    REQUIRE(occluders.separate(a, b) == expected);
+                    REQUIRE_FALSE((expected && occluders.empty()));
+                    occluded_pairs += expected ? 1 : 0;
                 }
         }
         if (count == 3000)
-            CHECK(parted_pairs > 100);
+            CHECK(occluded_pairs > 100);
     }
 }
 
