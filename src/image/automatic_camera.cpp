@@ -1,8 +1,10 @@
-// Many places where a photographer might stand are tried: along the walls and in the corners at several heights, behind
-// each wall, and outside in front of each side. A coarse grid of rays rates each of them, a finer one the best. A scene
-// that can be seen from outside without looking through anything is seen from there. Dark surfaces count as not seen if
-// the best view shows many: a house whose lamps are inside is not shown from the garden. If no position suits the whole
-// scene, such as a small house in a large garden, the part that holds the light is tried.
+// The camera is found by search. The candidates are positions where a photographer might stand: along the walls and in
+// the corners at several heights, outside each wall (whose back is transparent), and in front of each side of the
+// scene. A coarse grid of rays scores each candidate, a finer grid the best ones. If the scene can be seen from outside
+// without looking through a wall, only those candidates compete. At first all surfaces count as lit. If the best view
+// shows many unlit ones, the search is repeated with unlit surfaces counted as unseen: a house with lamps inside is not
+// shown from the garden. If that fails, too, as for a small house in a large garden, the search is restricted to the
+// part of the scene that contains the light.
 
 #include "image/automatic_camera.h"
 
@@ -24,25 +26,25 @@ namespace multipath {
 
 namespace {
 
-constexpr double cells_along_diagonal = 24.0; // points of one cell of the scene count as one place
-constexpr double too_near = 0.08;             // of the scene's diagonal
-constexpr double in_the_dark = 0.02;          // of the reflected power: the sides that share it count as dark
+constexpr double cells_along_diagonal = 24.0; // cells of the scene that are counted to measure variety
+constexpr double too_near = 0.08;             // share of the scene's diagonal
+constexpr double in_the_dark = 0.02;          // share of the reflected power: the darkest sides with it are unlit
 
-/// Counts of what the rays of one view met.
-struct View
+/// Statistics of the rays of one view. The members after `dark` are of visible hits of lit fronts only.
+struct ViewCounts
 {
     int escaped = 0;
     int backs = 0;
     int dark = 0;
     int near = 0;
-    int floor = 0;   ///< surfaces that face up
-    int ceiling = 0; ///< surfaces that face down
+    int floor = 0;   ///< hits of surfaces that face up
+    int ceiling = 0; ///< hits of surfaces that face down
     std::vector<std::uint64_t> cells;
     std::vector<std::uint32_t> surfaces;
     std::vector<std::uint32_t> materials;
 };
 
-/// The number of the cell in which a point lies.
+/// Index of the cell that contains a point.
 std::uint64_t cell_of(const Bounds& box, Vec3 point)
 {
     const double size = box.diagonal() / cells_along_diagonal;
@@ -53,9 +55,9 @@ std::uint64_t cell_of(const Bounds& box, Vec3 point)
     return cell;
 }
 
-/// nearest: what the ray meets first, if anything; seen: what is seen along it.
-void look(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nearest, const std::optional<Hit>& seen,
-          View& view)
+/// Adds a ray to the statistics. `nearest`: its first hit, or null; `seen`: its first visible hit.
+void add_ray(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nearest, const std::optional<Hit>& seen,
+             ViewCounts& view)
 {
     const Scene& scene = lit_scene.scene;
     if (nearest != nullptr && !nearest->front && !scene.is_sky(nearest->surface))
@@ -84,19 +86,19 @@ void keep_distinct(std::vector<T>& items)
     items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-/// Rises to one while the share of rays rises to what is enough, the first rays counting most.
-double share_up_to(int count, double rays, double enough)
+/// Saturating reward: rises like a square root from 0 to 1, which it reaches when the share of the rays is `enough`.
+double saturated_share(int count, double rays, double enough)
 {
     return std::sqrt(std::min(1.0, count / (rays * enough)));
 }
 
-/// The root of the area: small things matter more to a picture than their area says.
+/// Importance of a surface in a picture: the root of its area, so that small objects are not neglected.
 double weight(const Surface& surface)
 {
     return std::sqrt(surface.area());
 }
 
-/// One side of a surface.
+/// Light of one side of a surface.
 struct LitSide
 {
     std::uint32_t first_patch;
@@ -123,10 +125,10 @@ std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radio
     return sides;
 }
 
-/// [W/m^2] The mean radiosity that is reached by the sides that hold nearly all of the reflected power. Not a share of
-/// a mean: the spot above a lamp may be a hundred times brighter than the room, and a garden larger. Of sides and not
-/// of patches, since few lines leave many patches without light.
-double least_lit_radiosity(std::vector<LitSide> sides)
+/// [W/m^2] Threshold of the mean radiosity above which sides count as lit: brighter sides have 98 % of the reflected
+/// power. A fraction of the mean would not do, since the spot above a lamp may be a hundred times brighter than the
+/// room, and a garden much larger. Sides are compared, not patches, since with few lines many patches receive none.
+double lit_threshold(std::vector<LitSide> sides)
 {
     std::sort(sides.begin(), sides.end(), [](const LitSide& a, const LitSide& b) { return a.radiosity < b.radiosity; });
     double all = 0.0;
@@ -139,11 +141,11 @@ double least_lit_radiosity(std::vector<LitSide> sides)
     return 0.0;
 }
 
-/// The patches whose light a picture would show: of bright sides all, of others those that are bright themselves.
+/// The lit patches: all patches of bright sides, and bright patches of other sides.
 std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
     const std::vector<LitSide> sides = lit_sides(scene, radiosity);
-    const double least = least_lit_radiosity(sides);
+    const double least = lit_threshold(sides);
     const auto shows = [least](double light) { return light >= least && light > 0.0; };
     std::vector<bool> is_lit(scene.patch_count());
     for (const LitSide& side : sides)
@@ -177,9 +179,9 @@ ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double
             lines.push_back(rays.through(x + 0.5, y + 0.5));
     VisibleHits visible(scene);
     const std::vector<std::optional<Hit>>& hits = visible.first(lines);
-    View view;
+    ViewCounts view;
     for (std::size_t k = 0; k < lines.size(); ++k)
-        look(lit_scene, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
+        add_ray(lit_scene, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
     keep_distinct(view.cells);
     keep_distinct(view.surfaces);
     keep_distinct(view.materials);
@@ -187,10 +189,12 @@ ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double
     for (const std::uint32_t surface : view.surfaces)
         seen += weight(scene.surfaces()[surface]);
 
+    // The weights are empirical.
     const double count = static_cast<double>(columns) * rows;
     const double variety = static_cast<double>(view.cells.size()) / count;
     const double completeness = seen / lit_scene.weight;
-    const double balance = 0.5 * share_up_to(view.floor, count, 0.25) + 0.2 * share_up_to(view.ceiling, count, 0.08);
+    const double balance =
+        0.5 * saturated_share(view.floor, count, 0.25) + 0.2 * saturated_share(view.ceiling, count, 0.08);
     const double colours =
         0.8 * static_cast<double>(view.materials.size()) / static_cast<double>(scene.materials().size());
     const bool lamp = std::any_of(view.materials.begin(), view.materials.end(), [&](std::uint32_t material) {
@@ -206,20 +210,20 @@ namespace {
 constexpr int coarse_rows = 9;
 constexpr int fine_rows = 18;
 
-/// The scene's box with `up` as its second axis, so that rooms of any orientation are treated alike.
+/// A box around the scene with `up` as its second axis, so that rooms of any orientation are treated alike.
 struct Room
 {
     Vec3 axis_x, axis_y, axis_z; ///< unit vectors, y up
     Bounds box;                  ///< in these axes
 
-    /// The point at fractions of width, height and depth.
+    /// The point at these fractions of width, height and depth.
     Vec3 at(double x, double y, double z) const
     {
         const Vec3 size = box.size();
         return (box.low.x + x * size.x) * axis_x + (box.low.y + y * size.y) * axis_y +
                (box.low.z + z * size.z) * axis_z;
     }
-    /// A box along the axes of space that holds the room.
+    /// Axis-aligned bounding box of the room.
     Bounds in_space() const
     {
         Bounds result;
@@ -231,7 +235,7 @@ struct Room
     }
 };
 
-/// A flat scene still needs a room around it to stand in.
+/// Makes every side at least a tenth of the diagonal, so that there is space for a camera around a flat scene.
 void grow_if_flat(Bounds& box)
 {
     const double least = 0.1 * box.diagonal();
@@ -255,11 +259,11 @@ Room room_of(const Scene& scene, Vec3 up)
     return room;
 }
 
-/// The room that holds the reflected light, or the emitted if there is no other, but for a small part that leaves it
-/// through windows.
+/// Box around the reflected power, or around the emitted power if there is no other. Along each axis 2 % of the power
+/// is left out at either end, such as light that leaves the room through windows.
 Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
 {
-    constexpr double left_out = 0.02; // of the light on either side
+    constexpr double left_out = 0.02; // share of the power at either end
     std::vector<double> power;        // [W] per patch
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         power.push_back(scene.area(i) * std::max(0.0, mean(radiosity[i] - scene.emittance(i))));
@@ -269,20 +273,20 @@ Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
     const double all = std::accumulate(power.begin(), power.end(), 0.0);
 
     const auto range_along = [&](Vec3 axis) {
-        std::vector<std::pair<double, double>> places; // along the axis, with their power [W]
+        std::vector<std::pair<double, double>> positions; // along the axis, with the power [W] of the patch there
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             if (power[i] > 0.0)
-                places.emplace_back(dot(scene.patch(i).shape.centre(), axis), power[i]);
-        if (places.empty()) // no light anywhere
+                positions.emplace_back(dot(scene.patch(i).shape.centre(), axis), power[i]);
+        if (positions.empty()) // no light anywhere
             return std::pair<double, double>{0.0, 0.0};
-        std::sort(places.begin(), places.end());
-        std::pair<double, double> range{places.front().first, places.back().first};
+        std::sort(positions.begin(), positions.end());
+        std::pair<double, double> range{positions.front().first, positions.back().first};
         double passed = 0.0;
-        for (const auto& [place, light] : places) {
+        for (const auto& [position, light] : positions) {
             if (passed <= left_out * all)
-                range.first = place;
+                range.first = position;
             if (passed <= (1.0 - left_out) * all)
-                range.second = place;
+                range.second = position;
             passed += light;
         }
         return range;
@@ -295,7 +299,8 @@ Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
     return room;
 }
 
-/// The vertical angle [degrees], smaller in wide pictures so that their sides are not stretched.
+/// [degrees] Vertical field of view, reduced in wide pictures so that the horizontal one is at most `widest`: otherwise
+/// their sides would look stretched.
 double field_of_view(double vertical, double widest, double aspect)
 {
     const double from_width =
@@ -303,7 +308,7 @@ double field_of_view(double vertical, double widest, double aspect)
     return std::min(vertical, from_width);
 }
 
-/// Eyes along the walls and in the corners, each looking across the room.
+/// Appends cameras along the walls and in the corners that look across the room.
 void append_inside(const Room& room, Vec3 up, double angle, std::vector<Camera>& cameras)
 {
     constexpr double inset = 0.05;
@@ -321,18 +326,18 @@ void append_inside(const Room& room, Vec3 up, double angle, std::vector<Camera>&
         }
 }
 
-/// Eyes behind a wall that is looked through, where a room is too small to step back in.
+/// Appends cameras outside each wall that look through its back, for rooms that are too small to step back in.
 void append_behind_walls(const Room& room, Vec3 up, double angle, std::vector<Camera>& cameras)
 {
     for (const double outside : {-0.35, -0.5, -0.65})
         for (const double eye_height : {0.55, 0.65})
-            for (const double place : {outside, 1.0 - outside}) {
-                cameras.push_back({room.at(place, eye_height, 0.5), room.at(0.5, 0.45, 0.5), up, angle});
-                cameras.push_back({room.at(0.5, eye_height, place), room.at(0.5, 0.45, 0.5), up, angle});
+            for (const double position : {outside, 1.0 - outside}) {
+                cameras.push_back({room.at(position, eye_height, 0.5), room.at(0.5, 0.45, 0.5), up, angle});
+                cameras.push_back({room.at(0.5, eye_height, position), room.at(0.5, 0.45, 0.5), up, angle});
             }
 }
 
-/// Eyes in front of each side, far enough to see all of its opening, and above each corner.
+/// Cameras in front of each side, far enough away to see all of it, and above each corner.
 std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, double aspect)
 {
     std::vector<Camera> cameras;
@@ -354,11 +359,11 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
     return cameras;
 }
 
-/// The `count` best of the cameras, the best first; of equals the earlier.
+/// The `count` cameras with the highest scores, best first; of equal ones the earlier.
 std::vector<Camera> best_cameras(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect, int rows,
                                  std::size_t count)
 {
-    std::vector<std::pair<double, std::size_t>> ranking; // penalty, number
+    std::vector<std::pair<double, std::size_t>> ranking; // negative score, index
     for (std::size_t i = 0; i < cameras.size(); ++i)
         ranking.emplace_back(-view_quality(lit_scene, cameras[i], aspect, rows).score, i);
     std::sort(ranking.begin(), ranking.end());
@@ -368,11 +373,12 @@ std::vector<Camera> best_cameras(const LitScene& lit_scene, const std::vector<Ca
     return best;
 }
 
-/// The cameras outside that look through no back and fill much of their picture: those in front of an open side or an
-/// object.
+/// The cameras in `outside` that look through hardly any backs and whose picture is filled well: those in front of an
+/// open side, or of an object.
 std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Camera>& outside, double aspect)
 {
-    const double most_backs = lit_scene.scene.file().sky_surfaces > 0 ? 0.15 : 0.01; // under a sky the outside is lit
+    // Under a sky the outside is lit, so that more backs are acceptable.
+    const double most_backs = lit_scene.scene.file().sky_surfaces > 0 ? 0.15 : 0.01;
     std::vector<Camera> result;
     for (const Camera& camera : outside) {
         const ViewQuality quality = view_quality(lit_scene, camera, aspect, fine_rows);
@@ -382,7 +388,7 @@ std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Ca
     return result;
 }
 
-/// The best of all places in and around a room.
+/// The best of all candidates in and around a room.
 Camera best_camera(const LitScene& lit_scene, const Room& room, double aspect, Vec3 up)
 {
     const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
@@ -404,7 +410,7 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::v
 {
     if (!(length(up) > 0.0) || !std::isfinite(length(up)))
         throw SettingsError("camera: the up direction must be a finite vector that is not zero");
-    // The light is used only if needed, so that a good view does not depend on the noise of the solution.
+    // The solution is used only if necessary, so that a good view does not depend on its noise.
     const Room room = room_of(scene, up);
     const Camera plain = best_camera(LitScene(scene), room, aspect, up);
     LitScene lit_scene(scene, radiosity);

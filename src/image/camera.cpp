@@ -37,7 +37,7 @@ void require_camera(const Camera& camera)
         throw SettingsError("camera: eye and target are too far apart for a direction to be computed");
     if (length(camera.up) == 0.0)
         throw SettingsError("camera: the up direction has length zero");
-    // Below this sine the picture would turn with rounding errors.
+    // For a smaller sine, rounding errors would determine the rotation of the picture.
     if (length(cross(normalized(view), normalized(camera.up))) < 1e-6)
         throw SettingsError("camera: the up direction is parallel to the view, choose another one");
 }
@@ -95,7 +95,7 @@ const std::vector<std::optional<Hit>>& VisibleHits::first(const std::vector<Line
 
 void VisibleHits::look_through_backs(const std::vector<Line>& rays)
 {
-    constexpr std::size_t at_a_time = 256; // each may meet thousands of surfaces
+    constexpr std::size_t at_a_time = 256; // bounds the memory: a ray may have thousands of hits
     for (std::size_t first = 0; first < back_first_.size(); first += at_a_time) {
         const std::size_t end = std::min(back_first_.size(), first + at_a_time);
         lines_.clear();

@@ -6,7 +6,7 @@ namespace multipath {
 
 namespace {
 
-/// The remainder of each byte followed by four zero bytes.
+/// The CRC remainder of each byte followed by four zero bytes.
 constexpr std::array<std::uint32_t, 256> make_crc_table()
 {
     std::array<std::uint32_t, 256> table{};
@@ -34,8 +34,8 @@ std::uint32_t crc32(const std::string& bytes)
 std::uint32_t adler32(const std::string& bytes)
 {
     std::uint64_t sum = 1;
-    std::uint64_t sum_of_sums = 0; // 64 bits hold both for 10^6 bytes and more without a division
-    std::size_t until_reduced = 1u << 20;
+    std::uint64_t sum_of_sums = 0;
+    std::size_t until_reduced = 1u << 20; // 64-bit sums do not overflow within 2^20 bytes
     for (const char c : bytes) {
         sum += static_cast<unsigned char>(c);
         sum_of_sums += sum;

@@ -20,7 +20,7 @@ std::string ppm_bytes(const ScreenImage& image, const std::string& comment)
 
 std::string pfm_bytes(const Image& image)
 {
-    // The sign of the scale says little endian.
+    // A negative scale means little endian.
     std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
     bytes.reserve(bytes.size() + 12 * image.pixels.size());
     for (int y = image.height - 1; y >= 0; --y)

@@ -1,6 +1,7 @@
-// PNG (ISO/IEC 15948): a signature and chunks. Rows are stored as differences from the pixel to the left or from the
-// row above and compressed together by deflate (RFC 1951): literals and copies of earlier bytes (Ziv and Lempel 1977)
-// in one block with the format's fixed Huffman code.
+// PNG (ISO/IEC 15948) is a signature followed by chunks. Each row is filtered: stored as differences from the pixel to
+// the left or from the row above. All rows together are compressed with deflate (RFC 1951), as literals and copies of
+// earlier bytes (Ziv and Lempel 1977), here in a single block with the fixed Huffman code of the format. Matches are
+// found with hash chains and chosen by lazy matching.
 
 #include "image/png.h"
 
@@ -19,12 +20,12 @@ namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
 
-/// Beginning of the data of a chunk with a comment: the keyword and, for UTF-8 (iTXt), neither compression nor language
-/// (ISO/IEC 15948, 11.3.4).
+/// Start of the data of a comment chunk (ISO/IEC 15948, 11.3.4): the keyword and, in the UTF-8 form (iTXt), flags for
+/// no compression and empty language fields.
 constexpr std::string_view plain_comment("Comment\0", 8);
 constexpr std::string_view utf8_comment("Comment\0\0\0\0\0", 12);
 
-/// Four bytes, the highest first.
+/// Four bytes, most significant first.
 std::string big_endian(std::uint32_t value)
 {
     std::string bytes;
@@ -35,7 +36,7 @@ std::string big_endian(std::uint32_t value)
 
 struct CodeWord
 {
-    std::uint16_t bits = 0; ///< the first bit lowest, as deflate stores code words
+    std::uint16_t bits = 0; ///< first bit of the code word in the lowest bit, as deflate stores it
     std::uint8_t length = 0;
 };
 
@@ -47,7 +48,7 @@ constexpr CodeWord code_word(std::uint32_t number, int length)
     return {static_cast<std::uint16_t>(reversed), static_cast<std::uint8_t>(length)};
 }
 
-/// The fixed code of literals, the end of the block and lengths (RFC 1951, section 3.2.6).
+/// The fixed Huffman code of literals, end of block and lengths (RFC 1951, section 3.2.6).
 constexpr std::array<CodeWord, 288> make_fixed_code()
 {
     std::array<CodeWord, 288> words{};
@@ -66,11 +67,11 @@ constexpr std::size_t window = 32768; ///< greatest distance of a copy
 constexpr std::size_t shortest_copy = 3;
 constexpr std::size_t longest_copy = 258;
 
-/// A deflate stream of one block.
+/// Writes a deflate stream of one block.
 class DeflateWriter
 {
 public:
-    DeflateWriter() { put(1 | 1 << 1, 3); } // the last block, fixed code
+    DeflateWriter() { put(1 | 1 << 1, 3); } // block header: last block, fixed Huffman code
 
     void literal(char byte) { put(fixed_code[static_cast<unsigned char>(byte)]); }
 
@@ -99,11 +100,11 @@ private:
     struct Range
     {
         std::uint32_t code;
-        std::uint32_t offset; ///< of the value from the range's first
+        std::uint32_t offset; ///< of the value from the start of the range
         int offset_bits;
     };
 
-    /// Deflate's numbering of lengths and distances, from zero: ranges that double in size every `per_size` codes.
+    /// Code and extra bits of a length or distance, counted from zero: ranges double in size every `per_size` codes.
     static Range doubling_range(std::uint32_t value, std::uint32_t per_size)
     {
         int bits = 0;
@@ -113,7 +114,7 @@ private:
     }
 
     void put(CodeWord word) { put(word.bits, word.length); }
-    /// Bits fill bytes from the lowest.
+    /// Appends bits; bytes are filled from the lowest bit.
     void put(std::uint32_t bits, int count)
     {
         buffer_ |= std::uint64_t{bits} << filled_;
@@ -126,7 +127,8 @@ private:
     int filled_ = 0;
 };
 
-/// Finds earlier occurrences through chains of positions that start with the same three bytes (or have the same hash).
+/// Finds earlier occurrences of strings with hash chains: linked lists of the positions whose first three bytes have
+/// the same hash.
 class MatchFinder
 {
 public:
@@ -135,7 +137,7 @@ public:
     {
     }
 
-    /// Positions are added in order.
+    /// Adds a position to its chain. Positions must be added in order.
     void add(std::size_t position)
     {
         if (position + shortest_copy > bytes_.size())
@@ -177,9 +179,8 @@ public:
 private:
     static constexpr int hash_bits = 15;
     static constexpr std::uint32_t none = 0xffffffffu;
-    // Effort that pays on pictures.
-    static constexpr int chain_limit = 128;  ///< earlier positions that are compared
-    static constexpr std::size_t far = 8192; ///< a copy of three bytes from beyond takes no less bits than literals
+    static constexpr int chain_limit = 128;  ///< number of earlier positions to compare; tuned on pictures
+    static constexpr std::size_t far = 8192; ///< copies of three bytes from farther away save no bits over literals
 
     std::size_t hash(std::size_t position) const
     {
@@ -189,8 +190,8 @@ private:
         return (byte(0) | byte(1) << 8 | byte(2) << 16) * 0x9e3779b1u >> (32 - hash_bits);
     }
 
-    /// The number of equal bytes, or 0 if not more than `to_beat`: most candidates differ at the byte that would beat
-    /// it.
+    /// Number of equal bytes, up to `limit`, or some number <= to_beat if there are no more than that. Most candidates
+    /// are rejected by the one byte that would exceed `to_beat`.
     std::size_t common_length(std::size_t a, std::size_t b, std::size_t limit, std::size_t to_beat) const
     {
         if (bytes_[a + to_beat] != bytes_[b + to_beat])
@@ -206,11 +207,11 @@ private:
     std::vector<std::uint32_t> older_;  ///< per position modulo the window: the position before it with the same hash
 };
 
-/// The bytes as a zlib stream (RFC 1950): header, deflate stream, Adler-32. A match is used only if the next position
-/// has no longer one (lazy matching, RFC 1951, section 4).
+/// Compresses bytes to a zlib stream (RFC 1950): header, deflate stream, Adler-32. A match is used only if the next
+/// position has no longer one (lazy matching, RFC 1951, section 4).
 std::string compressed(const std::string& bytes)
 {
-    constexpr std::size_t no_delay = 16; // length of a match that is used at once
+    constexpr std::size_t no_delay = 16; // matches of this length are used without looking at the next position
     DeflateWriter writer;
     MatchFinder finder(bytes);
     MatchFinder::Match match;
@@ -233,8 +234,9 @@ std::string compressed(const std::string& bytes)
     return header + writer.finished() + big_endian(adler32(bytes));
 }
 
-/// Each row after the number of its filter: 1, differences from the left, or 2, from above. With a dither pattern of
-/// few columns (tone_map.cpp) those from the left repeat along smooth walls, which is worth more than a few zeros.
+/// The filtered rows, each after the number of its filter: 1, differences from the left, or 2, from above. The filter
+/// from above must have clearly more zeros to be chosen: with the dither pattern of tone_map.cpp, differences from the
+/// left repeat along smooth walls and compress well.
 std::string filtered_rows(const ScreenImage& image)
 {
     constexpr std::size_t channels = 3;
@@ -262,7 +264,7 @@ std::string chunk(const std::string& type, const std::string& data)
     return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32(type + data));
 }
 
-/// The text without control characters except line feeds, which end lines in a PNG.
+/// The text with '?' for control characters, except line feeds, and for bytes that are not UTF-8.
 std::string clean_text(std::string_view text)
 {
     std::string result;
@@ -275,7 +277,7 @@ std::string clean_text(std::string_view text)
     return result;
 }
 
-/// Older readers know only the plain chunk, which has no room for more than ASCII in UTF-8.
+/// A chunk with a comment: the older tEXt, which all readers know, for ASCII; iTXt for other text.
 std::string comment_chunk(const std::string& comment)
 {
     const std::string text = clean_text(comment);
@@ -288,7 +290,7 @@ std::string comment_chunk(const std::string& comment)
 
 std::string png_bytes(const ScreenImage& image, const std::string& comment)
 {
-    // 8 bits per channel, red green blue, and the only compression, filter set and (no) interlacing of the format.
+    // 8 bits per channel; colour type RGB; compression and filter method 0, the only ones; no interlacing.
     const std::string format = {8, 2, 0, 0, 0};
     std::string bytes(signature);
     bytes += chunk("IHDR", big_endian(static_cast<std::uint32_t>(image.width)) +

@@ -1,6 +1,6 @@
-// Every pixel is the mean of k x k samples, spread with the density of a tent two pixels wide, so that the plain mean
-// is the tent-filtered picture. The pattern is the same in every pixel: random patterns roughen the long straight edges
-// of which rooms consist.
+// Every pixel is the mean of k x k samples. Their positions are distributed like a tent filter two pixels wide (filter
+// importance sampling), so that the unweighted mean is the filtered picture. All pixels use the same pattern: random
+// patterns would roughen long straight edges, of which rooms are full.
 
 #include "image/render.h"
 
@@ -30,7 +30,7 @@ double uniform_to_tent(double u)
     return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
 }
 
-/// Draws one row at a time.
+/// Renders rows of a picture. paint_row() may be called by several threads at once.
 class Painter
 {
 public:
@@ -46,7 +46,8 @@ public:
             ++grid_;
         if (options.shading == Shading::smooth)
             smooth_.emplace(scene, radiosity_, options.threads, find_shown());
-        // Neighbours share no rays to sources, and few pixels need any: those of penumbras, whose grain is seen.
+        // Twice as many rays to the sources: neighbours do not share them, and only pixels in penumbrae, where noise is
+        // visible, need any.
         const GatherRays gather_rays{(2 * options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
                                      options.indirect ? options.gather_rays : 0};
         if (options.shading == Shading::gather)
@@ -64,15 +65,15 @@ public:
     }
 
 private:
-    /// A ray's place in the picture.
+    /// A sample of pixel (x, y).
     struct Sample
     {
         int x;
         int y;
-        int number; ///< in its pixel
+        int number; ///< index in its pixel
     };
 
-    /// State of one thread.
+    /// Reusable buffers of one thread.
     struct Tools
     {
         VisibleHits visible;
@@ -80,8 +81,9 @@ private:
         std::vector<Line> rays;
     };
 
-    /// One sample in each cell of a k x k grid, shifted within the cell so that no two share a row or a column: an edge
-    /// that is almost horizontal passes k^2 shades, not k.
+    /// Ray of a sample. The pattern is the regular arrangement of multi-jittered sampling (Chiu, Shirley and Wang
+    /// 1994): one sample in each cell of a k x k grid, and no two in one row or column of a k^2 x k^2 grid. An almost
+    /// horizontal edge gets k^2 shades instead of k.
     Line ray(Sample sample) const
     {
         const double k = grid_;
@@ -92,6 +94,7 @@ private:
         return rays_.through(sample.x + 0.5 + uniform_to_tent(u), sample.y + 0.5 + uniform_to_tent(v));
     }
 
+    /// Index of a sample in the whole picture.
     std::size_t number_of(Sample sample) const
     {
         const auto pixel = static_cast<std::size_t>(sample.y) * static_cast<std::size_t>(options_.width) +
@@ -122,14 +125,16 @@ private:
         }
     }
 
+    /// The hit of a sample on the surface that find_shown() found.
     std::optional<Hit> hit_on_found(const Line& ray, Sample sample) const
     {
         const std::uint32_t surface = found_[number_of(sample)];
         return surface == nothing ? std::nullopt : scene_.intersector().hit_on(ray, surface);
     }
 
-    /// Finds the surface of every sample. Returns which surfaces are in the picture: of the many of a detailed model
-    /// most are hidden. Empty if there are few, or too many samples to remember.
+    /// Finds the surface of every sample and stores it in found_. Returns the flags of the surfaces in the picture,
+    /// since most surfaces of a detailed model are hidden. Does nothing and returns an empty list if there are few
+    /// surfaces, or too many samples to store.
     std::vector<char> find_shown()
     {
         constexpr std::size_t few_surfaces = 10'000;
@@ -169,14 +174,14 @@ private:
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
     const Scene& scene_;
-    std::vector<Rgb> radiosity_; ///< without textures, if it is interpolated
+    std::vector<Rgb> radiosity_; ///< [W/m^2] per patch; without textures if it is interpolated
     PixelRays rays_;
     RenderOptions options_;
     std::optional<SmoothShading> smooth_;
     std::optional<FinalGather> gather_;
-    int grid_ = 1;
-    Rgb background_;                   ///< beyond the scene, and the box of its sky
-    std::vector<std::uint32_t> found_; ///< the surface that each sample meets, if that is known
+    int grid_ = 1;                     ///< k: samples along a side of a pixel
+    Rgb background_;                   ///< [W/m^2] of rays that meet nothing: the sky, or black
+    std::vector<std::uint32_t> found_; ///< per sample: the visible surface, or `nothing`; empty if not computed
 };
 
 } // namespace

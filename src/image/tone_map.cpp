@@ -1,6 +1,7 @@
-// Radiosity -> scale (exposure) -> tone curve, channel by channel so that very bright colours fade to white as on film
-// -> sRGB -> 8 bits. Reinhard's curve is (4) of Reinhard et al., Photographic Tone Reproduction, SIGGRAPH 2002; the
-// film curve is Narkowicz's fit (2015) to the reference curve of the Academy Color Encoding System.
+// Radiosity is multiplied by a scale (exposure), mapped by a tone curve, encoded as sRGB and rounded to 8 bits with
+// ordered dithering. The curve is applied per channel, so that very bright colours fade to white as on film. Reinhard's
+// curve is equation (4) of Reinhard et al., Photographic Tone Reproduction, SIGGRAPH 2002. The film curve is the fit by
+// Narkowicz (2015) to the reference curve of the Academy Color Encoding System.
 
 #include "image/tone_map.h"
 
@@ -37,7 +38,7 @@ std::uint8_t screen_byte(double linear)
 
 namespace {
 
-constexpr double middle_grey = 0.24;   // what the room's mid-tones become on the screen
+constexpr double middle_grey = 0.24;   // linear light on the screen of the room's mid-tones
 constexpr double reinhard_white = 2.0; // three stops above the mid-tones
 
 double curve(ToneOperator tone, double x)
@@ -54,7 +55,7 @@ double curve(ToneOperator tone, double x)
     return x;
 }
 
-/// The input for which the rising curve gives `output`.
+/// The input for which the increasing curve gives `output`, by bisection in [0, 16].
 double inverse_curve(ToneOperator tone, double output)
 {
     double low = 0.0;
@@ -66,7 +67,7 @@ double inverse_curve(ToneOperator tone, double output)
     return high;
 }
 
-/// Rec. 709 luminance of the pixels that show anything, rising.
+/// Rec. 709 luminances of the pixels that are not black, in ascending order.
 std::vector<double> sorted_luminances(const Image& image)
 {
     std::vector<double> luminances;
@@ -79,7 +80,7 @@ std::vector<double> sorted_luminances(const Image& image)
     return luminances;
 }
 
-/// The mean of the logarithms in the middle half: steadier than the median, and as deaf to lamps and black corners.
+/// Interquartile geometric mean of the luminances: less noisy than the median, and as robust to lamps and dark corners.
 double middle_luminance(const std::vector<double>& sorted)
 {
     const std::size_t first = sorted.size() / 4;
@@ -90,7 +91,7 @@ double middle_luminance(const std::vector<double>& sorted)
     return elementary::exp(sum / static_cast<double>(last - first));
 }
 
-/// The 98th percentile of what is not far brighter than the middle, as lamps are.
+/// The 98th percentile of the luminances up to ten times the middle one; brighter pixels are taken for lamps.
 double brightest_of_room(const std::vector<double>& sorted)
 {
     const auto lamps = std::upper_bound(sorted.begin(), sorted.end(), 10.0 * middle_luminance(sorted));
@@ -98,12 +99,12 @@ double brightest_of_room(const std::vector<double>& sorted)
     return sorted[std::max<std::size_t>(count, 1) * 98 / 100];
 }
 
-/// The threshold of a pixel in [0, 1): ordered dither over squares of 8 x 8 pixels (Bayer 1973), in which each half,
-/// quarter ... of the square holds as many low as high ones. Random thresholds look no better and cannot be
-/// compressed, while those of a pattern repeat in a PNG.
+/// Threshold of a pixel in [0, 1) for ordered dithering over squares of 8 x 8 pixels (Bayer 1973): low and high
+/// thresholds are balanced in every half, quarter ... of the square. Random thresholds look no better, but cannot be
+/// compressed; a pattern repeats in a PNG.
 double dither_threshold(int x, int y)
 {
-    int threshold = 0; // of 64
+    int threshold = 0; // 0 ... 63
     for (int bit = 0; bit < 3; ++bit) {
         const int from_x = x >> bit & 1;
         const int from_y = y >> bit & 1;
@@ -115,7 +116,7 @@ double dither_threshold(int x, int y)
 std::uint8_t quantized(double linear, double threshold)
 {
     const double encoded = srgb_encoded(linear);
-    // Black and white stay clean: a pattern there would only be dirt.
+    // Black and white are not dithered: a pattern there would look like dirt.
     const double dither = encoded > 0.0 && encoded < 1.0 ? threshold - 0.5 : 0.0;
     return static_cast<std::uint8_t>(std::clamp(255.0 * encoded + dither + 0.5, 0.0, 255.0));
 }

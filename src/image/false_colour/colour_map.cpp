@@ -1,7 +1,7 @@
-// The colour map is a chain of straight pieces of the same length in OKLab, a space in which equal distances look
-// equally large: so a step of the value looks the same anywhere on the scale. On its way from blue to yellow it passes
-// purple and orange and never green, so that no two of its colours differ in red against green only.
-// OKLab: B. Ottosson, A perceptual color space for image processing, 2020.
+// The colour map is a polyline with segments of equal length in OKLab, a space in which equal distances look about
+// equally large, so that a step of the value looks the same anywhere on the scale. From blue to yellow it passes
+// through purple and orange but not green, so that no two of its colours differ only in red against green. OKLab: B.
+// Ottosson, A perceptual color space for image processing, 2020.
 
 #include "image/false_colour/colour_map.h"
 
@@ -47,10 +47,10 @@ Rgb linear_light(OkLab colour)
 Rgb map_colour(double share)
 {
     const double position = std::clamp(share, 0.0, 1.0) * static_cast<double>(milestones.size() - 1);
-    const std::size_t piece = std::min(static_cast<std::size_t>(position), milestones.size() - 2);
-    const double rest = position - static_cast<double>(piece);
-    const OkLab from = milestones[piece];
-    const OkLab to = milestones[piece + 1];
+    const std::size_t segment = std::min(static_cast<std::size_t>(position), milestones.size() - 2);
+    const double rest = position - static_cast<double>(segment);
+    const OkLab from = milestones[segment];
+    const OkLab to = milestones[segment + 1];
     return linear_light({between(from.lightness, to.lightness, rest), between(from.green_red, to.green_red, rest),
                          between(from.blue_yellow, to.blue_yellow, rest)});
 }

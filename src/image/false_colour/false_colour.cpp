@@ -1,3 +1,8 @@
+// A false-colour picture is made in three steps. A render of the plain values, one sample per pixel, finds the range
+// that is visible, from which the scale of the legend follows. A second render shows every patch in its colour. Contour
+// lines are drawn on top: a pixel is covered where the distance to the line, estimated from the difference between its
+// value and the contour level divided by the gradient, is below half of the line's width.
+
 #include "image/false_colour/false_colour.h"
 
 #include "geometry/elementary.h"
@@ -16,11 +21,11 @@ namespace multipath {
 
 namespace {
 
-/// The values at the middles of the pixels, in ascending order.
+/// The values at the pixel centres in ascending order, without pixels that show no value.
 std::vector<double> sorted_seen_values(const Scene& scene, const std::vector<double>& values, const Camera& camera,
                                        RenderOptions options)
 {
-    // The second channel distinguishes a value of 0 from no value.
+    // The second channel is 1 where there is a value, to distinguish 0 from no value.
     std::vector<Rgb> marked;
     marked.reserve(values.size());
     for (const double value : values)
@@ -41,16 +46,16 @@ RenderOptions flat(RenderOptions options)
     return options;
 }
 
-/// The interpolated value in the middle of a pixel.
+/// The interpolated value at the centre of a pixel.
 struct SeenValue
 {
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
-    std::uint32_t side = nothing; ///< of a surface; values on others are unrelated
+    std::uint32_t side = nothing; ///< side of a surface; values of different sides are not compared
     double value = 0.0;
 };
 
-/// Row by row. Sources are left out: they are not interpolated.
+/// The interpolated values of all pixels, row by row. Sources are left out, so that they get no contour lines.
 std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>& values, const Camera& camera,
                                    const RenderOptions& options)
 {
@@ -74,7 +79,7 @@ std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>
     return seen;
 }
 
-/// Draws lines of equal values.
+/// Draws contour lines.
 class ContourPen
 {
 public:
@@ -99,7 +104,7 @@ private:
         return x >= 0 && y >= 0 && x < screen_.width && y < screen_.height && at(x, y).side == side;
     }
 
-    /// Per pixel along (step_x, step_y): the central difference, or what there is of it.
+    /// Change of the value per pixel along (step_x, step_y): the central difference, one-sided at the border of a side.
     double slope(int x, int y, int step_x, int step_y) const
     {
         const std::uint32_t side = at(x, y).side;
@@ -112,7 +117,8 @@ private:
         return (high - low) / (before && after ? 2.0 : 1.0);
     }
 
-    /// Some pixel of the surface near this one lies beyond the level: it is crossed, not only approached.
+    /// True if a pixel nearby on the same side has a value on the other side of the level, so that the level is crossed
+    /// there and not only approached.
     bool is_crossed(int x, int y, double level) const
     {
         const int reach = static_cast<int>(std::ceil(0.5 * width_)) + 1;
@@ -124,7 +130,7 @@ private:
         return false;
     }
 
-    /// Covers the pixel as far as it is nearer to the line than half of its width.
+    /// Blends the contour lines near a pixel into it. The coverage is antialiased over one pixel at the line's border.
     void draw_at(int x, int y)
     {
         const double steepness = elementary::hypot(slope(x, y, 1, 0), slope(x, y, 0, 1));
@@ -147,7 +153,7 @@ private:
     double width_; ///< [pixels]
 };
 
-/// The scale for values in rising order, and whether it leaves some out.
+/// The legend for values in ascending order.
 Legend legend_for(const std::string& title, const std::vector<double>& sorted)
 {
     if (sorted.empty())
@@ -166,7 +172,7 @@ ScreenImage flat_picture(const Scene& scene, const std::vector<Rgb>& colours, co
     const Image image = render(scene, colours, camera, flat(options));
     ScreenImage screen{image.width, image.height, {}};
     screen.bytes.reserve(3 * image.pixels.size());
-    // No dither as in tone_map: a patch is to be of one colour, the legend's.
+    // No dithering, unlike tone_map(): a patch must have exactly the colour of the legend.
     for (const Rgb& pixel : image.pixels)
         for (const double channel : {pixel.r, pixel.g, pixel.b})
             screen.bytes.push_back(screen_byte(channel));

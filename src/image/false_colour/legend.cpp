@@ -1,5 +1,5 @@
-// From top to bottom: the title, the bar of colours, a mark for every step and below it the number. Lengths are in font
-// pixels, which become squares of as many pixels as the size of the picture allows.
+// From top to bottom, a legend consists of the title, the colour bar, a tick mark for every step, and the numbers.
+// Lengths are in font pixels, each of which is drawn as a square of as many pixels as the size of the picture allows.
 
 #include "image/false_colour/legend.h"
 
@@ -16,9 +16,9 @@ namespace multipath {
 
 namespace {
 
-constexpr int advance = 6; // five columns of a character and a gap
+constexpr int advance = 6; // five columns per character and a gap
 
-/// A line of characters side by side, drawn with X.
+/// Bitmaps of characters side by side; X is a set font pixel.
 struct Sheet
 {
     std::string_view characters;
@@ -72,9 +72,9 @@ constexpr std::array<Sheet, 4> sheets = {{
 bool inked(char character, int column, int row)
 {
     for (const Sheet& sheet : sheets) {
-        const std::size_t place = sheet.characters.find(character);
-        if (place != std::string_view::npos)
-            return sheet.rows[static_cast<std::size_t>(row)][advance * place + static_cast<std::size_t>(column)] == 'X';
+        const std::size_t index = sheet.characters.find(character);
+        if (index != std::string_view::npos)
+            return sheet.rows[static_cast<std::size_t>(row)][advance * index + static_cast<std::size_t>(column)] == 'X';
     }
     return false;
 }
@@ -114,11 +114,11 @@ constexpr int mark_bottom = bar_bottom + 2;
 constexpr int numbers_top = mark_bottom + 2;
 constexpr int strip_height = numbers_top + font_ascent + 4;
 constexpr int side_margin = 24;    // half of the longest number, such as 0.00025+
-constexpr int least_width = 300;   // numbers of five steps side by side
-constexpr std::uint8_t paper = 32; // neither black, which means no value, nor a colour of the map
+constexpr int least_width = 300;   // fits the numbers of five steps side by side
+constexpr std::uint8_t paper = 32; // grey of the background, distinct from black (no value) and from all map colours
 constexpr std::uint8_t ink = 230;
 
-/// Colours and marks between the columns `left` and `right`.
+/// Draws colours, tick marks and contour lines between the columns `left` and `right`.
 void draw_bar(ScreenImage& strip, int scale, int left, int right, const Legend& legend)
 {
     const int steps = legend.scale.steps;
@@ -170,7 +170,7 @@ LegendScale round_scale(double reach)
         return {};
     for (int exponent = static_cast<int>(std::floor(elementary::log10(reach))) - 2;; ++exponent)
         for (const int mantissa : {10, 20, 25, 50}) {
-            // A reach that is itself round needs no step more because of its rounding.
+            // The tolerance prevents an extra step for a round `reach` with a rounding error.
             const double steps = std::ceil(reach / (mantissa * elementary::pow(10.0, exponent)) - 1e-9);
             if (steps > 5.0)
                 continue;

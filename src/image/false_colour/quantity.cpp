@@ -14,14 +14,14 @@ namespace multipath {
 
 namespace {
 
-// With less, the rounding of B - E beside a strong emittance would be taken for light.
+// For smaller reflectances the rounding error of B - E would be taken for irradiance if the emittance is large.
 constexpr double least_reflectance = 1e-6;
 
 double irradiance(double radiosity, double emittance, double reflectance)
 {
     if (reflectance < least_reflectance)
         return std::numeric_limits<double>::quiet_NaN();
-    // Means over replicates may be rounded to below E.
+    // A mean over replicates may be slightly below E because of rounding.
     return std::max(0.0, radiosity - emittance) / reflectance;
 }
 
@@ -62,7 +62,7 @@ std::vector<Rgb> normal_colours(const Scene& scene)
 
 std::vector<Rgb> patch_colours(std::size_t patches)
 {
-    constexpr double chroma = 0.075; // a screen can show every hue of it at these lightnesses
+    constexpr double chroma = 0.075; // a screen can show all hues of this chroma at these lightnesses
     std::vector<Rgb> colours;
     colours.reserve(patches);
     for (std::size_t patch = 0; patch < patches; ++patch) {

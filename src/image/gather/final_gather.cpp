@@ -1,3 +1,8 @@
+// Direct light has sharp shadows, so every camera ray samples the sources. Indirect light varies slowly, so it is
+// gathered at few points and interpolated (IndirectGrid). The cache is filled in two passes over the pixel centres:
+// first every second pixel in x and y, then those of the others whose neighbours are not sufficient. A third pass
+// stores the interpolated indirect light per pixel, where it is almost constant within the pixel.
+
 #include "image/gather/final_gather.h"
 
 #include "image/camera.h"
@@ -11,10 +16,10 @@ namespace multipath {
 
 namespace {
 
-/// The number of a pixel in an order in which every square of 2^n x 2^n pixels, aligned to its size, comes in one
-/// piece: the bits of x and y by turns (Morton). Consecutive items of a well-spread sequence then complement each other
-/// within such squares, and what noise is left is fine-grained.
-std::uint64_t number_in_squares(int x, int y)
+/// Index of a pixel in Morton order, in which the pixels of every aligned square of 2^n x 2^n pixels are consecutive.
+/// Consecutive items of a low-discrepancy sequence then complement each other within such squares, which makes the
+/// remaining noise fine-grained.
+std::uint64_t morton_number(int x, int y)
 {
     std::uint64_t number = 0;
     for (int bit = 0; bit < 16; ++bit)
@@ -53,7 +58,7 @@ void FinalGather::trace_pixel_centres(const PixelRays& pixels, int threads)
     });
 }
 
-/// Rays for one pixel of four do where the light varies slowly; where things are close, every pixel has its own.
+/// Where indirect light varies slowly, one pixel in four is sampled; close to other surfaces every pixel is.
 void FinalGather::gather_indirect_light(int threads)
 {
     const auto for_each_centre = [&](int spacing, const auto& act) {
@@ -67,12 +72,12 @@ void FinalGather::gather_indirect_light(int threads)
         });
     };
     for_each_centre(2, [&](const Place& place, int x, int y, RayFan& fan) {
-        grid_.set(x, y, indirect_light_.at(place, *sequence_around_, number_in_squares(x / 2, y / 2), fan));
+        grid_.set(x, y, indirect_light_.at(place, *sequence_around_, morton_number(x / 2, y / 2), fan));
     });
     const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
     for_each_centre(1, [&](const Place& place, int x, int y, RayFan& fan) {
         if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(place, x, y))
-            grid_.set(x, y, indirect_light_.at(place, *sequence_around_, used + number_in_squares(x, y), fan));
+            grid_.set(x, y, indirect_light_.at(place, *sequence_around_, used + morton_number(x, y), fan));
     });
     for_each_centre(1, [&](const Place& place, int x, int y, RayFan&) {
         if (grid_.is_supported(place, x, y))
@@ -84,20 +89,20 @@ Rgb FinalGather::indirect_irradiance(const Place& place, int x, int y, RayFan& f
 {
     if (const std::optional<Rgb> shared = grid_.irradiance(place, x, y))
         return *shared;
-    // Something that no middle of a pixel around shows.
-    return indirect_light_.at(place, *sequence_around_, number_in_squares(x, y), fan).irradiance;
+    // A surface that no pixel centre nearby shows.
+    return indirect_light_.at(place, *sequence_around_, morton_number(x, y), fan).irradiance;
 }
 
 Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
 {
     const Place place = place_of(scene_, hit);
-    const std::uint64_t pixel = number_in_squares(x, y);
+    const std::uint64_t pixel = morton_number(x, y);
     const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
     const PixelCentre& centre = centres_[pixel_index(width_, x, y)];
     const bool same_side = centre.indirect && centre.hit->surface == hit.surface && centre.hit->front == hit.front;
     Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(place, x, y, fan);
     const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
-    const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden section
+    const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
     irradiance += source_light_.irradiance(place, items, offset, fan);
     irradiance += scene_.sunlight(place.surface, place.point, place.normal);
     return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +

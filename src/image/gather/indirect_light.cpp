@@ -1,3 +1,12 @@
+// A sample of irradiance is the mean of the reflected radiosities where cosine-distributed rays end: the cosine and the
+// 1 / pi of the radiance cancel against the density of the rays. The irradiance cache interpolates samples with weights
+// that decrease with Ward's estimate of the error at another point,
+//
+//   error ~ distance to the sample / harmonic mean distance of the surfaces it sees + sqrt(1 - cosine of the normals),
+//
+// where the distance normal to the surface counts more. Samples of every second row and column within a large square
+// are used if they have enough weight, otherwise all samples within a small one.
+
 #include "image/gather/indirect_light.h"
 
 #include "geometry/intersector/intersector.h"
@@ -11,7 +20,7 @@ namespace multipath {
 
 namespace {
 
-/// Radiosity without emittance.
+/// [W/m^2] Radiosity without emittance.
 std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
     std::vector<Rgb> reflected;
@@ -35,7 +44,7 @@ IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosi
 
 namespace {
 
-/// Any surface that looks where a place in the open does.
+/// A surface at a point in free space, with its normal: gives axes for the hemisphere there.
 Surface facing(const Place& place)
 {
     const Vec3 aside = std::abs(place.normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -72,14 +81,14 @@ IndirectSample IndirectLight::at(const Place& place, const Sequence& sequence, s
 
 namespace {
 
-// 49 samples or more hide the noise of some dozen rays.
-constexpr int near_reach = 3;      // [pixels] of all samples
-constexpr int far_reach = 7;       // of those in every second row and column
-constexpr double tolerance = 0.25; // relative error accepted where things are close
-constexpr double support = 0.75;   // mean weight of samples far away that makes near ones unnecessary
-constexpr double steepness = 4.0;  // a step up or down matters more than one along the surface
+// At least 49 pixels are averaged, which hides the noise of a few dozen rays per sample.
+constexpr int near_reach = 3;      // [pixels] for samples of all pixels
+constexpr int far_reach = 7;       // [pixels] for samples of every second row and column
+constexpr double tolerance = 0.25; // estimated error at which the weight of a sample becomes 0
+constexpr double support = 0.75;   // mean weight of the far samples that makes the near ones unnecessary
+constexpr double steepness = 4.0;  // weight of the distance normal to the surface
 
-/// 1 at the sample, falling to 0 where its value would be wrong by the tolerance.
+/// Weight of a sample at a point: falls linearly from 1 at the sample to 0 where the estimated error is the tolerance.
 double weight(const IndirectSample& sample, const Place& place)
 {
     const Vec3 way = place.point - sample.place.point;

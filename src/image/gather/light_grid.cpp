@@ -19,7 +19,7 @@ namespace multipath {
 
 namespace {
 
-/// Across the plane of a grid.
+/// Orthonormal axes of a grid.
 struct GridAxes
 {
     Vec3 up;
@@ -39,12 +39,14 @@ struct Range
     double low;
     double high;
 
+    /// Middle of part k of `count` equal parts.
     double middle_of_part(std::size_t k, std::size_t count) const
     {
         return low + (high - low) * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
     }
 };
 
+/// Extent of the scene without its sky along an axis.
 Range extent(const Scene& scene, Vec3 axis)
 {
     Range range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -56,6 +58,7 @@ Range extent(const Scene& scene, Vec3 axis)
     return range;
 }
 
+/// True if a ray downwards first meets a side of a surface that has patches.
 bool has_floor(const Scene& scene, Vec3 point, Vec3 up)
 {
     const std::optional<Hit> below = scene.intersector().closest_hit({point, -up});

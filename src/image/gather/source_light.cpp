@@ -1,8 +1,11 @@
-// H = U V: the irradiance U of a place to which nothing hides the sources is a sum of Lambert's closed forms, and V is
-// the share of it that is not hidden. Rays go to the sources in proportion to what they give, and within a source to
-// directions spread evenly over the solid angle, so that each ray counts with the cosine alone:
+// The direct irradiance of a point is H = U V. The unoccluded irradiance U is a sum of Lambert's closed form over the
+// sources. The visible share V is estimated with shadow rays, which are distributed among the sources in proportion to
+// their unoccluded irradiance, and within a source uniformly over its solid angle, so that the weight w of a ray
+// contains only the cosine. V is a ratio estimator, exact if all rays agree:
 //
-//   V ~ sum of w v / sum of w,   v = 1 where the ray meets the source, 0 where it meets something else
+//   V ~ sum of w v / sum of w,   v = 1 if the ray meets the source, 0 if it meets something else
+//
+// Sources that are certainly fully visible (shaft culling) need no rays.
 
 #include "image/gather/source_light.h"
 
@@ -21,12 +24,12 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t most_surfaces = 1000; // a search looks at all of them
-constexpr std::size_t most_pairs = std::size_t{1} << 24;
+constexpr std::size_t most_surfaces = 1000;              // every test visits all surfaces
+constexpr std::size_t most_pairs = std::size_t{1} << 24; // bounds the memory of the cache
 constexpr std::uint8_t not_certain = 1;
 constexpr std::uint8_t fully_visible = 2;
 
-/// True if all points lie on one side of the plane of the surface, or in it.
+/// True if all points lie on one side of the plane of the surface, up to `touching` [scene units].
 bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double touching)
 {
     double low = 0.0;
@@ -55,7 +58,7 @@ bool ShaftVisibility::is_fully_visible(std::uint32_t patch, std::size_t target) 
 {
     if (patch == Scene::no_patch || known_.empty())
         return false;
-    // Threads that search at the same time find the same.
+    // Threads that test the same pair at the same time get the same result, so relaxed atomics suffice.
     std::atomic<std::uint8_t>& known = known_[patch * targets_.size() + target];
     std::uint8_t state = known.load(std::memory_order_relaxed);
     if (state == 0) {
@@ -79,7 +82,7 @@ bool ShaftVisibility::find(std::uint32_t patch, std::uint32_t target) const
             continue;
         const Surface& surface = scene_.surfaces()[s];
         const HeightRange level = heights(polygon_of(surface), here.origin, here.normal());
-        // A surface flat on the patch, such as the bottom of a box, darkens it.
+        // A surface flat on the patch, such as the bottom of a box, covers it.
         const bool is_flat = level.within(touching_);
         if (!is_flat && on_one_side(points, surface, touching_))
             continue;
@@ -91,15 +94,16 @@ bool ShaftVisibility::find(std::uint32_t patch, std::uint32_t target) const
 
 namespace {
 
-constexpr double most_views = 32.0; // of sources from one place: more are represented by as many of them
+constexpr double most_views = 32.0; // of more sources about that many are sampled per point
 
+/// Quotient channel by channel; 0 where b is 0.
 Rgb quotient(Rgb a, Rgb b)
 {
     const auto channel = [](double x, double y) { return y > 0.0 ? x / y : 0.0; };
     return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
 }
 
-/// A convex polygon as it is seen from a point, in triangles around its first corner.
+/// Projection of a convex polygon onto the unit sphere around a point, as a fan of spherical triangles.
 class SeenPolygon
 {
 public:
@@ -114,7 +118,7 @@ public:
 
     double solid_angle() const { return solid_angle_; }
 
-    /// Uniform over the solid angle, which must not be 0.
+    /// Direction for two uniform numbers, uniformly distributed over the solid angle, which must not be 0.
     Vec3 direction(double a, double b) const
     {
         double rest = a * solid_angle_;
@@ -162,8 +166,8 @@ std::vector<std::uint32_t> SourceLight::surfaces_of(const std::vector<Source>& s
     return surfaces;
 }
 
-/// About what a source gives to a place where nothing hides it, up to a common factor: its power over the square of the
-/// distance, bounded by its extent. 0 only where it gives nothing.
+/// Importance for sampling: roughly proportional to the unoccluded irradiance by the source, namely its power over the
+/// squared distance, bounded by its extent. 0 only if the source is entirely below the horizon.
 double SourceLight::importance(const Source& source, const Place& place)
 {
     const Vec3 way = source.centre - place.point;
@@ -172,8 +176,8 @@ double SourceLight::importance(const Source& source, const Place& place)
     return source.power / (dot(way, way) + source.radius * source.radius);
 }
 
-/// Views of the sources. Of more than `most_views` sources about that many are chosen with probability proportional to
-/// their importance and weighted by its inverse.
+/// Views of the sources. If there are more than `most_views`, about that many are chosen by systematic sampling, with
+/// probabilities in proportion to their importance, and weighted with the inverse probability.
 SourceLight::SourceViews SourceLight::source_views(const Place& place, double offset) const
 {
     SourceViews result;
@@ -227,7 +231,7 @@ Rgb SourceLight::irradiance(const Place& place, const Items& items, double offse
     std::vector<Sent> sent;
     sent.reserve(fan.items.size());
     fan.rays.clear();
-    double sum = offset; // of rays deserved
+    double sum = offset; // cumulative number of rays in proportion to irradiance, before rounding (systematic sampling)
     for (const View& view : views) {
         sum += mean(view.irradiance) / per_ray;
         if (!(static_cast<double>(sent.size()) + 1.0 <= sum))

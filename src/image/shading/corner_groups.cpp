@@ -1,3 +1,8 @@
+// Around a corner of the lattice lie up to four cells, or six in a triangulated surface. Going around it, successive
+// cells belong to one group unless an occluder separates them: a wall on a floor makes two groups, so that no light
+// leaks below it. In a tessellation with cells of different sizes a corner of small cells may lie on an edge of a
+// larger cell, a hanging node. Its value must be interpolated along that edge, or there would be a step.
+
 #include "image/shading/corner_groups.h"
 
 #include <algorithm>
@@ -28,7 +33,8 @@ std::array<std::optional<CellCorner>, 6> CornerLattice::around(std::uint32_t i, 
             cell_at(x - 1, y - 1, true, here), cell_at(x, y - 1, false, here), cell_at(x, y - 1, true, here)};
 }
 
-/// The cell that holds square (i, j) of the grid, or a half of it.
+/// The cell that contains square (i, j) of the grid, or in a triangle its lower or upper half; nothing beyond the
+/// border.
 std::optional<CellCorner> CornerLattice::cell_at(std::int64_t i, std::int64_t j, bool upper, GridPoint corner) const
 {
     const std::int64_t columns = tessellation_.grid_u();
@@ -70,7 +76,7 @@ Rgb CornerLattice::interpolated(const Rgb* values, double u, double v) const
     const std::uint32_t cell = tessellation_.cell_at(u, v);
     const CellCorners corners = tessellation_.corners(cell);
     const GridPoint origin = corners.points[0];
-    const double size = static_cast<double>(corners.points[1].i) - origin.i; // below 0 for a cell upside down
+    const double size = static_cast<double>(corners.points[1].i) - origin.i; // negative for the upper half of a square
     const double x = std::clamp((u * tessellation_.grid_u() - origin.i) / size, 0.0, 1.0);
     const double y = std::clamp((v * tessellation_.grid_v() - origin.j) / size, 0.0, 1.0);
     const Rgb* corner = values + per_cell * cell;
@@ -86,7 +92,7 @@ Rgb not_negative(Rgb a)
     return {std::max(0.0, a.r), std::max(0.0, a.g), std::max(0.0, a.b)};
 }
 
-/// The corners of one side of one surface.
+/// Makes the corner groups of one side of a surface.
 class Side
 {
 public:
@@ -108,36 +114,36 @@ public:
         const std::size_t before = groups.size();
         const Vec3 corner = scene_.surfaces()[surface_].at(lattice_.u(i), lattice_.v(j));
         const std::size_t count = lattice_.most_around();
-        const Turn turn = turn_around(lattice_.around(i, j), corner);
-        // A turn begins behind a gap, if there is one; its steps go on until the next gap.
+        const CellRing ring = ring_around(lattice_.around(i, j), corner);
+        // The first group starts after a gap between cells, if there is one; every further gap starts another group.
         std::size_t start = 0;
-        while (start < count && turn.joined[(start + count - 1) % count])
+        while (start < count && ring.joined[(start + count - 1) % count])
             ++start;
-        const bool whole = std::all_of(turn.cells.begin(), turn.cells.begin() + static_cast<std::ptrdiff_t>(count),
+        const bool whole = std::all_of(ring.cells.begin(), ring.cells.begin() + static_cast<std::ptrdiff_t>(count),
                                        [](const auto& cell) { return cell.has_value(); });
         for (std::size_t step = 0; step < count; ++step) {
             const std::size_t k = (start + step) % count;
-            if (!turn.cells[k])
+            if (!ring.cells[k])
                 continue;
-            if (step == 0 || !turn.joined[(k + count - 1) % count])
+            if (step == 0 || !ring.joined[(k + count - 1) % count])
                 groups.push_back({surface_, normal_, corner, {}, {}, 0.0, {}, !whole, {}});
-            if (turn.cells[k]->number == CellCorner::on_edge)
-                add_edge(turn.cells[k]->cell, {i, j}, groups.back());
+            if (ring.cells[k]->number == CellCorner::on_edge)
+                add_hanging_node(ring.cells[k]->cell, {i, j}, groups.back());
             else
-                add(turn, k, groups.back());
+                add(ring, k, groups.back());
             if (!whole || with_points)
-                add_points(turn, k, groups.back());
+                add_points(ring, k, groups.back());
         }
         const auto of_edge_only = [](const CornerGroup& group) { return group.slots.empty(); };
         groups.erase(std::remove_if(groups.begin() + static_cast<std::ptrdiff_t>(before), groups.end(), of_edge_only),
                      groups.end());
-        lighten_covered(groups.data() + before, groups.data() + groups.size());
+        replace_covered(groups.data() + before, groups.data() + groups.size());
     }
 
 private:
-    /// A cell that seems to be covered may be open where no sampled point lies, beside one that is seen to be. Where it
-    /// is covered nobody sees it.
-    static void lighten_covered(CornerGroup* begin, CornerGroup* end)
+    /// Gives groups of weight 0 the mean value of the others: a cell that seems entirely covered may be open between
+    /// its sample points. Where it is in fact covered, the value is not visible.
+    static void replace_covered(CornerGroup* begin, CornerGroup* end)
     {
         Rgb sum;
         double weight = 0.0;
@@ -150,37 +156,38 @@ private:
                 group->value = 1.0 / weight * sum;
     }
 
-    /// The cells around a corner, and which of them are joined to the next one.
-    struct Turn
+    /// The cells around a corner, counter-clockwise.
+    struct CellRing
     {
         std::array<std::optional<CellCorner>, 6> cells;
-        std::array<std::optional<OpenPoint>, 6> points; ///< of the cells, close to the corner
-        std::array<bool, 6> joined{};
+        std::array<std::optional<OpenPoint>, 6> points; ///< an uncovered point of each cell near the corner
+        std::array<bool, 6> joined{};                   ///< true if the cell is joined to the next one
     };
 
-    Turn turn_around(const std::array<std::optional<CellCorner>, 6>& cells, Vec3 corner) const
+    CellRing ring_around(const std::array<std::optional<CellCorner>, 6>& cells, Vec3 corner) const
     {
-        Turn turn{cells, {}, {}};
+        CellRing ring{cells, {}, {}};
         const std::size_t count = lattice_.most_around();
         for (std::size_t k = 0; k < count; ++k)
             if (cells[k])
-                turn.points[k] = open_point(*cells[k], corner);
+                ring.points[k] = open_point(*cells[k], corner);
         for (std::size_t k = 0; k < count; ++k)
             if (cells[k] && cells[(k + 1) % count])
-                turn.joined[k] = is_joined(turn, k, (k + 1) % count);
-        return turn;
+                ring.joined[k] = is_joined(ring, k, (k + 1) % count);
+        return ring;
     }
 
-    /// A wall parts two neighbours from end to end, the leg of a table does not: so they are joined if one of two
-    /// places along the edge between them is free: at the corner, and in the middle.
-    bool is_joined(const Turn& turn, std::size_t one, std::size_t other) const
+    /// True if two neighbouring cells are not separated at the corner, or not at the middle between them: a wall
+    /// separates them along the whole edge, the leg of a table does not.
+    bool is_joined(const CellRing& ring, std::size_t one, std::size_t other) const
     {
-        if (is_free(turn.points[one], turn.points[other]))
+        if (is_free(ring.points[one], ring.points[other]))
             return true;
-        const Vec3 middle = 0.5 * (centre(*turn.cells[one]) + centre(*turn.cells[other]));
-        return is_free(open_point(*turn.cells[one], middle), open_point(*turn.cells[other], middle));
+        const Vec3 middle = 0.5 * (centre(*ring.cells[one]) + centre(*ring.cells[other]));
+        return is_free(open_point(*ring.cells[one], middle), open_point(*ring.cells[other], middle));
     }
 
+    /// True if both points exist and nothing lies between them.
     bool is_free(const std::optional<OpenPoint>& from, const std::optional<OpenPoint>& to) const
     {
         return from && to && !occluded_between(scene_, *from, *to);
@@ -194,38 +201,38 @@ private:
         return point ? std::optional<OpenPoint>({*point, normal_}) : std::nullopt;
     }
 
-    /// Adds a cell to the group's mean, weighted with what of it is in the open.
-    void add(const Turn& turn, std::size_t k, CornerGroup& group) const
+    /// Adds a cell to the group's mean, weighted by its open share.
+    void add(const CellRing& ring, std::size_t k, CornerGroup& group) const
     {
-        const std::uint32_t patch = first_patch_ + turn.cells[k]->cell;
+        const std::uint32_t patch = first_patch_ + ring.cells[k]->cell;
         const double weight = patches_.open_share(patch);
-        const Rgb value = estimate(turn, k);
+        const Rgb value = estimate(ring, k);
         if (group.weight + weight > 0.0)
             group.value = 1.0 / (group.weight + weight) * (group.weight * group.value + weight * value);
         else
             group.value = value;
         group.weight += weight;
-        group.slots.push_back(CornerLattice::per_cell * patch + turn.cells[k]->number);
+        group.slots.push_back(CornerLattice::per_cell * patch + ring.cells[k]->number);
     }
 
-    /// Points from which other surfaces are looked for, at the border.
-    void add_points(const Turn& turn, std::size_t k, CornerGroup& group) const
+    /// Adds the points from which connections to other surfaces are tested.
+    void add_points(const CellRing& ring, std::size_t k, CornerGroup& group) const
     {
         for (const std::optional<OpenPoint>& point :
-             {turn.points[k], open_point(*turn.cells[k], centre(*turn.cells[k]))})
+             {ring.points[k], open_point(*ring.cells[k], centre(*ring.cells[k]))})
             if (point)
                 group.points.push_back(*point);
     }
 
-    /// A cell's estimate of the value at its corner.
-    Rgb estimate(const Turn& turn, std::size_t k) const
+    /// Value of the cell's linear function at the corner, at least 0.
+    Rgb estimate(const CellRing& ring, std::size_t k) const
     {
-        const std::uint32_t patch = first_patch_ + turn.cells[k]->cell;
+        const std::uint32_t patch = first_patch_ + ring.cells[k]->cell;
         const std::size_t corners = scene_.corners(patch).count;
-        return not_negative(patches_.value(patch) + slopes_[patch].at_corner(turn.cells[k]->number, corners));
+        return not_negative(patches_.value(patch) + slopes_[patch].at_corner(ring.cells[k]->number, corners));
     }
 
-    void add_edge(std::uint32_t cell, GridPoint here, CornerGroup& group) const
+    void add_hanging_node(std::uint32_t cell, GridPoint here, CornerGroup& group) const
     {
         const Tessellation& cut = scene_.tessellation(surface_);
         const CellCorners corners = cut.corners(cell);

@@ -1,3 +1,7 @@
+// Surfaces that share an edge, a plane and a material are united with a union-find structure. The shared edges are
+// found by sorting hashes of their end points. The patches of each resulting region with needles are binned on a
+// regular grid in its plane, so that the fit at a corner costs the same however small the patches are.
+
 #include "image/shading/flat_regions.h"
 
 #include "geometry/bounds.h"
@@ -16,10 +20,11 @@ namespace multipath {
 
 namespace {
 
-constexpr double slender = 12.0; ///< longest edge squared over area: 2.3 of an equilateral triangle, 4 of half a square
-constexpr double cells_per_reach = 4.0; ///< of the grid of bins
-constexpr double most_bins = 1 << 22;   ///< of one region
-constexpr double same_plane = 1e-6;     ///< of the scene's diagonal, and of a right angle
+/// Longest edge squared over area of a needle, at least; 2.3 for an equilateral triangle, 4 for half a square.
+constexpr double slender = 12.0;
+constexpr double cells_per_reach = 4.0; ///< radius of a fit over the size of a grid cell
+constexpr double most_bins = 1 << 22;   ///< per region
+constexpr double same_plane = 1e-6;     ///< [radian] largest angle between the normals of coplanar surfaces
 
 double longest_edge(const Surface& shape)
 {
@@ -30,6 +35,7 @@ double longest_edge(const Surface& shape)
     return longest;
 }
 
+/// The first cell of the surface's grid: all whole cells have its shape.
 Surface first_cell(const Scene& scene, std::uint32_t surface)
 {
     return scene.tessellation(surface).uniform(0).cell(scene.surfaces()[surface], 0);
@@ -41,11 +47,11 @@ bool is_needle(const Surface& shape)
     return longest * longest > slender * shape.area();
 }
 
-/// Disjoint sets of surfaces.
-class Sets
+/// Disjoint sets of surfaces (union-find with path halving).
+class DisjointSets
 {
 public:
-    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
     std::uint32_t root(std::uint32_t a)
     {
@@ -65,13 +71,13 @@ private:
 
 struct Edge
 {
-    std::uint64_t key; ///< hash of its ends, whichever comes first
+    std::uint64_t key; ///< hash of its ends, independent of their order
     std::uint32_t surface;
 
     bool operator<(const Edge& other) const { return key != other.key ? key < other.key : surface < other.surface; }
 };
 
-/// Sums for a linear fit: value = a + b x + c y.
+/// Weighted least-squares fit of a linear function, value = a + b x + c y (normal equations).
 class LinearFit
 {
 public:
@@ -88,7 +94,8 @@ public:
     }
     bool empty() const { return !(matrix_[0][0] > 0.0); }
 
-    /// a, within the values that were added; their mean where the places do not determine a slope.
+    /// The fitted value a at the origin, clamped to the range of the values; their mean if the positions do not
+    /// determine a slope.
     Rgb at_origin() const
     {
         const auto minor = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
@@ -116,8 +123,8 @@ private:
     Rgb high_ = {-infinity, -infinity, -infinity};
 };
 
-/// Joins surfaces of one material that share an edge and lie in one plane.
-Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads)
+/// Unites surfaces of one material that share an edge and lie in one plane.
+DisjointSets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads)
 {
     const SurfaceList& surfaces = scene.surfaces();
     const auto count = static_cast<std::uint32_t>(surfaces.size());
@@ -143,7 +150,7 @@ Sets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads
                      [&](const Edge& edge) { return edge.key % parts == part; });
         std::sort(sorted[part].begin(), sorted[part].end());
     });
-    Sets sets(count);
+    DisjointSets sets(count);
     for (const std::vector<Edge>& part : sorted)
         for (std::size_t n = 1; n < part.size(); ++n) {
             const std::uint32_t a = part[n - 1].surface;
@@ -174,7 +181,7 @@ FlatRegions::FlatRegions(const VisiblePatches& patches, int threads)
     });
     if (std::find(needle.begin(), needle.end(), 1) == needle.end())
         return;
-    Sets sets = flat_sets(scene, normals_, threads);
+    DisjointSets sets = flat_sets(scene, normals_, threads);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // set, surface
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
         if (scene.surface_material(s).emittance == Rgb{})
@@ -260,7 +267,7 @@ std::optional<Rgb> FlatRegions::value(std::uint32_t surface, bool front, Vec3 co
         const Vec3 way = (1.0 / region.reach) * ((1.0 / bin.weight) * bin.centre - corner);
         const double x = dot(way, region.axis_u);
         const double y = dot(way, region.axis_v);
-        const double near = 1.0 - x * x - y * y;
+        const double near = 1.0 - x * x - y * y; // its square falls smoothly to 0 at the distance `reach`
         if (near > 0.0 && (occluders.empty() || !occluders.separate(own, points[k + 1])))
             fit.add(bin.weight * near * near, x, y, (1.0 / bin.weight) * bin.value);
     }

@@ -1,3 +1,8 @@
+// The slopes are found in the coordinates of a patch: its edges are the unit vectors, its centroid is the origin. First
+// every patch gets the slope of a least-squares fit to its neighbours. At a border the neighbours lie on one side only,
+// so that this is the slope halfway between the centroids rather than at the patch. There the slope is extrapolated in
+// a second pass from the fits of the neighbours.
+
 #include "image/shading/patch_slopes.h"
 
 #include "geometry/elementary.h"
@@ -13,32 +18,32 @@ namespace multipath {
 
 namespace {
 
-/// A place on a surface in steps of its finest grid.
+/// A position on a surface, in steps of its finest grid.
 struct GridPlace
 {
     double i;
     double j;
 };
 
-/// The patches across the edges of a patch: one for each half of each edge.
+/// The patches across the edges of a patch, one for each half of an edge: a patch may appear twice.
 struct Neighbours
 {
     std::array<std::uint32_t, 8> list;
     std::uint8_t count = 0;
-    bool at_border = false; ///< some halves have none
+    bool at_border = false; ///< some half of an edge has no neighbour
 
     const std::uint32_t* begin() const { return list.data(); }
     const std::uint32_t* end() const { return list.data() + count; }
 };
 
-/// A vector from the centre of a patch, in its edges.
+/// A vector in the coordinates of a patch, with its edges as unit vectors.
 struct Way
 {
     double x;
     double y;
 };
 
-/// Sums over the ways to neighbours.
+/// Second moments of the vectors to the neighbours.
 struct Moments
 {
     double xx = 0.0;
@@ -67,6 +72,7 @@ GridPlace centre_of(const CellCorners& corners)
     return {sum.i / count, sum.j / count};
 }
 
+/// Computes the slopes of all patches.
 class Slopes
 {
 public:
@@ -93,6 +99,7 @@ public:
     }
 
 private:
+    /// Calls make(patch) for all patches, in parallel.
     template <class Make>
     void for_all(const Make& make) const
     {
@@ -117,7 +124,7 @@ private:
             const GridPoint a = corners.points[k];
             const GridPoint b = corners.points[(k + 1) % corners.count];
             const GridPlace middle = {0.5 * a.i + 0.5 * b.i, 0.5 * a.j + 0.5 * b.j};
-            constexpr double beyond = 0.05; // steps of the grid
+            constexpr double beyond = 0.05; // [grid steps] distance of the test points from the edge
             const double far = elementary::hypot(middle.i - centre.i, middle.j - centre.j);
             for (const double share : {0.25, 0.75}) {
                 const GridPlace at = {(1.0 - share) * a.i + share * b.i, (1.0 - share) * a.j + share * b.j};
@@ -138,6 +145,7 @@ private:
         return result;
     }
 
+    /// True if the other patch is not entirely covered and not occluded from this one.
     bool is_joined(std::uint32_t patch, std::uint32_t other) const
     {
         if (!(patches_.open_share(other) > 0.0))
@@ -149,7 +157,7 @@ private:
         return from && to && !occluded_between(scene_, {*from, normal}, {*to, normal});
     }
 
-    /// The centre and the edges of a patch on the grid.
+    /// The coordinate system of a patch: centroid and edges on the grid.
     struct Frame
     {
         GridPlace centre;
@@ -164,6 +172,7 @@ private:
             u = {static_cast<double>(b.i) - a.i, static_cast<double>(b.j) - a.j};
             v = {static_cast<double>(c.i) - a.i, static_cast<double>(c.j) - a.j};
         }
+        /// The vector from the centroid to a point of the grid, in the coordinates of the patch.
         Way way(GridPlace to) const
         {
             const double det = u.i * v.j - u.j * v.i;
@@ -171,7 +180,7 @@ private:
             const double dj = to.j - centre.j;
             return {(di * v.j - dj * v.i) / det, (u.i * dj - u.j * di) / det};
         }
-        /// Of a function with this slope, over a step on the grid.
+        /// Change of a function with this slope over a step on the grid.
         Rgb change(const PatchSlope& slope, GridPlace step) const
         {
             const Way there = way({centre.i + step.i, centre.j + step.j});
@@ -179,6 +188,8 @@ private:
         }
     };
 
+    /// Least-squares slope with the limiter of Barth and Jespersen. If all neighbours lie on one line, the slope across
+    /// it is 0.
     PatchSlope fitted(std::uint32_t patch) const
     {
         const Neighbours& around = around_[patch];
@@ -210,7 +221,8 @@ private:
             slope.along_u = scale * (moments.yy * x_value - moments.xy * y_value);
             slope.along_v = scale * (moments.xx * y_value - moments.xy * x_value);
         }
-        Rgb factor = {1.0, 1.0, 1.0}; // that keeps the function half way to the neighbours within the values around
+        // The limiter keeps the function halfway to each neighbour within the range of the values.
+        Rgb factor = {1.0, 1.0, 1.0};
         for (const std::uint32_t other : around) {
             const Way way = frame.way(Frame(scene_.corners(other)).centre);
             const Rgb change = 0.5 * (way.x * slope.along_u + way.y * slope.along_v);
@@ -221,13 +233,14 @@ private:
         return {factor * slope.along_u, factor * slope.along_v};
     }
 
+    /// Factor in [0, 1] that brings a change into [low, high].
     static double within(double change, double low, double high)
     {
         return change > high ? high / change : change < low ? low / change : 1.0;
     }
 
-    /// Of a quadratic function, at its end: `own` is the slope half a step inside, `inner` a whole step further. At
-    /// most twice the inner one, and 0 where they disagree.
+    /// Slope at a border patch by linear extrapolation of the slope, as of a quadratic function: `own` is the slope
+    /// half a step inside, `inner` that a whole step inside. The result is limited to between 0 and twice `inner`.
     static double at_end(double own, double inner)
     {
         const double slope = 2.0 * own - inner;
@@ -238,7 +251,8 @@ private:
         return {at_end(own.r, inner.r), at_end(own.g, inner.g), at_end(own.b, inner.b)};
     }
 
-    /// At a border: what patch and neighbours tell together; across a line on which all neighbours lie, theirs.
+    /// Extrapolated slope of a patch at a border. If all neighbours lie on one line, the slope across it is the mean of
+    /// theirs.
     PatchSlope continued(std::uint32_t patch, const std::vector<PatchSlope>& fits) const
     {
         const Neighbours& around = around_[patch];
@@ -265,6 +279,7 @@ private:
         return {theirs.along_u + (line.x / square) * change, theirs.along_v + (line.y / square) * change};
     }
 
+    /// Mean square of the second derivative towards the neighbours, see patch_slopes().
     double bend(std::uint32_t patch, const std::vector<PatchSlope>& slopes) const
     {
         const Neighbours& around = around_[patch];
@@ -280,8 +295,8 @@ private:
             const double square = way.x * way.x + way.y * way.y;
             sum += mean(turn * turn) / (square * square);
         }
-        // In a corner of the room light ends like x log x, and the slope continued from inside is too small.
-        constexpr double at_border = 40.0; // found by trying
+        // Towards an edge of the room radiosity behaves like x log x, so that the extrapolated slope is too small.
+        constexpr double at_border = 40.0; // empirical
         return (around.at_border ? at_border : 1.0) * sum / static_cast<double>(around.count);
     }
 

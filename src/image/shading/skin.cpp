@@ -1,3 +1,6 @@
+// Occlusion between two points of a surface is tested with a segment that is lifted above the surface by a small share
+// of its length, so that it meets what stands on the surface but not the surface itself.
+
 #include "image/shading/skin.h"
 
 #include "geometry/bounds.h"
@@ -11,21 +14,23 @@ namespace multipath {
 
 bool same_smoothing_group(Vec3 a, Vec3 b)
 {
-    constexpr double smallest_cosine = 0.8660254037844386; // 30 degrees: more is a crease
+    constexpr double smallest_cosine = 0.8660254037844386; // of 30 degrees; a larger angle is a crease
     return dot(a, b) >= smallest_cosine;
 }
 
 namespace {
 
-constexpr double lift = 0.01;     // of the distance: what touches the surface is met, its own rounding is not
-constexpr double rounding = 1e-9; // of the scene's diagonal
+constexpr double lift = 0.01;     // share of the distance: more than rounding errors, less than any object
+constexpr double rounding = 1e-9; // share of the scene's diagonal
 
-Line sight(const OpenPoint& a, const OpenPoint& b)
+/// The lifted segment between two points.
+Line lifted_segment(const OpenPoint& a, const OpenPoint& b)
 {
     const double height = lift * length(b.point - a.point);
     return chord(a.point + height * a.normal, b.point + height * b.normal);
 }
 
+/// True if a surface with this normal belongs to the smoothing group of neither point.
 bool may_occlude(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
 {
     return !same_smoothing_group(normal, a.normal) && !same_smoothing_group(normal, b.normal);
@@ -35,7 +40,7 @@ bool may_occlude(Vec3 normal, const OpenPoint& a, const OpenPoint& b)
 
 std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind)
 {
-    // On a grid that is shifted so that round numbers fall inside cells.
+    // The grid is shifted so that round coordinates fall inside cells, not on their borders.
     const double cell = 1e-6 * scene.bounds().diagonal();
     const Vec3 from_low = point - scene.bounds().low;
     std::uint64_t key = mix_bits(kind);
@@ -47,7 +52,7 @@ std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind)
 bool occluded_between(const Scene& scene, const OpenPoint& a, const OpenPoint& b)
 {
     std::vector<Hit> hits;
-    scene.intersector().all_hits(sight(a, b), hits);
+    scene.intersector().all_hits(lifted_segment(a, b), hits);
     return std::any_of(hits.begin(), hits.end(),
                        [&](const Hit& hit) { return may_occlude(scene.surfaces()[hit.surface].normal(), a, b); });
 }
@@ -85,7 +90,7 @@ bool NearbyOccluders::separate(const OpenPoint& a, const OpenPoint& b) const
 {
     if (!near_)
         return occluded_between(scene_, a, b);
-    const Line line = sight(a, b);
+    const Line line = lifted_segment(a, b);
     Bounds box;
     box.include(line.origin);
     box.include(line.origin + line.direction);

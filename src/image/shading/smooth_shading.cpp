@@ -1,6 +1,8 @@
-// Each surface first gets values at the corners of its own patches (CornerGroup). Then corners of different surfaces
-// that coincide are joined: the triangles of a sphere and the rectangles of a ceiling become one smooth skin, while an
-// edge of a box, or of another material, stays sharp.
+// The values at the corners of the patches are found in three steps. First each surface gets values from its own
+// patches alone (CornerGroup), or in a region of needles from a fit (FlatRegions). Then coinciding corners of different
+// surfaces are joined if they belong to one smoothing group and no occluder separates them: the triangles of a sphere
+// or the rectangles of a ceiling look like one surface, while the edges of a box and between materials stay sharp. At
+// last hanging nodes are interpolated.
 
 #include "image/shading/smooth_shading.h"
 
@@ -19,12 +21,12 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t most_joined = 1000; // a hub of more surfaces stays unjoined, to bound the work
+constexpr std::size_t most_joined = 1000; // more groups at one position are not joined, to bound the time
 
 /// A group that may coincide with groups of other surfaces.
 struct BorderGroup
 {
-    std::uint64_t key = 0; ///< equal for coinciding corners on the same kind of side
+    std::uint64_t key = 0; ///< equal for coinciding corners of one material, both on fronts or both on backs
     CornerGroup group;
 };
 
@@ -42,13 +44,13 @@ struct Strip
     std::uint32_t end_row;
 };
 
-/// All sides of some surfaces that are shaded smoothly, in pieces that threads can share.
+/// The sides of the chosen surfaces as strips, in blocks of similar size for parallel work.
 template <class Choice>
 std::vector<std::vector<Strip>> strips_of(const Scene& scene, const Choice& chosen)
 {
     constexpr std::uint64_t corners_together = 4096;
     std::vector<std::vector<Strip>> blocks;
-    std::uint64_t corners = corners_together; // in the last block
+    std::uint64_t corners = corners_together; // number in the last block
     for (const bool front : {true, false})
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
             if (!(front || scene.two_sided()) || !chosen(surface))
@@ -72,7 +74,7 @@ std::vector<std::vector<Strip>> strips_of(const Scene& scene, const Choice& chos
     return blocks;
 }
 
-/// The surfaces of which a corner at the border coincides with one of these; without those that are shown.
+/// The surfaces that are not shown but have a corner on their border that coincides with one of `borders`.
 std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& shown,
                                   const std::vector<std::vector<BorderGroup>>& borders, int threads)
 {
@@ -99,6 +101,7 @@ std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& s
     return result;
 }
 
+/// Value of a group in a region of needles: the fitted value, or its own if there is none.
 Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool front)
 {
     if (group.points.empty())
@@ -106,7 +109,7 @@ Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool f
     return regions.value(group.surface, front, group.corner, group.points.front()).value_or(group.value);
 }
 
-/// True if a point of one group can be connected to a point of the other by a free line.
+/// True if some point of one group is not occluded from some point of the other.
 bool joins(const NearbyOccluders& occluders, const CornerGroup& a, const CornerGroup& b)
 {
     if (occluders.empty())
@@ -118,10 +121,10 @@ bool joins(const NearbyOccluders& occluders, const CornerGroup& a, const CornerG
     return false;
 }
 
-/// Groups at one place: the value of each becomes the mean of those that it joins.
+/// Joins groups at one position: the value of each becomes the weighted mean of itself and the groups it is joined to.
 template <class Put>
-void join_place(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<const CornerGroup*>& groups,
-                const Put& put)
+void join_coinciding(const Scene& scene, const std::vector<Vec3>& normals,
+                     const std::vector<const CornerGroup*>& groups, const Put& put)
 {
     const std::size_t count = groups.size();
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // of groups that may join
@@ -153,56 +156,60 @@ void join_place(const Scene& scene, const std::vector<Vec3>& normals, const std:
     }
 }
 
-/// A group in the order in which groups are joined.
-struct Order
+/// A group with its sort key.
+struct SortedGroup
 {
     std::uint64_t key;
-    std::size_t place; ///< decides among equals, so that sums do not depend on the sorting algorithm
+    std::size_t slot; ///< breaks ties, so that sums do not depend on the sorting algorithm
     const CornerGroup* group;
 
-    bool operator<(const Order& other) const { return key < other.key || (key == other.key && place < other.place); }
+    bool operator<(const SortedGroup& other) const
+    {
+        return key < other.key || (key == other.key && slot < other.slot);
+    }
 };
 
+/// Joins coinciding groups of different surfaces. Calls put(group, value) for each group whose value changes.
 template <class Put>
 void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>>& borders, int threads, const Put& put)
 {
-    std::vector<Order> order;
+    std::vector<SortedGroup> order;
     for (const std::vector<BorderGroup>& block : borders)
         for (const BorderGroup& border : block)
             order.push_back({border.key, border.group.slots.front(), &border.group});
     std::sort(order.begin(), order.end());
 
-    // Places in the order of the surfaces, where neighbours are close in memory.
-    std::vector<std::pair<std::size_t, std::size_t>> places; // first and last in the order
+    // Runs of coinciding groups, sorted by surface for locality of memory access.
+    std::vector<std::pair<std::size_t, std::size_t>> runs; // begin and end in `order`
     for (std::size_t first = 0, last; first < order.size(); first = last) {
         last = first + 1;
         while (last < order.size() && order[last].key == order[first].key)
             ++last;
         if (last - first > 1 && last - first <= most_joined)
-            places.emplace_back(first, last);
+            runs.emplace_back(first, last);
     }
-    std::sort(places.begin(), places.end(),
-              [&](const auto& a, const auto& b) { return order[a.first].place < order[b.first].place; });
+    std::sort(runs.begin(), runs.end(),
+              [&](const auto& a, const auto& b) { return order[a.first].slot < order[b.first].slot; });
 
     std::vector<Vec3> normals;
     for (const Surface& surface : scene.surfaces())
         normals.push_back(surface.normal());
-    constexpr std::uint32_t places_together = 256;
-    parallel_ranges(static_cast<std::uint32_t>(places.size()), places_together, threads,
+    constexpr std::uint32_t runs_together = 256;
+    parallel_ranges(static_cast<std::uint32_t>(runs.size()), runs_together, threads,
                     [&](std::uint32_t begin, std::uint32_t end) {
                         std::vector<const CornerGroup*> groups;
                         for (std::uint32_t k = begin; k < end; ++k) {
                             groups.clear();
-                            for (std::size_t n = places[k].first; n < places[k].second; ++n)
+                            for (std::size_t n = runs[k].first; n < runs[k].second; ++n)
                                 groups.push_back(order[n].group);
-                            join_place(scene, normals, groups, put);
+                            join_coinciding(scene, normals, groups, put);
                         }
                     });
 }
 
-/// Where small patches meet the edge of a large one, they have its values: first those on the largest, whose own ends
-/// may lie on none.
-void put_on_edges(const std::vector<std::vector<CornerGroup>>& blocks, std::vector<Rgb>& corners)
+/// Interpolates hanging nodes between the ends of the edge on which they lie. Edges of larger patches come first, since
+/// the ends of an edge may be hanging nodes on edges of still larger patches.
+void interpolate_hanging_nodes(const std::vector<std::vector<CornerGroup>>& blocks, std::vector<Rgb>& corners)
 {
     for (std::uint8_t level = 0; level < CellTrees::deepest; ++level)
         for (const std::vector<CornerGroup>& groups : blocks)
@@ -231,9 +238,10 @@ SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_
     std::vector<double> bends;
     const std::vector<PatchSlope> slopes = patch_slopes(patches, threads, &bends);
     find_corners(patches, slopes, threads, {});
-    // The functions of neighbours meet at the corners of a quadratic function exactly, so that only their turn tells
-    // of it: b x^2 / 2 is off by b^2 / 720 on a patch, and bends tell half of it where it depends on x alone. The means
-    // of squares at corners are up to 9 times those over the patch (a x y).
+    // The linear functions of neighbours on a quadratic function agree at the corners, so that only bends show its
+    // error. For b x^2 / 2 the mean square error on a patch is b^2 / 720, and bends are b^2 / 2, since the neighbours
+    // along y count as 0. The factor 9 matches the other term, a mean square at corners: for a x y it is 9 times that
+    // over the patch.
     constexpr double share_of_bends = 9.0 * 2.0 / 720.0;
     residuals.assign(values_.size(), 0.0);
     parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
@@ -252,7 +260,7 @@ void SmoothShading::find_corners(const VisiblePatches& patches, const std::vecto
                                  const std::vector<char>& shown)
 {
     const Scene& scene = scene_;
-    // Every place belongs to one group, so that threads may put at the same time.
+    // Every slot belongs to one group, so that threads can call put() at the same time.
     const auto put = [this](const CornerGroup& group, Rgb value) {
         for (const std::size_t slot : group.slots)
             corners_[slot] = value;
@@ -290,7 +298,7 @@ void SmoothShading::find_corners(const VisiblePatches& patches, const std::vecto
         add([&](std::uint32_t surface) { return beside[surface] != 0; });
     }
     join_borders(scene, borders, threads, put);
-    put_on_edges(on_edges, corners_);
+    interpolate_hanging_nodes(on_edges, corners_);
 }
 
 Rgb SmoothShading::at(const Hit& hit) const

@@ -4,9 +4,11 @@ namespace multipath {
 
 namespace {
 
-/// Of a patch that reflects none of a colour nobody knows the irradiance in that colour; that of the others stands in.
+/// Below this reflectance the irradiance in a channel is unknown; without_texture() uses the mean of the other
+/// channels.
 constexpr double darkest_texture = 1e-6;
 
+/// [W/m^2] Irradiance; 0 if it is unknown.
 double light_on(double reflected, double reflectance)
 {
     return reflectance > darkest_texture ? reflected / reflectance : 0.0;

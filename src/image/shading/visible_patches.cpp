@@ -1,3 +1,7 @@
+// A sample point is covered if rays in five directions all end at once at a coincident surface, or at the back of a
+// one-sided surface, which is the inside of a solid. The first direction, along the normal, decides for most points,
+// so that only the rest is traced in the other directions.
+
 #include "image/shading/visible_patches.h"
 
 #include "geometry/intersector/hit_lists.h"
@@ -15,10 +19,10 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t most_along = 8;         // 64 points fill one word
-constexpr std::uint64_t most_points = 1u << 21; // of all patches, about: to bound the time
+constexpr std::uint64_t most_along = 8;         // 8 x 8 points, one bit each in a 64-bit word
+constexpr std::uint64_t most_points = 1u << 21; // of all patches together, approximately; bounds the time
 
-/// The centre of one of along * along equal parts.
+/// Sample point: the centre of one of along * along equal parts of the patch.
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
 {
     if (shape.shape == Shape::parallelogram) {
@@ -28,14 +32,14 @@ Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t numbe
     return Tessellation{shape.shape, along, along, nullptr}.cell(shape, number).centre();
 }
 
-/// True if a ray with this first hit starts where something lies on the surface, or inside a solid.
+/// True if a ray with this first hit starts below a coincident surface or inside a solid.
 bool is_closed_in(const Scene& scene, const Hit& hit)
 {
     return hit.t <= 1e-9 * scene.bounds().diagonal() || (!hit.front && !scene.two_sided());
 }
 
-/// In all of which a covered point is closed in: first straight ahead.
-std::array<Vec3, 5> ways_out(const Surface& shape)
+/// The test directions: the normal, and four oblique ones around it.
+std::array<Vec3, 5> test_directions(const Surface& shape)
 {
     const Vec3 normal = shape.normal();
     const Vec3 aside = normalized(shape.edge_u);
@@ -44,20 +48,20 @@ std::array<Vec3, 5> ways_out(const Surface& shape)
             normal - 0.6 * aside - 0.8 * along, normal + 0.8 * aside - 0.6 * along};
 }
 
-/// The sampled points of patches that are open, traced together.
+/// Finds the open sample points of patches. Holds reusable buffers: one object per thread.
 class OpenPoints
 {
 public:
     explicit OpenPoints(const Scene& scene) : scene_(scene) {}
 
-    /// A bit for each of along * along points.
+    /// One bit for each of along * along sample points, set if the point is open.
     std::uint64_t of_patch(std::uint32_t patch, std::uint32_t along)
     {
         const Patch place = scene_.patch(patch);
         points_.clear();
         for (std::uint32_t n = 0; n < along * along; ++n)
             points_.push_back(n);
-        for (const Vec3 direction : ways_out(place.shape)) {
+        for (const Vec3 direction : test_directions(place.shape)) {
             from_.assign(points_.size(), place.surface);
             rays_.clear();
             for (const std::uint32_t n : points_)
@@ -79,8 +83,8 @@ public:
 
 private:
     const Scene& scene_;
-    std::vector<std::uint32_t> points_; ///< that may still be covered
-    std::vector<std::uint32_t> from_;   ///< surfaces
+    std::vector<std::uint32_t> points_; ///< indices of points that were covered in all directions so far
+    std::vector<std::uint32_t> from_;   ///< the surface of each ray's origin
     std::vector<Line> rays_;
     FirstHits hits_;
 };
@@ -89,7 +93,7 @@ private:
 
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point)
 {
-    const std::array<Vec3, 5> directions = ways_out(shape);
+    const std::array<Vec3, 5> directions = test_directions(shape);
     return std::all_of(directions.begin(), directions.end(), [&](Vec3 direction) {
         const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, {point, direction});
         return hit && is_closed_in(scene, *hit);
@@ -108,7 +112,8 @@ VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& value
     parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         OpenPoints points(scene);
         for (std::uint32_t i = first; i < end; ++i)
-            if (const std::uint32_t along = samples_along(i); along > 1) // one would make it open or covered as a whole
+            // A single sample point would not do: the patch would be open or covered as a whole.
+            if (const std::uint32_t along = samples_along(i); along > 1)
                 open_[i] = points.of_patch(i, along);
     });
 }
@@ -141,11 +146,11 @@ std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 co
     const std::uint32_t along = samples_along(patch);
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - along * along);
     if (open_[patch] == all && shape.shape == Shape::parallelogram && dot(shape.edge_u, shape.edge_v) == 0.0) {
-        const auto place = [&](Vec3 edge) { // of the nearest along one edge
+        const auto nearest_along = [&](Vec3 edge) {
             const double share = dot(corner - shape.origin, edge) / dot(edge, edge);
             return (std::floor(std::clamp(share * along, 0.0, along - 1.0)) + 0.5) / along;
         };
-        return shape.at(place(shape.edge_u), place(shape.edge_v));
+        return shape.at(nearest_along(shape.edge_u), nearest_along(shape.edge_v));
     }
     double nearest = std::numeric_limits<double>::infinity();
     std::optional<Vec3> result;
