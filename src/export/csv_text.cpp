@@ -21,6 +21,7 @@ bool is_empty_line(const CsvRow& row)
     return row.fields.size() == 1 && row.fields[0].empty();
 }
 
+/// Recursive-descent parser with one function per element of the grammar. `next_` is the position in the text.
 class CsvParser
 {
 public:
@@ -126,7 +127,7 @@ std::string CsvParser::quoted_field()
     const TextPlace opening = place();
     std::string field;
     do {
-        ++next_; // an opening quote, or the second of a doubled one
+        ++next_; // the opening quote, or the second of a doubled quote
         const std::size_t begin = next_;
         for (; !ended() && !at('"'); ++next_) {
             if (at('\n'))

@@ -19,7 +19,7 @@ namespace {
     throw std::runtime_error(std::generic_category().message(errno));
 }
 
-/// All bytes of a file that cannot be mapped, such as a pipe, up to a limit.
+/// Reads a file that cannot be mapped, such as a pipe, to its end. Throws if there is more than 1 GiB.
 std::vector<char> read_all(std::FILE* file)
 {
     constexpr std::size_t most = std::size_t{1} << 30;

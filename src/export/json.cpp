@@ -13,8 +13,8 @@ namespace multipath {
 
 namespace {
 
-/// The text as valid UTF-8. Names and paths may come from old files: a byte that is no part of a UTF-8 character is
-/// read as Latin-1.
+/// Makes text valid UTF-8: bytes that are not part of a UTF-8 character, such as in names from old files, are taken for
+/// Latin-1.
 std::string utf8_text(std::string_view bytes)
 {
     std::string text;
@@ -56,7 +56,7 @@ std::string number_text(double value)
     if (!std::isfinite(value))
         return "null";
     std::array<char, 32> text{};
-    for (int digits = 15; digits <= 17; ++digits) { // the shortest that reads back as the same number
+    for (int digits = 15; digits <= 17; ++digits) { // the shortest form that reads back as the same number
         std::snprintf(text.data(), text.size(), "%.*g", digits, value);
         if (std::strtod(text.data(), nullptr) == value)
             break;

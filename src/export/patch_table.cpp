@@ -39,7 +39,8 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
                  std::uint32_t first, std::uint32_t end)
 {
     std::string table;
-    std::string material; // these four of the side to which the last patch belongs
+    // These four belong to the side of the current patch, and are formatted once per side.
+    std::string material;
     std::string normal;
     std::string constants;
     std::uint32_t next_side = first;
@@ -87,7 +88,7 @@ std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, c
         },
         [&](std::uint64_t block, int slot) {
             const std::size_t needed = table.size() + parts[slot].size();
-            if (needed > table.capacity()) { // what is to come is about as long as what is there
+            if (needed > table.capacity()) { // extrapolates the length of the table from the blocks so far
                 const double blocks_left = static_cast<double>(blocks.count() - block) / static_cast<double>(block + 1);
                 table.reserve(needed + static_cast<std::size_t>(1.1 * blocks_left * static_cast<double>(needed)));
                 ask_for_huge_pages(table.data(), table.capacity());
@@ -106,7 +107,7 @@ ThreeColumns columns_named(const CsvTable& table, const std::array<const char*, 
     return {table.column(names[0]), table.column(names[1]), table.column(names[2])};
 }
 
-/// The columns of the standard error; if there is one of them, all must be there.
+/// The columns of the standard error, or nothing if the table has none. If it has one of them, all are required.
 std::optional<ThreeColumns> error_columns(const CsvTable& table)
 {
     const std::array<const char*, 3> names = {"error_r", "error_g", "error_b"};
@@ -147,7 +148,7 @@ double read_area(const CsvTable& table, const CsvRow& row, std::size_t column)
     return area;
 }
 
-/// A Vec3 or an Rgb.
+/// Reads a Vec3 or an Rgb.
 template <class Three>
 Three read_three(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
 {
@@ -166,7 +167,7 @@ Rgb read_error(const CsvTable& table, const CsvRow& row, const ThreeColumns& col
 
 namespace {
 
-/// Of the three channels, or one for all of them.
+/// The columns of the radiosity: `radiosity` for all channels, or one column per channel.
 ThreeColumns radiosity_columns(const CsvTable& table)
 {
     if (const std::optional<std::size_t> grey = table.find_column("radiosity"))
@@ -174,6 +175,7 @@ ThreeColumns radiosity_columns(const CsvTable& table)
     return columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
 }
 
+/// Reads a table that has only radiosity and, if known, its standard error; takes all else from `beside`.
 PatchTable read_radiosity(const CsvTable& table, const PatchTable& beside)
 {
     const std::size_t patch = table.column("patch");

@@ -1,3 +1,8 @@
+// A state file consists of a header with the version of the format, arrays, an end mark and a checksum. An array is
+// stored as its scalar type and name length, its length, its name and its scalars in little-endian order. Everything is
+// padded to words of eight bytes (docs/state_format.md). After reading, all values are checked that the program relies
+// on, since a damaged or forged file may have a valid checksum.
+
 #include "export/state_file.h"
 
 #include "sampling/random.h"
@@ -15,7 +20,7 @@ namespace multipath {
 namespace {
 
 constexpr std::string_view state_kind = "multipath state ";
-constexpr std::string_view state_header = "multipath state 1      \n"; // three words; the number is that of the format
+constexpr std::string_view state_header = "multipath state 1      \n"; // three words; 1 is the version of the format
 constexpr std::size_t word_size = 8;
 
 std::uint64_t word_at(const char* bytes)
@@ -34,7 +39,7 @@ std::string word_bytes(std::uint64_t word)
     return bytes;
 }
 
-/// Checksum of a whole number of words, after `before`. A change of any single word changes it.
+/// Continues the checksum `before` over a whole number of words. A change of any single word changes the result.
 std::uint64_t checksum(std::uint64_t before, std::string_view bytes)
 {
     for (std::size_t k = 0; k < bytes.size(); k += word_size)
@@ -49,7 +54,7 @@ std::size_t padded(std::size_t bytes)
 
 constexpr bool little_endian = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
 
-/// Between the order of this machine and that of files.
+/// Converts `length` scalars between the byte order of this machine and the little-endian order of files.
 void swap_on_big_endian(Scalar scalar, char* data, std::size_t length)
 {
     const std::size_t size = size_of(scalar);
@@ -58,7 +63,7 @@ void swap_on_big_endian(Scalar scalar, char* data, std::size_t length)
             std::reverse(data + k * size, data + (k + 1) * size);
 }
 
-/// A state is copied to arrays of its numbers, which no run makes infinite.
+/// True if all numbers are finite, as those of every run are.
 template <class Number>
 bool all_finite(const void* data, std::size_t length)
 {
@@ -270,10 +275,11 @@ void visit_materials(Archive& archive, std::vector<Material>& materials)
         field<double>("reflectances", &Material::reflectance), field<double>("emittances", &Material::emittance));
 }
 
+/// Shapes and vectors of the surfaces. Writing rebuilds the list from the same numbers.
 void visit_surfaces(Archive& archive, SurfaceList& surfaces)
 {
     std::vector<std::uint32_t> shapes;
-    std::vector<Vec3> corners; // origin and edges of each
+    std::vector<Vec3> corners; // origin, edge_u and edge_v of each surface
     for (const Surface& surface : surfaces) {
         shapes.push_back(surface.shape == Shape::triangle ? 1 : 0);
         corners.insert(corners.end(), {surface.origin, surface.edge_u, surface.edge_v});
@@ -287,7 +293,7 @@ void visit_surfaces(Archive& archive, SurfaceList& surfaces)
                             corners[3 * s + 2]});
 }
 
-// Checks of the properties that readers of scenes guarantee and the program relies on.
+// Checks of properties that scene readers guarantee and the program relies on.
 
 bool all_within(std::initializer_list<double> values, double low, double high)
 {
@@ -335,7 +341,7 @@ void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 
 namespace {
 
-/// Textures as the bytes of their files; nothing for a scene without any.
+/// Textures as the bytes of their files, and how surfaces lie on them. Writes nothing for a scene without textures.
 void visit_textures(Archive& archive, SceneFile& scene)
 {
     std::string names;
@@ -465,7 +471,7 @@ Scene restored(const ArchivedScene& archived)
     const bool fits = whole ? sides * cells == patches
                             : cells > 0.0 && sides * cells <= patches &&
                                   sides * static_cast<double>(archived.levels.size()) == patches;
-    if (!fits) // before memory is taken for them
+    if (!fits) // checked before memory is allocated for them
         throw ArchiveError("the state is damaged: its scene has other patches");
     Scene scene(archived.file, archived.patch_size, archived.two_sided != 0, 1);
     try {

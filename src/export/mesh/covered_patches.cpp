@@ -1,5 +1,6 @@
-// The surfaces that lie over a patch are subtracted from it, as a set of triangles, until an uncovered point is found
-// or nothing is left. The next surface to subtract is one over the middle of the first triangle left.
+// The surfaces that lie over a patch are subtracted from it until an uncovered point is found or nothing is left. The
+// rest of the patch is kept as a list of triangles. The next surface to subtract is one that covers the centroid of the
+// first triangle; if there is none, the patch is visible there.
 
 #include "export/mesh/covered_patches.h"
 
@@ -14,13 +15,14 @@ namespace multipath {
 
 namespace {
 
-constexpr double least_share = 2e-4; ///< of the patch: smaller pieces are the rounding of coordinates in files
+constexpr double least_share = 2e-4; ///< share of the patch; smaller triangles result from rounded coordinates in files
 
 double area_of(const FlatPolygon& triangle)
 {
     return 0.5 * length(cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]));
 }
 
+/// Appends the polygon as a fan of triangles, without those of at most `least_area`.
 void append_triangles(const FlatPolygon& polygon, double least_area, std::vector<FlatPolygon>& triangles)
 {
     for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
@@ -50,7 +52,8 @@ std::vector<FlatPolygon> without(const std::vector<FlatPolygon>& triangles, cons
     return outside;
 }
 
-/// True if a ray that meets both sides in one point of their plane meets the other surface's first.
+/// True if `surface` hides the given side of a coplanar patch where they overlap: a ray that arrives at that side meets
+/// a visible side of `surface` first.
 bool lies_over(const Scene& scene, std::uint32_t surface, const Patch& patch, bool front)
 {
     const bool faces_viewer = dot(scene.surfaces()[surface].normal(), patch.shape.normal()) > 0.0;

@@ -1,6 +1,6 @@
-// The file is a header, a chunk of JSON that describes the numbers, and a chunk of numbers (glTF 2.0 specification,
-// chapter 4). The numbers are one block per attribute and one for the triangles; in every block, material follows
-// material.
+// A GLB file consists of a header, a chunk of JSON that describes the binary data, and a chunk with the binary data
+// (glTF 2.0 specification, chapter 4): one block per vertex attribute, one block of triangles, and the images. Each
+// block is sorted by material.
 
 #include "export/mesh/glb.h"
 
@@ -23,7 +23,7 @@ namespace multipath {
 
 namespace {
 
-/// From the camera's coordinates, in which it looks along -z, to the room's; column by column.
+/// Matrix from camera coordinates, in which the camera looks along -z, to scene coordinates; column by column.
 std::vector<double> matrix_of(const GlbCamera& camera)
 {
     const Vec3 back = normalized(camera.eye - camera.target);
@@ -39,7 +39,7 @@ std::vector<double> matrix_of(const GlbCamera& camera)
 
 JsonObject glb_camera(const GlbCamera& camera, const Scene& scene)
 {
-    constexpr double near = 0.002; // as far away as the scene is large
+    constexpr double near = 0.002; // share of the scene's diagonal
     return JsonObject()
         .text("type", "perspective")
         .object("perspective", JsonObject()
@@ -54,18 +54,18 @@ JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number)
 
 namespace {
 
-/// The part of a mesh that has one material.
+/// The sides of a mesh that have one material.
 struct MaterialPart
 {
     std::uint32_t material = 0;
-    bool textured = false;
+    bool textured = false; ///< the sides show the material's texture
     std::vector<MeshSide> sides;
     std::size_t vertex_count = 0;
     std::size_t triangle_count = 0; ///< a quadrilateral counts as two
 };
 
-/// The parts of all materials that are used, in the order of the scene's materials; of a textured one those surfaces
-/// apart that do not lie on the texture.
+/// The parts of all used materials, in the order of the scene's materials. A textured material has a separate part for
+/// surfaces without texture coordinates.
 std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& scene)
 {
     const std::size_t materials = scene.materials().size();
@@ -86,7 +86,7 @@ std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& sce
     return parts;
 }
 
-/// Calls visit(number) for the vertices of a part, in order.
+/// Calls visit(index) for the vertices of a part, in order.
 template <class Visit>
 void for_each_vertex(const MaterialPart& part, const Visit& visit)
 {
@@ -96,16 +96,16 @@ void for_each_vertex(const MaterialPart& part, const Visit& visit)
 }
 
 constexpr std::size_t vector_size = 12;   ///< [byte] three floats
-constexpr std::size_t triangle_size = 12; ///< [byte] three 32-bit numbers
+constexpr std::size_t triangle_size = 12; ///< [byte] three 32-bit indices
 
-// Numbers that stand for words in glTF.
+// Constants of glTF.
 constexpr std::uint64_t float_component = 5126;
 constexpr std::uint64_t unsigned_component = 5125;
 constexpr std::uint64_t array_buffer = 34962;
 constexpr std::uint64_t element_array_buffer = 34963;
 
-/// The size of the numbers in a GLB [byte], which follow each other without gaps: one block per attribute, three floats
-/// for each vertex, then three 32-bit numbers for each triangle. In every block, part follows part.
+/// Sizes [byte] of the blocks of binary data, which follow each other without gaps: one per attribute, with three
+/// floats per vertex, then one with three 32-bit indices per triangle. Each block is sorted by part.
 struct GlbBlocks
 {
     GlbBlocks(const std::vector<MaterialPart>& parts, std::size_t attributes) : attribute_count(attributes)
@@ -117,7 +117,7 @@ struct GlbBlocks
     }
 
     std::size_t attribute_count = 0;
-    std::size_t attribute_bytes = 0; ///< of each
+    std::size_t attribute_bytes = 0; ///< size of the block of one attribute
     std::size_t triangle_bytes = 0;
 
     std::size_t total() const { return attribute_count * attribute_bytes + triangle_bytes; }
@@ -125,7 +125,7 @@ struct GlbBlocks
 
 constexpr const char* texture_attribute = "TEXCOORD_0";
 
-/// Images follow the numbers, each at a multiple of four bytes.
+/// [byte] Size of an image in the file, where each is padded to a multiple of four bytes.
 std::size_t padded_size(const ImageFile& image)
 {
     return (image.bytes.size() + 3) / 4 * 4;
@@ -139,7 +139,7 @@ std::size_t size_of(const std::vector<ImageFile>& images)
     return sum;
 }
 
-/// Contents of the JSON in a GLB beside the mesh.
+/// What the JSON of a GLB contains besides the mesh.
 struct GlbFacts
 {
     std::vector<std::string> attributes; ///< names; the first is POSITION
@@ -149,6 +149,7 @@ struct GlbFacts
     std::vector<std::string> comments;
 };
 
+/// A buffer view, that is a range of bytes in the binary data.
 JsonObject view(std::size_t offset, std::size_t length)
 {
     return JsonObject().count("buffer", 0).count("byteOffset", offset).count("byteLength", length);
@@ -184,7 +185,7 @@ JsonObject accessor(std::size_t view, std::size_t offset, std::uint64_t componen
         .text("type", type);
 }
 
-/// The format wants the range of positions, and nothing else's.
+/// Adds the range of the positions of a part, which the format requires.
 void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part)
 {
     std::vector<double> low(3, std::numeric_limits<double>::infinity());
@@ -198,7 +199,7 @@ void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part
     json.numbers("min", low).numbers("max", high);
 }
 
-/// Part by part: its attributes, then its triangles.
+/// The accessors of each part: its attributes, then its triangles.
 std::vector<JsonObject> accessors(const PatchMesh& mesh, const std::vector<MaterialPart>& parts,
                                   const std::vector<std::string>& attributes)
 {
@@ -244,7 +245,7 @@ JsonObject surface_of(const Material& material, bool textured)
     return surface;
 }
 
-/// Programs that do not know the extension for unlit materials show a dull surface, not a shiny one.
+/// An unlit material. Programs that do not support this extension show a matt surface instead.
 JsonObject unlit_material(const Material& material, bool textured)
 {
     const auto channels = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
@@ -266,7 +267,7 @@ JsonObject asset(const GlbFacts& facts)
         .object("extras", JsonObject().texts("record", facts.comments).number("color_scale", facts.scale));
 }
 
-/// 0, 1, ... below count.
+/// The numbers 0, 1, ... count - 1.
 std::vector<double> numbers_below(std::size_t count)
 {
     std::vector<double> numbers(count);
@@ -274,7 +275,7 @@ std::vector<double> numbers_below(std::size_t count)
     return numbers;
 }
 
-/// One for each mesh, then one for each camera.
+/// One node for each mesh, then one for each camera.
 std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts,
                               const std::vector<GlbCamera>& cameras)
 {
@@ -286,7 +287,7 @@ std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart
     return list;
 }
 
-/// Images, and textures with samplers of the same numbers.
+/// Adds images, samplers and textures; those of one texture have the same index.
 void add_textures(JsonObject& description, const Scene& scene, const std::vector<ImageFile>& images,
                   std::size_t first_view)
 {
@@ -308,7 +309,7 @@ void add_textures(JsonObject& description, const Scene& scene, const std::vector
     description.objects("images", files).objects("samplers", samplers).objects("textures", textures);
 }
 
-/// The JSON of a GLB: what the blocks hold, and where.
+/// The JSON of a GLB, which describes the blocks of binary data.
 std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std::vector<MaterialPart>& parts,
                             const GlbBlocks& blocks, const GlbFacts& facts)
 {
@@ -341,14 +342,14 @@ constexpr std::uint32_t version = 2;
 constexpr std::uint32_t json_chunk = 0x4e4f534a;
 constexpr std::uint32_t number_chunk = 0x004e4942;
 
-/// Three floats per vertex, in the order of the parts.
+/// A vertex attribute of three floats.
 struct Attribute
 {
     std::string name;
     std::function<Float3(std::size_t vertex)> value;
 };
 
-/// Of each vertex, where the scene has textures.
+/// The surface of each vertex.
 std::vector<std::uint32_t> surfaces_of_vertices(const PatchMesh& mesh)
 {
     std::vector<std::uint32_t> surfaces(mesh.positions.size());
@@ -358,8 +359,8 @@ std::vector<std::uint32_t> surfaces_of_vertices(const PatchMesh& mesh)
     return surfaces;
 }
 
-/// The texture's place under a point of a surface, in glTF from the top.
-Float3 texture_place(const Scene& scene, std::uint32_t surface, Vec3 point)
+/// Texture coordinates of a point of a surface, in glTF measured from the top; 0 on surfaces without texture.
+Float3 texture_coordinates(const Scene& scene, std::uint32_t surface, Vec3 point)
 {
     if (!scene.is_textured(surface))
         return {};
@@ -375,7 +376,7 @@ Float3 texture_place(const Scene& scene, std::uint32_t surface, Vec3 point)
     return {static_cast<float>(place.s), static_cast<float>(1.0 - place.t), 0.0f};
 }
 
-/// From the radiosity of a textured surface to that of a white texture there.
+/// Factor from the radiosity of a textured surface without its detail to that with a white texture.
 Rgb white_factor(const Material& material)
 {
     const auto factor = [](double white, double mean) { return mean > 0.0 ? white / mean : 0.0; };
@@ -399,20 +400,22 @@ std::vector<Attribute> attributes_of(const PatchMesh& mesh, const Scene& scene, 
                                          {"_RADIOSITY", [&mesh](std::size_t n) { return mesh.radiosity[n]; }}};
     if (textured)
         attributes.push_back({texture_attribute, [&mesh, &scene, surfaces](std::size_t n) {
-                                  return texture_place(scene, surfaces[n], to_vec3(mesh.positions[n]));
+                                  return texture_coordinates(scene, surfaces[n], to_vec3(mesh.positions[n]));
                               }});
     if (!mesh.error.empty())
         attributes.push_back({"_ERROR", [&mesh](std::size_t n) { return mesh.error[n]; }});
     return attributes;
 }
 
+/// [W/m^2] Absolute difference of the radiosities of two vertices.
 double light_step(const PatchMesh& mesh, std::uint32_t a, std::uint32_t b)
 {
     return std::abs(mean(to_rgb(mesh.radiosity[a])) - mean(to_rgb(mesh.radiosity[b])));
 }
 
-/// A quadrilateral is cut along the diagonal on which the light changes less, so that a slanting shadow's edge has no
-/// teeth. `shift` brings the mesh's vertex numbers to the part's.
+/// Appends a face as one or two triangles. A quadrilateral is split along the diagonal with the smaller change of
+/// radiosity, so that an oblique shadow edge is not jagged. `shift` is added to the mesh's vertex indices to get those
+/// of the part.
 void append_triangles(std::string& bytes, const PatchMesh& mesh, const MeshFace& face, std::uint32_t shift)
 {
     const auto& c = face.corners;
@@ -427,7 +430,7 @@ void append_triangles(std::string& bytes, const PatchMesh& mesh, const MeshFace&
         append(from_first ? 0 : 1, 2, 3);
 }
 
-/// The chunk of numbers, as GlbBlocks says.
+/// Appends the blocks of attributes and triangles in the layout of GlbBlocks.
 void append_numbers(std::string& bytes, const PatchMesh& mesh, const std::vector<MaterialPart>& parts,
                     const std::vector<Attribute>& attributes)
 {
@@ -454,14 +457,14 @@ struct LitArea
     double area = 0.0;       ///< [m^2]
 };
 
-/// [W/m^2] Of a textured patch if its texture were white.
+/// [W/m^2] Brightest channel of a patch; of a textured patch as if its texture were white.
 double white_brightness(const Scene& scene, const std::vector<Rgb>& radiosity, std::uint32_t patch)
 {
     Rgb light = radiosity[patch];
     if (scene.shows_texture(scene.surface_of(patch))) {
         const Rgb rho = scene.reflectance(patch);
         const Rgb white = scene.material_of(patch).texture_scale;
-        constexpr double black = 1e-3; // tells nothing of the light on it
+        constexpr double black = 1e-3; // share of white below which a texture is too dark to infer the light on it
         const auto lit = [](double b, double w, double r) { return r > black * w ? b * w / r : b; };
         light = {lit(light.r, white.r, rho.r), lit(light.g, white.g, rho.g), lit(light.b, white.b, rho.b)};
     }
@@ -477,7 +480,8 @@ std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radio
     return areas;
 }
 
-/// The brightness that is exceeded on a share of the area. `areas` is sorted, the brightest first.
+/// [W/m^2] The brightness that is reached or exceeded on a share of the area (a weighted quantile). `areas` must be
+/// sorted by decreasing brightness.
 double exceeded_on(double share, const std::vector<LitArea>& areas)
 {
     double total = 0.0;

@@ -1,9 +1,11 @@
-// 1. Charts: from the largest surface on, flood over shared edges what is coplanar and of one material.
-// 2. Packing: the bounding rectangles of charts, tallest first, go where a skyline is lowest (bottom-left heuristic;
-// Jylanki
-//    2010, "A thousand ways to pack the bin"). Bisection finds the scale.
-// 3. Light: each texel near a surface asks for the light at the surface's point nearest to its middle. The edges of
-//    charts run through middles of texels where they can, so that bilinear lookup on an edge finds its own light.
+// A lightmap is made in three steps.
+// 1. Charts: starting with the largest surface, a flood fill over shared edges collects coplanar surfaces of one
+//    material.
+// 2. Packing: the bounding rectangles of the charts, tallest first, are placed at the lowest position of a skyline
+//    (Jylanki 2010, "A thousand ways to pack the bin", bottom-left heuristic). Bisection finds the largest scale that
+//    fits.
+// 3. Light: each texel near a surface gets the light at the point of the surface nearest to the centre of the texel.
+//    Edges of charts run through texel centres where possible, so that bilinear lookup on an edge finds its own light.
 
 #include "export/mesh/lightmap.h"
 
@@ -31,7 +33,7 @@ namespace multipath {
 
 namespace {
 
-/// The corners of a surface in its own coordinates, counter-clockwise seen from the front.
+/// The corners of a surface in its coordinates (u, v), counter-clockwise seen from the front.
 struct SquareCorners
 {
     std::array<std::array<double, 2>, 4> uv;
@@ -50,27 +52,28 @@ const SquareCorners& square_corners(Shape shape)
 
 // ---------------------------------------------------------------------------------------------------------- charts
 
-/// Surfaces of one plane, and a rectangle around them.
+/// Surfaces in one plane and their bounding rectangle.
 struct Chart
 {
-    std::size_t first = 0; ///< in ChartList::surfaces
+    std::size_t first = 0; ///< index in ChartList::surfaces
     std::size_t count = 0;
-    Vec3 corner;  ///< of the rectangle, its lower left one seen from the front
-    Vec3 along_x; ///< unit vectors
-    Vec3 along_y;
-    double width = 0.0; ///< [scene units]
-    double height = 0.0;
+    Vec3 corner;         ///< lower left corner of the rectangle, seen from the front
+    Vec3 along_x;        ///< unit vector along the width
+    Vec3 along_y;        ///< unit vector along the height
+    double width = 0.0;  ///< [scene units]
+    double height = 0.0; ///< [scene units]
 };
 
 struct ChartList
 {
     std::vector<Chart> charts;
-    std::vector<std::uint32_t> surfaces; ///< chart by chart
+    std::vector<std::uint32_t> surfaces; ///< of all charts, one chart after the other
 };
 
-constexpr double same_place = 1e-6; ///< of the scene's diagonal: closer points are one
+constexpr double same_place = 1e-6; ///< share of the scene's diagonal; points at most this far apart coincide
 
-/// Numbers for points such that those within a tolerance have the same.
+/// Welds points: gives each point an index, the same for points within a tolerance of each other. The points are stored
+/// in a hash table of the cells of a grid.
 class NearPoints
 {
 public:
@@ -102,7 +105,7 @@ private:
 
     Cell cell_of(Vec3 p) const
     {
-        constexpr double cell_size = 64.0; // tolerances: most neighbourhoods lie in one cell
+        constexpr double cell_size = 64.0; // in tolerances; most searches visit a single cell
         const auto index = [&](double x) {
             return static_cast<std::int64_t>(std::floor(x / (cell_size * tolerance_)));
         };
@@ -121,10 +124,10 @@ private:
     std::unordered_multimap<std::uint64_t, std::uint32_t> cells_;
 };
 
-/// An edge of a surface, in the direction in which its front has it on the left.
+/// An edge of a surface, directed counter-clockwise seen from the front.
 struct DirectedEdge
 {
-    std::uint32_t from = 0;
+    std::uint32_t from = 0; ///< indices of welded corners
     std::uint32_t to = 0;
     std::uint32_t surface = 0;
 
@@ -132,6 +135,7 @@ struct DirectedEdge
     std::uint64_t reverse_key() const { return std::uint64_t{to} << 32 | from; }
 };
 
+/// Divides the surfaces of a scene into charts.
 class ChartFinder
 {
 public:
@@ -141,7 +145,7 @@ public:
         find_edges();
     }
 
-    /// The charts of all surfaces, the one with the largest surface first.
+    /// The charts of all surfaces; that with the largest surface is the first.
     ChartList charts()
     {
         std::vector<double> areas(scene_.own_surfaces());
@@ -193,7 +197,7 @@ private:
             visit(DirectedEdge{number_[n], number_[n + 1 < end ? n + 1 : begin], surface});
     }
 
-    /// Appends the surfaces of the chart with this number, which begins with `seed`.
+    /// Flood fill from `seed`: appends the surfaces of chart `number`.
     Chart flooded(std::uint32_t seed, std::uint32_t number, std::vector<std::uint32_t>& surfaces)
     {
         Chart chart;
@@ -214,8 +218,8 @@ private:
         return chart;
     }
 
-    /// A free surface beyond an edge in the plane of `seed`, unless the chart of `seed` has one there: two would cover
-    /// each other.
+    /// A surface without a chart that lies beyond an edge in the plane of `seed`. Nothing if the chart of `seed`
+    /// already has a surface there, since the two would overlap.
     std::optional<std::uint32_t> coplanar_neighbour(const DirectedEdge& edge, std::uint32_t seed, Vec3 normal) const
     {
         std::optional<std::uint32_t> found;
@@ -232,7 +236,7 @@ private:
 
     bool is_coplanar(std::uint32_t s, std::uint32_t seed, Vec3 normal) const
     {
-        constexpr double least_cosine = 0.99; // normals of small faces are less exact than their corners
+        constexpr double least_cosine = 0.99; // loose: normals of small faces are less exact than their corners
         const std::vector<std::uint32_t>& material = scene_.file().material;
         const Surface& surface = scene_.surfaces()[s];
         const Vec3 origin = scene_.surfaces()[seed].origin;
@@ -244,7 +248,8 @@ private:
         return true;
     }
 
-    /// x along the longest edge of the seed or across it, so that the rectangle lies on its longer side.
+    /// Sets axes and rectangle of a chart. One axis is parallel to the longest edge of the seed, and x is that along
+    /// which the rectangle is longer.
     void lay_axes(Chart& chart, std::uint32_t seed, Vec3 normal, const std::vector<std::uint32_t>& surfaces) const
     {
         const Surface& largest = scene_.surfaces()[seed];
@@ -256,7 +261,7 @@ private:
         chart.along_x = normalized(longest);
         chart.along_y = normalized(cross(normal, chart.along_x));
 
-        Bounds box; // x and y in the chart
+        Bounds box; // in chart coordinates
         for (std::size_t n = chart.first; n < chart.first + chart.count; ++n) {
             const Surface& surface = scene_.surfaces()[surfaces[n]];
             for (const auto& [u, v] : square_corners(surface.shape)) {
@@ -280,24 +285,25 @@ private:
 
     const Scene& scene_;
     double tolerance_;                      ///< [scene units]
-    std::vector<std::uint32_t> chart_;      ///< per surface
-    std::vector<std::size_t> first_corner_; ///< per surface, and the end
-    std::vector<std::uint32_t> number_;     ///< per corner, of its place
-    std::vector<DirectedEdge> edges_;       ///< sorted
+    std::vector<std::uint32_t> chart_;      ///< per surface; no_chart if it has none yet
+    std::vector<std::size_t> first_corner_; ///< per surface, and one past the end
+    std::vector<std::uint32_t> number_;     ///< per corner: index after welding
+    std::vector<DirectedEdge> edges_;       ///< sorted by key
 };
 
 // --------------------------------------------------------------------------------------------------------- packing
 
 constexpr std::uint32_t chart_margin = 2; ///< [texel] on each side of a chart
 
-/// How many texels a length takes, from middle to middle.
+/// Extent of a chart in the atlas along one axis.
 struct ChartExtent
 {
     double scale = 0.0;       ///< [texel / scene unit]
-    std::uint32_t texels = 0; ///< with margins
+    std::uint32_t texels = 0; ///< including margins
 };
 
-/// At least one texel from edge to edge, which is two texels wide.
+/// Extent of a chart of this length [scene units]. Its edges lie on texel centres at least one texel apart, so that a
+/// shorter chart is stretched and covers two texels.
 ChartExtent chart_extent(double length, double scale)
 {
     constexpr double rounding = 1e-9;
@@ -306,21 +312,21 @@ ChartExtent chart_extent(double length, double scale)
     return {stretched, static_cast<std::uint32_t>(std::max(1.0, steps)) + 1 + 2 * chart_margin};
 }
 
-/// A corner of a rectangle [texel].
-struct AtlasPlace
+/// The lower left corner of a rectangle in the atlas [texel].
+struct AtlasPosition
 {
     std::uint32_t x = 0;
     std::uint32_t y = 0;
 };
 
-/// The upper outline of the rectangles placed so far in a square.
+/// Skyline of a square: the upper outline of the rectangles placed so far.
 class AtlasSkyline
 {
 public:
     explicit AtlasSkyline(std::uint32_t size) : size_(size), steps_({{0, 0, size}}) {}
 
-    /// The lowest place for a rectangle, of several the leftmost.
-    std::optional<AtlasPlace> add(std::uint32_t width, std::uint32_t height)
+    /// Places a rectangle at the lowest position, of equal ones at the leftmost; nothing if it does not fit.
+    std::optional<AtlasPosition> add(std::uint32_t width, std::uint32_t height)
     {
         std::size_t best = steps_.size();
         std::uint32_t level = size_ - std::min(size_, height) + 1;
@@ -331,9 +337,9 @@ public:
             }
         if (best == steps_.size() || height > size_)
             return std::nullopt;
-        const AtlasPlace place = {steps_[best].x, level};
+        const AtlasPosition position = {steps_[best].x, level};
         raise(best, width, level + height);
-        return place;
+        return position;
     }
 
 private:
@@ -344,7 +350,7 @@ private:
         std::uint32_t width;
     };
 
-    /// The highest step under a width from step n on; `limit` if it is not lower than that.
+    /// Height of the highest step below a rectangle of this width that starts at step n, or `limit` if that is lower.
     std::uint32_t level_over(std::size_t n, std::uint32_t width, std::uint32_t limit) const
     {
         std::uint32_t y = 0;
@@ -357,19 +363,20 @@ private:
         return y;
     }
 
+    /// Raises the skyline to y over a width that starts at step n.
     void raise(std::size_t n, std::uint32_t width, std::uint32_t y)
     {
         const std::uint32_t x = steps_[n].x;
         const std::uint32_t end = x + width;
-        std::size_t behind = n;
-        while (behind < steps_.size() && steps_[behind].x + steps_[behind].width <= end)
-            ++behind;
-        if (behind < steps_.size()) {
-            steps_[behind].width -= end - std::min(end, std::max(steps_[behind].x, x));
-            steps_[behind].x = std::max(steps_[behind].x, end);
+        std::size_t past = n;
+        while (past < steps_.size() && steps_[past].x + steps_[past].width <= end)
+            ++past;
+        if (past < steps_.size()) {
+            steps_[past].width -= end - std::min(end, std::max(steps_[past].x, x));
+            steps_[past].x = std::max(steps_[past].x, end);
         }
         const auto at = [&](std::size_t k) { return steps_.begin() + static_cast<std::ptrdiff_t>(k); };
-        steps_.insert(steps_.erase(at(n), at(behind)), {x, y, width});
+        steps_.insert(steps_.erase(at(n), at(past)), {x, y, width});
         if (n + 1 < steps_.size() && steps_[n + 1].y == y) {
             steps_[n].width += steps_[n + 1].width;
             steps_.erase(at(n + 1));
@@ -384,14 +391,15 @@ private:
     std::vector<Step> steps_; ///< from left to right, without gaps
 };
 
-/// Where the charts lie in an atlas: that with number n at places[n], its back at places[charts + n].
+/// The positions of the charts in an atlas: the front of chart n at positions[n], its back at positions[charts + n].
 struct AtlasPacking
 {
-    std::uint32_t size = 0;
-    double scale = 0.0; ///< [texel / scene unit]
-    std::vector<AtlasPlace> places;
+    std::uint32_t size = 0; ///< [texel]
+    double scale = 0.0;     ///< [texel / scene unit]
+    std::vector<AtlasPosition> positions;
 };
 
+/// Packs the charts at a given scale; nothing if they do not fit.
 std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const std::vector<std::uint32_t>& tallest_first,
                                       std::uint32_t size, double scale)
 {
@@ -402,20 +410,20 @@ std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const st
     }
     if (area > static_cast<double>(size) * size)
         return std::nullopt;
-    AtlasPacking packing{size, scale, std::vector<AtlasPlace>(tallest_first.size())};
+    AtlasPacking packing{size, scale, std::vector<AtlasPosition>(tallest_first.size())};
     AtlasSkyline skyline(size);
     for (const std::uint32_t n : tallest_first) {
         const Chart& chart = charts[n % charts.size()];
-        const auto place =
+        const auto position =
             skyline.add(chart_extent(chart.width, scale).texels, chart_extent(chart.height, scale).texels);
-        if (!place)
+        if (!position)
             return std::nullopt;
-        packing.places[n] = *place;
+        packing.positions[n] = *position;
     }
     return packing;
 }
 
-/// At the largest scale that bisection finds; nothing if even the least sizes of charts do not fit.
+/// Packs the charts at the largest scale that bisection finds; nothing if they do not fit even at their minimum sizes.
 std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, bool two_sided, std::uint32_t size)
 {
     std::vector<std::uint32_t> tallest_first((two_sided ? 2 : 1) * charts.size());
@@ -447,8 +455,9 @@ std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, bool two_si
     return best;
 }
 
-/// How the surface lies on the atlas if its chart lies at a place.
-TextureFrame atlas_frame(const Surface& surface, const Chart& chart, AtlasPlace place, const AtlasPacking& packing)
+/// Texture frame of a surface whose chart lies at a position of the atlas.
+TextureFrame atlas_frame(const Surface& surface, const Chart& chart, AtlasPosition position,
+                         const AtlasPacking& packing)
 {
     const double across = chart_extent(chart.width, packing.scale).scale;
     const double up = chart_extent(chart.height, packing.scale).scale;
@@ -457,7 +466,7 @@ TextureFrame atlas_frame(const Surface& surface, const Chart& chart, AtlasPlace 
     };
     constexpr double to_middle = chart_margin + 0.5;
     const TexturePoint origin = direction(surface.origin - chart.corner);
-    return {{origin.s + (place.x + to_middle) / packing.size, origin.t + (place.y + to_middle) / packing.size},
+    return {{origin.s + (position.x + to_middle) / packing.size, origin.t + (position.y + to_middle) / packing.size},
             direction(surface.edge_u),
             direction(surface.edge_v),
             true};
@@ -465,15 +474,15 @@ TextureFrame atlas_frame(const Surface& surface, const Chart& chart, AtlasPlace 
 
 // ----------------------------------------------------------------------------------------------------------- light
 
-/// A point of a surface, and how far it is from where it was looked for.
+/// The point of a surface nearest to a query point.
 struct NearestPoint
 {
     double u = 0.0;
     double v = 0.0;
-    double distance2 = 0.0; ///< [texel^2]
+    double distance2 = 0.0; ///< [texel^2] squared distance to the query point
 };
 
-/// A side of a surface in an atlas, in texels from its lower left corner.
+/// A side of a surface as a polygon in the atlas, in texels from the lower left corner of the atlas.
 class AtlasSide
 {
 public:
@@ -523,7 +532,7 @@ private:
     double determinant_;
 };
 
-/// Fills a lightmap whose frames are known.
+/// Computes the texels of a lightmap whose frames are known.
 class AtlasPainter
 {
 public:
@@ -532,7 +541,7 @@ public:
     {
     }
 
-    /// Which side every texel belongs to: that in which its middle lies, or the nearest of those within the margin.
+    /// Finds the owner of every texel: the side that contains its centre, or else the nearest one within the margin.
     void find_owners(const ChartList& list, int threads)
     {
         const auto charts = static_cast<std::uint32_t>(list.charts.size());
@@ -543,6 +552,7 @@ public:
         });
     }
 
+    /// Computes the light of all texels.
     void paint(const SurfaceLight& light, int threads)
     {
         parallel_numbers_by(8, size_, threads, [&](std::uint32_t y) {
@@ -565,7 +575,7 @@ private:
         });
     }
 
-    // Rows are counted from below, as texture coordinates are; the picture begins at the top.
+    // Rows are counted from the bottom, like texture coordinates; the picture is stored from the top.
     std::size_t index(std::uint32_t x, std::uint32_t y) const { return std::size_t{size_ - 1 - y} * size_ + x; }
     std::uint32_t& owner(std::uint32_t x, std::uint32_t y) { return owner_[index(x, y)]; }
     Rgb& texel(std::uint32_t x, std::uint32_t y) { return map_.texels[index(x, y)]; }
@@ -576,10 +586,10 @@ private:
         return {scene_.surfaces()[surface_of(number)].shape, map_.frames[number], size_};
     }
 
-    /// Gives a side the texels that are nearer to it than to those before.
+    /// Makes a side the owner of the texels in its reach that are nearer to it than to their present owner.
     void claim(std::uint32_t number)
     {
-        // [texel^2] To the corner of the margin; a chart may end anywhere in its last texel.
+        // [texel^2] Squared distance to the corner of the margin; a chart may end anywhere in its last texel.
         constexpr double reach2 = 2.0 * (chart_margin + 1) * (chart_margin + 1);
         const AtlasSide side = side_of(number);
         const Bounds box = side.bounds();
@@ -594,7 +604,7 @@ private:
             }
     }
 
-    /// One sample, of a textured surface as many as make a fine texture smooth.
+    /// [W/m^2] Light of a texel: one sample at its centre, or the mean of a grid of samples on a textured surface.
     Rgb mean_light(std::uint32_t number, std::uint32_t x, std::uint32_t y, const SurfaceLight& light) const
     {
         constexpr std::uint32_t texture_samples = 4; // in each direction
@@ -604,13 +614,13 @@ private:
         Rgb sum;
         for (std::uint32_t j = 0; j < samples; ++j)
             for (std::uint32_t i = 0; i < samples; ++i) {
-                const NearestPoint place = side.nearest(x + (i + 0.5) / samples, y + (j + 0.5) / samples);
-                sum += light(surface, number < scene_.own_surfaces(), place.u, place.v);
+                const NearestPoint point = side.nearest(x + (i + 0.5) / samples, y + (j + 0.5) / samples);
+                sum += light(surface, number < scene_.own_surfaces(), point.u, point.v);
             }
         return 1.0 / (samples * samples) * sum;
     }
 
-    /// The mean: small copies of the picture mix it with what lies near.
+    /// Sets texels without an owner to the mean of the others, since mipmaps blend them with charts.
     void fill_free_texels()
     {
         Rgb sum;
@@ -628,9 +638,10 @@ private:
     const Scene& scene_;
     Lightmap& map_;
     std::uint32_t size_;
-    std::vector<std::uint32_t> owner_; ///< per texel, index of a frame
+    std::vector<std::uint32_t> owner_; ///< per texel: index of a frame, or nobody
 };
 
+/// [1] Share of the atlas that lies on a surface.
 double share_on_surfaces(const Scene& scene, const Lightmap& map)
 {
     double area = 0.0; // [texel^2]
@@ -647,14 +658,14 @@ struct LightmapSide
     bool front = true;
 };
 
-/// The sides that show a material.
+/// The sides with one material.
 struct LightmapPart
 {
     std::uint32_t material = 0;
     std::vector<LightmapSide> sides;
 };
 
-/// Of the materials that are used, in the order of the scene's; of a surface the front first.
+/// The parts of all used materials, in the order of the scene's materials; the front of a surface before its back.
 std::vector<LightmapPart> lightmap_parts(const Scene& scene)
 {
     std::vector<LightmapPart> parts(scene.materials().size());
@@ -670,7 +681,7 @@ std::vector<LightmapPart> lightmap_parts(const Scene& scene)
     return parts;
 }
 
-/// Calls visit(u, v) for the corners of a side, counter-clockwise for who sees it.
+/// Calls visit(u, v) for the corners of a side, counter-clockwise seen from that side.
 template <class Visit>
 void for_each_corner(const Scene& scene, LightmapSide side, const Visit& visit)
 {
@@ -681,23 +692,23 @@ void for_each_corner(const Scene& scene, LightmapSide side, const Visit& visit)
     }
 }
 
-// Numbers that stand for words in glTF.
+// Constants of glTF.
 constexpr std::uint64_t gltf_float = 5126;
 constexpr std::uint64_t gltf_unsigned = 5125;
 constexpr std::uint64_t gltf_vertices = 34962;
 constexpr std::uint64_t gltf_triangles = 34963;
-constexpr std::uint64_t gltf_linear = 9729; ///< filter, without smaller copies: they would mix charts
+constexpr std::uint64_t gltf_linear = 9729; ///< filter without mipmaps, which would blend charts
 constexpr std::uint64_t gltf_clamp = 33071;
 constexpr std::uint64_t gltf_repeat = 10497;
 
-/// Numbers of one kind, part after part: a buffer view of a GLB.
+/// A buffer view of a GLB: values of one attribute, or vertex indices, part after part.
 struct GltfView
 {
     std::string bytes;
-    std::size_t stride = 0; ///< [byte] 0: of no attribute
+    std::size_t stride = 0; ///< [byte] per vertex; 0 for indices
 };
 
-/// The surfaces as a GLB describes them.
+/// The surfaces as buffer views, accessors and meshes of a GLB.
 class LightmapMesh
 {
 public:
@@ -710,7 +721,7 @@ public:
     const std::vector<GltfView>& views() const { return views_; }
     const std::vector<JsonObject>& accessors() const { return accessors_; }
     const std::vector<JsonObject>& meshes() const { return meshes_; }
-    const std::vector<std::uint32_t>& materials() const { return materials_; } ///< of the scene, one per mesh
+    const std::vector<std::uint32_t>& materials() const { return materials_; } ///< the scene's material of each mesh
 
 private:
     enum View : std::size_t { positions, triangles, atlas_points, texture_points };
@@ -753,11 +764,11 @@ private:
                 ++vertices;
             });
         const std::size_t number = add_accessor(positions, before, gltf_float, vertices, "VEC3");
-        accessors_.back().numbers("min", low).numbers("max", high); // which the format wants of positions
+        accessors_.back().numbers("min", low).numbers("max", high); // required by the format for positions
         return number;
     }
 
-    /// Texture coordinates, in glTF from the top.
+    /// Adds texture coordinates, in glTF measured from the top.
     template <class FrameOf>
     std::size_t add_points(View view, const LightmapPart& part, const FrameOf& frame_of)
     {
@@ -801,17 +812,17 @@ private:
 
     const Scene& scene_;
     const Lightmap& map_;
-    std::vector<GltfView> views_ = {{"", 12}, {"", 0}, {"", 8}, {"", 8}}; ///< by View
+    std::vector<GltfView> views_ = {{"", 12}, {"", 0}, {"", 8}, {"", 8}}; ///< indexed by View
     std::vector<JsonObject> accessors_;
     std::vector<JsonObject> meshes_;
     std::vector<std::uint32_t> materials_;
 };
 
-/// The binary chunk of a GLB: numbers and files one after the other, each at a multiple of four bytes.
+/// The binary chunk of a GLB: buffer views and files, each padded to a multiple of four bytes.
 class GltfChunk
 {
 public:
-    /// Returns the number of the buffer view.
+    /// Appends a file and returns the index of its buffer view.
     std::size_t add(const std::string& content)
     {
         views_.push_back(
@@ -835,7 +846,7 @@ private:
     std::vector<JsonObject> views_;
 };
 
-/// `texture`: number of the material's own one in the file, if it is there.
+/// A material that shows the atlas. `texture`: index of the material's own texture in the file, if included.
 JsonObject lightmap_material(const Material& material, std::optional<std::size_t> texture)
 {
     const auto channels = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
@@ -855,7 +866,8 @@ JsonObject lightmap_material(const Material& material, std::optional<std::size_t
         .object("extras", extras);
 }
 
-/// Images, samplers and textures of the same numbers: first the atlas, then the scene's own.
+/// Adds images, samplers and textures, first for the atlas, then for the scene's own textures; those of one texture
+/// have the same index.
 void add_lightmap_images(JsonObject& description, const Scene& scene, const std::string& atlas_png,
                          const std::vector<ImageFile>& images, GltfChunk& chunk)
 {
@@ -878,7 +890,7 @@ void add_lightmap_images(JsonObject& description, const Scene& scene, const std:
     description.objects("images", files).objects("samplers", samplers).objects("textures", textures);
 }
 
-/// One node for each mesh, then one for each camera.
+/// Adds one node for each mesh, then one for each camera.
 void add_lightmap_nodes(JsonObject& description, const Scene& scene, const LightmapMesh& mesh,
                         const std::vector<GlbCamera>& cameras)
 {
@@ -897,7 +909,8 @@ void add_lightmap_nodes(JsonObject& description, const Scene& scene, const Light
         description.objects("cameras", lenses);
 }
 
-/// A GLB of these two chunks (glTF 2.0 specification, chapter 4).
+/// Bytes of a GLB with these two chunks (glTF 2.0 specification, chapter 4). `path` is for messages. Throws InputError
+/// for 4 GB or more.
 std::string glb_file(std::string json, const std::string& binary, const std::string& path)
 {
     json.append((4 - json.size() % 4) % 4, ' ');
@@ -914,12 +927,13 @@ std::string glb_file(std::string json, const std::string& binary, const std::str
     return bytes.append("BIN\0", 4).append(binary);
 }
 
-void append_obj_corner(std::string& text, Vec3 p, TexturePoint place)
+/// Appends the `v` and `vt` lines of a corner.
+void append_obj_corner(std::string& text, Vec3 p, TexturePoint texture)
 {
     std::array<char, 160> lines{};
     const auto plain = [](double x) { return x + 0.0; }; // never "-0"
     const int length = std::snprintf(lines.data(), lines.size(), "v %.7g %.7g %.7g\nvt %.7g %.7g\n", plain(p.x),
-                                     plain(p.y), plain(p.z), place.s, place.t);
+                                     plain(p.y), plain(p.z), texture.s, texture.t);
     text.append(lines.data(), static_cast<std::size_t>(length));
 }
 
@@ -944,15 +958,15 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
     map.width = size;
     map.height = size;
     map.texels.resize(std::size_t{size} * size);
-    map.chart_count = static_cast<std::uint32_t>(packing->places.size());
+    map.chart_count = static_cast<std::uint32_t>(packing->positions.size());
     map.texels_per_unit = packing->scale;
     map.frames.resize((scene.two_sided() ? 2 : 1) * std::size_t{scene.own_surfaces()});
-    for (std::size_t n = 0; n < packing->places.size(); ++n) {
+    for (std::size_t n = 0; n < packing->positions.size(); ++n) {
         const Chart& chart = list.charts[n % list.charts.size()];
         const std::size_t first_side = n < list.charts.size() ? 0 : scene.own_surfaces();
         for (std::size_t k = chart.first; k < chart.first + chart.count; ++k) {
             const std::uint32_t s = list.surfaces[k];
-            map.frames[first_side + s] = atlas_frame(scene.surfaces()[s], chart, packing->places[n], *packing);
+            map.frames[first_side + s] = atlas_frame(scene.surfaces()[s], chart, packing->positions[n], *packing);
         }
     }
     map.used_share = share_on_surfaces(scene, map);
@@ -970,7 +984,7 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
     const LightmapMesh mesh(scene, map);
     GltfChunk chunk;
     for (const GltfView& view : mesh.views())
-        if (!view.bytes.empty()) // only the last may be
+        if (!view.bytes.empty()) // only the last can be empty
             chunk.add(view);
 
     std::vector<JsonObject> materials;
@@ -1020,7 +1034,7 @@ std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::str
 std::string lightmap_mtl(const Scene& scene, const std::string& png_name)
 {
     std::string text;
-    for (const LightmapPart& part : lightmap_parts(scene)) // illum 0: colour as it is, without lights
+    for (const LightmapPart& part : lightmap_parts(scene)) // illum 0: constant colour, without lights
         text += "newmtl " + scene.materials()[part.material].name + "\nKa 0 0 0\nKd 1 1 1\nillum 0\nmap_Kd " +
                 png_name + "\n";
     return text;

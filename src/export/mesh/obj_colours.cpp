@@ -9,7 +9,7 @@ namespace multipath {
 
 namespace {
 
-/// Seven digits: what a float is good for.
+/// Appends a vertex line, with seven significant digits as positions are floats.
 void append_vertex(std::string& text, Float3 position, Rgb colour)
 {
     std::array<char, 128> line{};

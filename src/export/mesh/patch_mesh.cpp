@@ -1,6 +1,7 @@
-// Surfaces are cut one by one. Two that share a whole edge are cut alike there, but one wall beside two, or a triangle
-// beside a rectangle, are not: a corner of one then lies on an edge of the other, and drawn in single precision, they
-// leave gaps of a fraction of a pixel. So every edge on the rim of a side gets the corners that others have on it.
+// Surfaces are tessellated one by one. Two surfaces that share a whole edge have the same corners on it, but a long
+// wall beside two short ones, or a triangle beside a rectangle, do not. A corner of one surface then lies on an edge of
+// the other (T-junction), and in single precision there are cracks of a fraction of a pixel. The mesh is therefore
+// stitched: every edge on the rim of a side gets the corners of other sides that lie on it.
 
 #include "export/mesh/patch_mesh.h"
 
@@ -21,15 +22,16 @@ namespace multipath {
 
 namespace {
 
-constexpr double coinciding = 1e-6; ///< of the scene's diagonal: closer corners are one
+constexpr double coinciding = 1e-6; ///< share of the scene's diagonal; corners at most this far apart coincide
 
+/// True if the point of the grid lies on the surface's rim.
 bool on_rim(const Tessellation& cut, GridPoint a)
 {
     const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.grid_u();
     return slanted || a.i == 0 || a.i == cut.grid_u() || a.j == 0 || a.j == cut.grid_v();
 }
 
-/// True if the edge between two neighbours on the grid is part of the surface's rim.
+/// True if the edge between two neighbouring points of the grid is part of the surface's rim.
 bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
 {
     const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.grid_u() && b.i + b.j == cut.grid_u();
@@ -37,25 +39,25 @@ bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
            (a.j == b.j && (a.j == 0 || a.j == cut.grid_v()));
 }
 
-/// The edge of a face from one of its corners to the next, on the rim of its side.
+/// An edge of a face on the rim of its side, from one corner of the face to the next.
 struct RimEdge
 {
     std::uint32_t face = 0;
     std::uint32_t corner = 0; ///< 0 to 3
 };
 
-/// The rims of all sides, along which they are joined.
+/// The rims of all sides, along which they are stitched.
 struct Rims
 {
     std::vector<RimEdge> edges;          ///< in the order of the faces
     std::vector<std::uint32_t> vertices; ///< in the order of the vertices
 };
 
-/// Numbered points in a hash table of the cells of a regular grid.
+/// Points with indices in a hash table of the cells of a regular grid.
 class PointGrid
 {
 public:
-    /// The edge of a cell and how many points to expect.
+    /// `cell`: edge of a cell [scene units]; `expected`: number of points to reserve memory for.
     PointGrid(double cell, std::size_t expected) : cell_(cell) { points_.reserve(expected); }
 
     void insert(Vec3 point, std::uint32_t number)
@@ -63,7 +65,7 @@ public:
         points_[key(index(point.x), index(point.y), index(point.z))].push_back(number);
     }
 
-    /// Calls visit(number) for all points in a box, and for others in the same cells.
+    /// Calls visit(number) for all points in the cells that overlap a box.
     template <class Visit>
     void visit_box(Vec3 low, Vec3 high, const Visit& visit) const
     {
@@ -89,30 +91,30 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> points_;
 };
 
-/// A place on the rim of a side where a corner of another side lies.
+/// A T-junction: a corner of another side on an edge of the rim.
 struct EdgeCut
 {
     RimEdge edge;
-    double share = 0.0;       ///< of the way along the edge, in (0, 1)
-    std::uint32_t vertex = 0; ///< of the other side
+    double share = 0.0;       ///< [1] position along the edge, in (0, 1)
+    std::uint32_t vertex = 0; ///< vertex of the other side
 };
 
-/// A vertex's part in a mixture.
-struct Share
+/// A vertex with its weight in an interpolation.
+struct VertexWeight
 {
     std::uint32_t vertex = 0;
     double weight = 0.0;
 };
 
-Float3 mixed(const std::vector<Float3>& values, const std::vector<Share>& mixture)
+Float3 interpolated(const std::vector<Float3>& values, const std::vector<VertexWeight>& weights)
 {
     Rgb sum;
-    for (const Share& share : mixture)
-        sum += share.weight * to_rgb(values[share.vertex]);
+    for (const VertexWeight& w : weights)
+        sum += w.weight * to_rgb(values[w.vertex]);
     return single(sum);
 }
 
-/// Copies a mesh side by side.
+/// Copies a mesh side by side and splits the faces that have cuts.
 class CutMesh
 {
 public:
@@ -150,16 +152,16 @@ private:
         result_.faces.push_back(face);
     }
 
-    std::uint32_t add_vertex(Float3 position, const std::vector<Share>& mixture)
+    std::uint32_t add_vertex(Float3 position, const std::vector<VertexWeight>& weights)
     {
         result_.positions.push_back(position);
-        result_.radiosity.push_back(mixed(whole_.radiosity, mixture));
+        result_.radiosity.push_back(interpolated(whole_.radiosity, weights));
         if (!whole_.error.empty())
-            result_.error.push_back(mixed(whole_.error, mixture));
+            result_.error.push_back(interpolated(whole_.error, weights));
         return static_cast<std::uint32_t>(result_.positions.size() - 1);
     }
 
-    /// All around a face, its own corners and the cuts; these it takes.
+    /// The vertices around a face: its own corners and the cuts on its edges, which are added as vertices.
     std::vector<std::uint32_t> rim_of(const MeshFace& face, std::size_t number)
     {
         std::vector<std::uint32_t> rim;
@@ -175,27 +177,27 @@ private:
         return rim;
     }
 
-    /// Around the middle no triangle is degenerate, wherever the cuts are.
+    /// Adds a fan of triangles around the centroid of a face: none of them is degenerate, wherever the cuts are.
     void add_fan(const MeshFace& face, const std::vector<std::uint32_t>& rim)
     {
-        std::vector<Share> corners;
+        std::vector<VertexWeight> corners;
         for (const std::uint32_t corner : face)
             corners.push_back({corner, 1.0 / face.corner_count});
-        const std::uint32_t middle = add_vertex(mixed(whole_.positions, corners), corners);
+        const std::uint32_t middle = add_vertex(interpolated(whole_.positions, corners), corners);
         for (std::size_t n = 0; n < rim.size(); ++n)
             result_.faces.push_back({{middle, rim[n], rim[(n + 1) % rim.size()], 0}, 3, face.patch});
     }
 
     const PatchMesh& whole_;
     const std::vector<EdgeCut>& cuts_;
-    std::size_t next_ = 0;    ///< the first cut that is not yet made
-    std::uint32_t shift_ = 0; ///< from old numbers of the side's vertices to new ones
+    std::size_t next_ = 0;    ///< index of the next cut
+    std::uint32_t shift_ = 0; ///< from old indices of the side's vertices to new ones
     PatchMesh result_;
 };
 
-/// The mesh with every face that has cuts replaced by triangles around its middle, which meet the other side's corners.
-/// Cuts are in the order of faces, of a face's corners, and along each edge. New vertices have the values [W/m^2] of
-/// where they are.
+/// Replaces every face that has cuts by a fan of triangles around its centroid, which uses the corners of the other
+/// sides. Cuts must be sorted by face, corner and position along the edge. The values [W/m^2] of new vertices are
+/// interpolated.
 PatchMesh with_cuts(const PatchMesh& mesh, const std::vector<EdgeCut>& cuts)
 {
     CutMesh result(mesh, cuts);
@@ -220,28 +222,28 @@ double mean_length(const PatchMesh& mesh, const Rims& rims)
     return sum / static_cast<double>(rims.edges.size());
 }
 
-/// Moves the corners on rims to the first one within the tolerance, and returns all such places.
+/// Welds the vertices on rims: moves each to the first one within the tolerance. Returns the distinct positions.
 PointGrid join_corners(PatchMesh& mesh, const Rims& rims, double cell, double tolerance)
 {
-    PointGrid places(cell, rims.vertices.size());
+    PointGrid points(cell, rims.vertices.size());
     const Vec3 margin = {tolerance, tolerance, tolerance};
     for (const std::uint32_t vertex : rims.vertices) {
         const Vec3 here = to_vec3(mesh.positions[vertex]);
         std::optional<std::uint32_t> earliest;
-        places.visit_box(here - margin, here + margin, [&](std::uint32_t other) {
+        points.visit_box(here - margin, here + margin, [&](std::uint32_t other) {
             if (length(to_vec3(mesh.positions[other]) - here) <= tolerance)
                 earliest = earliest ? std::min(*earliest, other) : other;
         });
         if (earliest)
             mesh.positions[vertex] = mesh.positions[*earliest];
         else
-            places.insert(here, vertex);
+            points.insert(here, vertex);
     }
-    return places;
+    return points;
 }
 
-/// The places inside an edge, from its first corner to its second.
-std::vector<EdgeCut> cuts_of(const PatchMesh& mesh, RimEdge edge, const PointGrid& places, double cell,
+/// The points that lie on an edge between its ends, sorted from its first corner to its second.
+std::vector<EdgeCut> cuts_of(const PatchMesh& mesh, RimEdge edge, const PointGrid& points, double cell,
                              double tolerance)
 {
     const auto [first, second] = ends_of(mesh, edge);
@@ -249,13 +251,13 @@ std::vector<EdgeCut> cuts_of(const PatchMesh& mesh, RimEdge edge, const PointGri
     const Vec3 along = to_vec3(mesh.positions[second]) - start;
     const double extent = length(along);
     const Vec3 margin = {tolerance, tolerance, tolerance};
-    const double steps = std::max(1.0, std::ceil(extent / cell)); // many small boxes: a large one has too many cells
+    const double steps = std::max(1.0, std::ceil(extent / cell)); // small boxes, as a large one overlaps too many cells
     std::vector<EdgeCut> cuts;
     for (double step = 0.0; step < steps; step += 1.0) {
         Bounds box;
         box.include(start + step / steps * along);
         box.include(start + (step + 1.0) / steps * along);
-        places.visit_box(box.low - margin, box.high + margin, [&](std::uint32_t vertex) {
+        points.visit_box(box.low - margin, box.high + margin, [&](std::uint32_t vertex) {
             const Vec3 way = to_vec3(mesh.positions[vertex]) - start;
             const double share = dot(way, along) / (extent * extent);
             const bool inside = share * extent > tolerance && (1.0 - share) * extent > tolerance;
@@ -269,24 +271,24 @@ std::vector<EdgeCut> cuts_of(const PatchMesh& mesh, RimEdge edge, const PointGri
     return cuts;
 }
 
-/// The mesh without cracks: where corners of sides lie within `tolerance` [scene units] they come to lie in one place,
-/// and a face on whose edge another side has a corner is cut into triangles that meet there. Colours stay as they were:
-/// new corners get the values of where they are.
-PatchMesh sewn(PatchMesh mesh, const Rims& rims, double tolerance)
+/// Removes the cracks between sides. Corners of different sides within `tolerance` [scene units] get the same position,
+/// and a face with a corner of another side on its edge is split into triangles that meet there. Colours do not change,
+/// since the values of new vertices are interpolated.
+PatchMesh stitched(PatchMesh mesh, const Rims& rims, double tolerance)
 {
     if (rims.edges.empty())
         return mesh;
     const double cell = std::max(2.0 * mean_length(mesh, rims), tolerance);
-    const PointGrid places = join_corners(mesh, rims, cell, tolerance);
+    const PointGrid points = join_corners(mesh, rims, cell, tolerance);
     std::vector<EdgeCut> cuts;
     for (const RimEdge edge : rims.edges) {
-        const std::vector<EdgeCut> more = cuts_of(mesh, edge, places, cell, tolerance);
+        const std::vector<EdgeCut> more = cuts_of(mesh, edge, points, cell, tolerance);
         cuts.insert(cuts.end(), more.begin(), more.end());
     }
     return cuts.empty() ? mesh : with_cuts(mesh, cuts);
 }
 
-/// Adds sides to a mesh, patch by patch.
+/// Builds a mesh side by side.
 class MeshBuilder
 {
 public:
@@ -315,8 +317,8 @@ public:
                                first_face, mesh_.faces.size() - first_face});
     }
 
-    /// Of all sides that were added.
-    PatchMesh joined(double tolerance) && { return sewn(std::move(mesh_), rims_, tolerance); }
+    /// The mesh of all sides that were added, without cracks between them.
+    PatchMesh joined(double tolerance) && { return stitched(std::move(mesh_), rims_, tolerance); }
 
 private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -340,7 +342,7 @@ private:
         mesh_.faces.push_back(face);
     }
 
-    /// The latest vertex at this point if it has these values, else a new one.
+    /// The latest vertex at this point of the grid if it has these values, otherwise a new one.
     std::uint32_t vertex(std::uint32_t surface, GridPoint point, Float3 radiosity, Float3 error)
     {
         const Tessellation& tessellation = scene_.tessellation(surface);
@@ -366,10 +368,10 @@ private:
     const CornerFunction& radiosity_;
     const CornerFunction& error_;
     std::vector<bool> covered_; ///< per patch
-    /// The side has covered patches, or patches of different sizes: every edge may be on the rim of a hole, or have
-    /// corners of smaller patches on it.
+    /// True if the side has covered patches or patches of different sizes. Then every edge may be on the rim of a hole,
+    /// or have corners of smaller patches on it.
     bool has_inner_rims_ = false;
-    std::unordered_map<std::uint64_t, std::uint32_t> latest_; ///< by point of the side's grid
+    std::unordered_map<std::uint64_t, std::uint32_t> latest_; ///< latest vertex per point of the side's grid
     PatchMesh mesh_;
     Rims rims_;
 };

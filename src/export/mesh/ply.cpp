@@ -6,6 +6,7 @@ namespace multipath {
 
 namespace {
 
+/// A header line for each property of this type.
 std::string properties(const std::string& type, const std::vector<std::string>& names)
 {
     std::string lines;
@@ -26,7 +27,7 @@ std::string ply_header(const PatchMesh& mesh, const std::vector<std::string>& co
     if (!mesh.error.empty())
         text += properties("float", {"error_r", "error_g", "error_b"});
     text += "element face " + std::to_string(mesh.faces.size()) + "\n";
-    // Signed numbers, since not all readers know lists of uint.
+    // Signed indices, since not all readers support lists of uint.
     text += "property list uchar int vertex_indices\nproperty int patch\n" + radiosity;
     return text + "end_header\n";
 }

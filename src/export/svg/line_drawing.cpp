@@ -1,5 +1,5 @@
-// Two parallel projections of one scale, side by side: from above, with the depth of the scene down the page, and from
-// the side. What lies to the right in one lies to the right in the other.
+// A drawing consists of two parallel projections of the same scale, side by side: from above, with the depth of the
+// scene down the page, and from the side. Both have the same axis to the right.
 
 #include "export/svg/line_drawing.h"
 
@@ -35,8 +35,8 @@ std::string decimal(double value)
     return text.data();
 }
 
-/// "M12.5 7.0"
-std::string place(char command, SvgPoint p)
+/// A path command with a point: "M12.5 7.0".
+std::string command_to(char command, SvgPoint p)
 {
     return command + decimal(p.x) + " " + decimal(p.y);
 }
@@ -52,15 +52,15 @@ std::string stroke(const std::string& colour, const char* rest)
     return " fill=\"none\" stroke=\"" + colour + "\" " + rest;
 }
 
-/// A projection along one direction of the scene into a square of the page.
+/// A parallel projection of the scene into a square of the page.
 struct View
 {
     std::string name;
-    Vec3 right; ///< unit vectors in the scene
-    Vec3 down;
+    Vec3 right; ///< unit vector in the scene
+    Vec3 down;  ///< unit vector in the scene
     Vec3 centre;
-    double scale; ///< [px / scene unit]
-    SvgPoint middle;
+    double scale;    ///< [px / scene unit]
+    SvgPoint middle; ///< projection of `centre`
 
     SvgPoint at(Vec3 p) const
     {
@@ -68,7 +68,7 @@ struct View
     }
 };
 
-/// Right, up and towards the viewer of the side view: unit vectors.
+/// Unit vectors to the right, up and towards the viewer in the view from the side.
 std::array<Vec3, 3> axes(Vec3 up_direction)
 {
     const Vec3 up = normalized(up_direction);
@@ -90,7 +90,7 @@ std::array<Surface, 6> sides(const Bounds& box)
              {Shape::parallelogram, box.high, -z, -x}}};
 }
 
-/// [scene units] Largest distance of anything drawn from the scene's centre along any of the axes.
+/// [scene units] Largest distance of anything drawn from the scene's centre, along any of the three axes.
 double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
 {
     const Bounds& box = scene.bounds();
@@ -124,16 +124,16 @@ std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& line
              {"from the side", right, -up, centre, scale, {2.0 * page_margin + 1.5 * view_size, y}}}};
 }
 
-/// All around a surface: "M12.5 7.0L...Z".
+/// Path data of the outline of a surface: "M12.5 7.0L...Z".
 std::string closed_path(const Surface& surface, const View& view)
 {
     std::string shape;
     for (const Vec3 corner : corners_of(surface))
-        shape += place(shape.empty() ? 'M' : 'L', view.at(corner));
+        shape += command_to(shape.empty() ? 'M' : 'L', view.at(corner));
     return shape + "Z";
 }
 
-/// The sides of a box, which together cover what it covers of the page.
+/// The six sides of a box, whose projections together make up that of the box.
 std::string box_shape(const Bounds& box, const View& view)
 {
     std::string shape;
@@ -142,7 +142,7 @@ std::string box_shape(const Bounds& box, const View& view)
     return svg_path(shape, " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
 }
 
-/// The edges of all surfaces. Many fall on one place of the page; that is drawn once.
+/// The edges of all surfaces. Edges with the same projection are drawn once.
 std::string scene_outlines(const Scene& scene, const View& view)
 {
     std::set<std::string> edges;
@@ -152,8 +152,8 @@ std::string scene_outlines(const Scene& scene, const View& view)
             const SvgPoint a = view.at(points[k]);
             const SvgPoint b = view.at(points[(k + 1) % points.size()]);
             const bool in_order = std::make_pair(a.x, a.y) < std::make_pair(b.x, b.y);
-            const std::string from = place('M', in_order ? a : b);
-            const std::string to = place('L', in_order ? b : a);
+            const std::string from = command_to('M', in_order ? a : b);
+            const std::string to = command_to('L', in_order ? b : a);
             if (from.substr(1) != to.substr(1))
                 edges.insert(from + to);
         }
@@ -175,7 +175,7 @@ std::string sources(const Scene& scene, const View& view)
         " fill=\"#ffdf70\" fill-opacity=\"0.7\" stroke=\"#e3a700\" stroke-width=\"2.5\" stroke-linejoin=\"round\"");
 }
 
-/// A head at the end of the stretch, also where the stretch is short.
+/// A head of constant size at the end of a segment; none if the segment is shorter than half a pixel.
 std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
 {
     const double length = elementary::hypot(to.x - from.x, to.y - from.y);
@@ -184,7 +184,8 @@ std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
     const SvgPoint back = {-9.0 * (to.x - from.x) / length, -9.0 * (to.y - from.y) / length};
     const SvgPoint one = {to.x + back.x - 0.4 * back.y, to.y + back.y + 0.4 * back.x};
     const SvgPoint other = {to.x + back.x + 0.4 * back.y, to.y + back.y - 0.4 * back.x};
-    return svg_path(place('M', one) + place('L', to) + place('L', other) + "Z", " fill=\"" + colour + "\"");
+    return svg_path(command_to('M', one) + command_to('L', to) + command_to('L', other) + "Z",
+                    " fill=\"" + colour + "\"");
 }
 
 std::string stretches(const DrawnLine& line, const View& view, const std::string& colour)
@@ -192,7 +193,7 @@ std::string stretches(const DrawnLine& line, const View& view, const std::string
     std::string bold;
     std::string thin;
     for (const DrawnStretch& stretch : line.stretches)
-        (stretch.bold ? bold : thin) += place('M', view.at(stretch.from)) + place('L', view.at(stretch.to));
+        (stretch.bold ? bold : thin) += command_to('M', view.at(stretch.from)) + command_to('L', view.at(stretch.to));
     std::string text = svg_path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
                        svg_path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
     if (!line.stretches.empty()) {

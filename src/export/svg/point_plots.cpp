@@ -42,11 +42,12 @@ struct PlotGrid
                 {up, 0.0, 1.0, ticks}};
     }
 
+    /// The whole SVG document around the elements of the plots.
     std::string drawing(const std::string& title, const std::vector<std::string>& comments,
-                        const std::string& pieces) const
+                        const std::string& elements) const
     {
         return svg_head(width(), height(), title, comments) +
-               svg_text(0.5 * width(), 22.0, title, SvgAnchor::middle, 15.0) + pieces + svg_end();
+               svg_text(0.5 * width(), 22.0, title, SvgAnchor::middle, 15.0) + elements + svg_end();
     }
 };
 
@@ -55,7 +56,7 @@ std::string axis_name(int dimension)
     return "x" + std::to_string(dimension);
 }
 
-/// A third of the mean distance of points that fill a square evenly, within what is visible and what is pleasant.
+/// [px] A third of the mean distance of evenly distributed points, limited to sizes that are visible and not too large.
 double dot_diameter(double side, std::size_t count)
 {
     return std::clamp(0.33 * side / std::sqrt(static_cast<double>(count)), 0.6, 5.0);
@@ -75,14 +76,14 @@ std::string dots_with_axes(const Plot& plot, const std::vector<PlotPoint>& point
     return svg_axes(plot) + svg_dots(plot, points, svg_series_colour(0), dot_diameter(plot.width, points.size()));
 }
 
-/// Two points whose relation is to be seen.
+/// Two points whose correlation is plotted.
 struct Link
 {
     PlotPoint from;
     PlotPoint to;
 };
 
-/// The links of one column of plots, and the words for them.
+/// The links of one column of plots, and their labels.
 struct LinkSeries
 {
     std::string title;
@@ -90,7 +91,7 @@ struct LinkSeries
     std::string from_name; ///< "x(n)"
     std::string to_name;   ///< "x(n + 1)"
     std::string across;    ///< name of the first coordinate
-    std::string up;        ///< and of the second
+    std::string up;        ///< name of the second coordinate
 };
 
 /// "the first 100"
@@ -101,13 +102,13 @@ std::string arrows_words(std::size_t count)
 
 std::string arrow_plot(const Plot& plot, const std::vector<Link>& links)
 {
-    std::string pieces = svg_axes(plot);
+    std::string elements = svg_axes(plot);
     const std::size_t count = std::min(links.size(), arrow_limit);
     for (std::size_t n = 0; n < count; ++n) {
         const double share = static_cast<double>(n) / static_cast<double>(std::max<std::size_t>(count - 1, 1));
-        pieces += svg_arrow(plot, links[n].from, links[n].to, svg_ramp_colour(share));
+        elements += svg_arrow(plot, links[n].from, links[n].to, svg_ramp_colour(share));
     }
-    return pieces;
+    return elements;
 }
 
 std::string lag_plot(const Plot& plot, const LinkSeries& series)
@@ -124,15 +125,14 @@ std::string lag_plot(const Plot& plot, const LinkSeries& series)
            svg_legend(plot.left + 6.0, plot.top - 8.0, {series.across, series.up});
 }
 
-/// Columns of arrows above and coordinates against coordinates below, at most four side by side. A single series has
-/// both beside each other.
+/// Columns of an arrow plot above a lag plot, at most four side by side. For a single series the two are side by side.
 std::string link_plots(const std::vector<LinkSeries>& all, const std::string& title,
                        const std::vector<std::string>& comments)
 {
     const std::size_t columns = std::min<std::size_t>(all.size(), 4);
     const PlotGrid grid =
         all.size() == 1 ? PlotGrid{380.0, 2, 1} : PlotGrid{250.0, columns, 2 * ((all.size() + columns - 1) / columns)};
-    std::string pieces;
+    std::string elements;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const LinkSeries& series = all[i];
         const std::size_t column = i % columns;
@@ -140,9 +140,9 @@ std::string link_plots(const std::vector<LinkSeries>& all, const std::string& ti
         const Plot arrows = grid.cell(column, row, series.title, series.across, series.up);
         const Plot lags = all.size() == 1 ? grid.cell(1, 0, "", series.from_name, series.to_name)
                                           : grid.cell(column, row + 1, "", series.from_name, series.to_name);
-        pieces += arrow_plot(arrows, series.links) + lag_plot(lags, series);
+        elements += arrow_plot(arrows, series.links) + lag_plot(lags, series);
     }
-    return grid.drawing(title, comments, pieces);
+    return grid.drawing(title, comments, elements);
 }
 
 /// The two points of each of the first `count` lines.
@@ -179,14 +179,14 @@ std::string scatter_plots(const PointSet& points, const std::vector<DimensionPai
         is_triangle ? static_cast<std::size_t>(points.dimensions - 1) : std::min<std::size_t>(pairs.size(), 3);
     const std::size_t rows = is_triangle ? columns : (pairs.size() + columns - 1) / columns;
     const PlotGrid grid{columns == 1 ? 420.0 : columns <= 3 ? 260.0 : 190.0, columns, rows};
-    std::string pieces;
+    std::string elements;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::size_t column = is_triangle ? static_cast<std::size_t>(pairs[i].across) : i % columns;
         const std::size_t row = is_triangle ? static_cast<std::size_t>(pairs[i].up - 1) : i / columns;
-        pieces += dots_with_axes(grid.cell(column, row, "", axis_name(pairs[i].across), axis_name(pairs[i].up)),
-                                 projection(points, pairs[i]));
+        elements += dots_with_axes(grid.cell(column, row, "", axis_name(pairs[i].across), axis_name(pairs[i].up)),
+                                   projection(points, pairs[i]));
     }
-    return grid.drawing(title, comments, pieces);
+    return grid.drawing(title, comments, elements);
 }
 
 std::string order_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,

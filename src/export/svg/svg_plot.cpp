@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                 "#222222", "#e69f00", "#56b4e9"};
 
-/// Shapes of marks: paths from the mark's place on.
+/// Shapes of marks: path data relative to the mark's centre.
 constexpr std::array<const char*, 12> outlines = {
     "m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z",
     "m-3.6 -3.6h7.2v7.2h-7.2z",
@@ -29,7 +29,8 @@ constexpr std::array<const char*, 12> outlines = {
     "m5 0l-8-4.6v9.2z",
     "m-4.6 -4.4l4.6 3.1 4.6-3.1v8.8l-4.6-3.1-4.6 3.1z"};
 
-/// [px] with one decimal, without a trailing ".0": a drawing of thousands of points is mostly such numbers.
+/// [px] with at most one decimal, to keep files small: a drawing of thousands of points consists mostly of such
+/// numbers.
 std::string svg_number(double value)
 {
     const double tenths = std::round(10.0 * value);
@@ -38,13 +39,13 @@ std::string svg_number(double value)
     return text.data();
 }
 
-/// "12.5 7"
-std::string svg_place(SvgPoint place)
+/// Coordinates as text: "12.5 7".
+std::string svg_point(SvgPoint point)
 {
-    return svg_number(place.x) + " " + svg_number(place.y);
+    return svg_number(point.x) + " " + svg_number(point.y);
 }
 
-/// Text as XML holds it. Control characters, which XML forbids, become '?'.
+/// Escapes text for XML. Control characters, which XML forbids, become '?'.
 std::string svg_escaped(const std::string& text)
 {
     std::string result;
@@ -60,13 +61,13 @@ std::string svg_escaped(const std::string& text)
     return result;
 }
 
-/// ` name="value"`, the value as it is.
+/// ` name="value"`; the value is not escaped.
 std::string svg_attribute(const char* name, const std::string& value)
 {
     return " " + std::string(name) + "=\"" + value + "\"";
 }
 
-/// The attributes of a line that is not filled.
+/// The attributes of a stroked path without fill.
 std::string svg_stroke(const std::string& colour, const std::string& width)
 {
     return svg_attribute("fill", "none") + svg_attribute("stroke", colour) + svg_attribute("stroke-width", width);
@@ -80,7 +81,7 @@ std::string line_attributes(const LineStyle& style)
 
 constexpr const char* text_colour = "#222222";
 
-/// `content` is XML.
+/// A text element; `content` is XML.
 std::string text_element(double x, double y, const std::string& content, SvgAnchor anchor, double size,
                          const std::string& colour)
 {
@@ -90,7 +91,7 @@ std::string text_element(double x, double y, const std::string& content, SvgAnch
            svg_attribute("font-size", svg_number(size)) + svg_attribute("fill", colour) + ">" + content + "</text>\n";
 }
 
-/// A tick's label; the part behind a '^' is a superscript.
+/// The label of a tick; the part after a '^' becomes a superscript.
 std::string tick_label(double x, double y, const std::string& label, SvgAnchor anchor)
 {
     const std::size_t caret = std::min(label.find('^'), label.size());
@@ -105,15 +106,15 @@ std::string plot_titles(const Plot& plot)
     const double middle = plot.left + 0.5 * plot.width;
     const SvgPoint beside = {plot.left - plot.up_title_distance, plot.top + 0.5 * plot.height};
     return svg_text(middle, plot.top + plot.height + 32.0, plot.across.title, SvgAnchor::middle) + "<g" +
-           svg_attribute("transform", "rotate(-90 " + svg_place(beside) + ")") + ">" +
+           svg_attribute("transform", "rotate(-90 " + svg_point(beside) + ")") + ">" +
            svg_text(beside.x, beside.y, plot.up.title, SvgAnchor::middle) + "</g>\n" +
            svg_text(middle, plot.top - 8.0, plot.title, SvgAnchor::middle, 13.0);
 }
 
 constexpr int most_powers = 14;
-constexpr double least_width = 0.7; // [decades] holds two of 1, 2, 5, 10, 20 ... wherever it begins
+constexpr double least_width = 0.7; // [decades] contains at least two of 1, 2, 5, 10, 20 ... wherever it begins
 
-/// "10^−4", "2·10^6"
+/// Label of times * 10^exponent: "10^−4", "2·10^6".
 std::string label_of(int times, int exponent)
 {
     return (times == 1 ? "" : std::to_string(times) + "\u00b7") + (exponent < 0 ? "10^\u2212" : "10^") +
@@ -136,7 +137,7 @@ std::string svg_marks(const std::vector<SvgPoint>& points, const MarkStyle& styl
 {
     std::string shapes;
     for (const SvgPoint point : points)
-        shapes += "M" + svg_place(point) + outlines[style.shape];
+        shapes += "M" + svg_point(point) + outlines[style.shape];
     return svg_path(shapes, svg_attribute("fill", hollow ? "#ffffff" : style.colour) +
                                 svg_attribute("stroke", hollow ? style.colour : "#ffffff") +
                                 svg_attribute("stroke-width", hollow ? "1.3" : "0.7") +
@@ -149,7 +150,7 @@ std::string svg_polyline(const std::vector<SvgPoint>& points, const LineStyle& s
         return "";
     std::string shape;
     for (const SvgPoint point : points)
-        shape += (shape.empty() ? "M" : "L") + svg_place(point);
+        shape += (shape.empty() ? "M" : "L") + svg_point(point);
     return svg_path(shape, line_attributes(style));
 }
 
@@ -157,7 +158,7 @@ std::string svg_bars(const std::vector<VerticalBar>& bars, const LineStyle& styl
 {
     std::string shape;
     for (const VerticalBar& bar : bars)
-        shape += "M" + svg_place({bar.x, bar.top}) + "V" + svg_number(bar.bottom);
+        shape += "M" + svg_point({bar.x, bar.top}) + "V" + svg_number(bar.bottom);
     return svg_path(shape, line_attributes(style));
 }
 
@@ -240,9 +241,9 @@ std::string svg_grid(const Plot& plot)
 {
     std::string lines;
     for (const PlotTick& tick : plot.across.ticks)
-        lines += "M" + svg_place({plot.at({tick.value, 0.0}).x, plot.top}) + "v" + svg_number(plot.height);
+        lines += "M" + svg_point({plot.at({tick.value, 0.0}).x, plot.top}) + "v" + svg_number(plot.height);
     for (const PlotTick& tick : plot.up.ticks)
-        lines += "M" + svg_place({plot.left, plot.at({0.0, tick.value}).y}) + "h" + svg_number(plot.width);
+        lines += "M" + svg_point({plot.left, plot.at({0.0, tick.value}).y}) + "h" + svg_number(plot.width);
     return svg_path(lines, svg_stroke("#e4e4e4", "1"));
 }
 
@@ -250,9 +251,9 @@ std::string svg_axes(const Plot& plot)
 {
     const double right = plot.left + plot.width;
     const double bottom = plot.top + plot.height;
-    const auto across_tick = [&](double value) { return "M" + svg_place({plot.at({value, 0.0}).x, bottom}); };
-    const auto up_tick = [&](double value) { return "M" + svg_place({plot.left, plot.at({0.0, value}).y}); };
-    std::string lines = "M" + svg_place({plot.left, plot.top}) + "H" + svg_number(right) + "V" + svg_number(bottom) +
+    const auto across_tick = [&](double value) { return "M" + svg_point({plot.at({value, 0.0}).x, bottom}); };
+    const auto up_tick = [&](double value) { return "M" + svg_point({plot.left, plot.at({0.0, value}).y}); };
+    std::string lines = "M" + svg_point({plot.left, plot.top}) + "H" + svg_number(right) + "V" + svg_number(bottom) +
                         "H" + svg_number(plot.left) + "Z";
     std::string labels;
     for (const PlotTick& tick : plot.across.ticks) {
@@ -274,7 +275,7 @@ std::string svg_dots(const Plot& plot, const std::vector<PlotPoint>& points, con
 {
     std::string dots;
     for (const PlotPoint& p : points)
-        dots += "M" + svg_place(plot.at(p)) + "h0"; // a line of length 0 with round ends
+        dots += "M" + svg_point(plot.at(p)) + "h0"; // a line of length 0 with round caps
     return svg_path(dots, svg_attribute("stroke-linecap", "round") + svg_stroke(colour, svg_number(diameter)));
 }
 
@@ -284,13 +285,13 @@ std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std:
     const double run = x - plot.at(from).x;
     const double rise = y - plot.at(from).y;
     const double length = elementary::hypot(run, rise);
-    std::string shape = "M" + svg_place({x - run, y - rise}) + "L" + svg_place({x, y});
+    std::string shape = "M" + svg_point({x - run, y - rise}) + "L" + svg_point({x, y});
     if (length > 0.0) {
         const double back = std::min(6.0, 0.5 * length) / length;
         const double aside = 0.45 * back;
-        shape = "M" + svg_place({x - run, y - rise}) + "L" + svg_place({x, y}) + "M" +
-                svg_place({x - back * run - aside * rise, y - back * rise + aside * run}) + "L" + svg_place({x, y}) +
-                "L" + svg_place({x - back * run + aside * rise, y - back * rise - aside * run});
+        shape = "M" + svg_point({x - run, y - rise}) + "L" + svg_point({x, y}) + "M" +
+                svg_point({x - back * run - aside * rise, y - back * rise + aside * run}) + "L" + svg_point({x, y}) +
+                "L" + svg_point({x - back * run + aside * rise, y - back * rise - aside * run});
     }
     return svg_path(shape, svg_stroke(colour, "0.9"));
 }
@@ -302,7 +303,7 @@ std::string svg_legend(double x, double y, const std::vector<std::string>& label
         text += "<circle" + svg_attribute("cx", svg_number(x)) + svg_attribute("cy", svg_number(y - 4.0)) +
                 svg_attribute("r", "4") + svg_attribute("fill", svg_series_colour(series)) + "/>\n";
         text += svg_text(x + 9.0, y, labels[series], SvgAnchor::start);
-        x += 26.0 + 7.0 * static_cast<double>(labels[series].size()); // a generous guess: fonts differ
+        x += 26.0 + 7.0 * static_cast<double>(labels[series].size()); // generous estimate, since fonts differ
     }
     return text;
 }

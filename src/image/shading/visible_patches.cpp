@@ -1,6 +1,6 @@
 // A sample point is covered if rays in five directions all end at once at a coincident surface, or at the back of a
-// one-sided surface, which is the inside of a solid. The first direction, along the normal, decides for most points,
-// so that only the rest is traced in the other directions.
+// one-sided surface, which is the inside of a solid. The first direction, along the normal, decides for most points, so
+// that only the rest is traced in the other directions.
 
 #include "image/shading/visible_patches.h"
 
