@@ -28,7 +28,7 @@ namespace {
 
 constexpr double cells_along_diagonal = 24.0; // cells of the scene that are counted to measure variety
 constexpr double too_near = 0.08;             // share of the scene's diagonal
-constexpr double in_the_dark = 0.02;          // share of the reflected power: the darkest sides with it are unlit
+constexpr double in_the_dark = 0.02;          // share of the reflected power on sides that count as unlit
 
 /// Statistics of the rays of one view. The members after `dark` are of visible hits of lit fronts only.
 struct ViewCounts

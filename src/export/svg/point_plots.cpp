@@ -94,7 +94,7 @@ struct LinkSeries
     std::string up;        ///< name of the second coordinate
 };
 
-/// "the first 100"
+/// The number of arrows in words: "the first 100".
 std::string arrows_words(std::size_t count)
 {
     return "the first " + std::to_string(std::min(count, arrow_limit));

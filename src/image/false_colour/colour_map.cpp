@@ -1,7 +1,7 @@
-// The colour map is a polyline with segments of equal length in OKLab, a space in which equal distances look about
-// equally large, so that a step of the value looks the same anywhere on the scale. From blue to yellow it passes
-// through purple and orange but not green, so that no two of its colours differ only in red against green. OKLab: B.
-// Ottosson, A perceptual color space for image processing, 2020.
+// The colour map is a polyline with segments of equal length in OKLab (B. Ottosson, A perceptual color space for image
+// processing, 2020), in which equal distances look about equally large: a step of the value looks the same anywhere on
+// the scale. From blue to yellow it passes through purple and orange but not green, so that no two of its colours
+// differ only in red against green.
 
 #include "image/false_colour/colour_map.h"
 

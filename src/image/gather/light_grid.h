@@ -28,9 +28,9 @@ struct GridPointLight
 struct LightGrid
 {
     std::vector<GridPointLight> points;
-    double mean = 0.0;  ///< [W/m^2] over the points; these three are of the mean of the channels
-    double least = 0.0; ///< [W/m^2]
-    double most = 0.0;  ///< [W/m^2]
+    double mean = 0.0;  ///< [W/m^2] over the points, of the mean of the channels
+    double least = 0.0; ///< [W/m^2] minimum of the same
+    double most = 0.0;  ///< [W/m^2] maximum of the same
 
     double uniformity() const { return mean > 0.0 ? least / mean : 0.0; } ///< [1] U_0 = minimum / mean
 };

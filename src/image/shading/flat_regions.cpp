@@ -20,7 +20,8 @@ namespace multipath {
 
 namespace {
 
-/// Longest edge squared over area of a needle, at least; 2.3 for an equilateral triangle, 4 for half a square.
+/// Ratio of longest edge squared to area above which a shape is a needle; 2.3 for an equilateral triangle, 4 for half a
+/// square.
 constexpr double slender = 12.0;
 constexpr double cells_per_reach = 4.0; ///< radius of a fit over the size of a grid cell
 constexpr double most_bins = 1 << 22;   ///< per region

@@ -1,8 +1,8 @@
 // The values at the corners of the patches are found in three steps. First each surface gets values from its own
 // patches alone (CornerGroup), or in a region of needles from a fit (FlatRegions). Then coinciding corners of different
 // surfaces are joined if they belong to one smoothing group and no occluder separates them: the triangles of a sphere
-// or the rectangles of a ceiling look like one surface, while the edges of a box and between materials stay sharp. At
-// last hanging nodes are interpolated.
+// or the rectangles of a ceiling look like one surface, while the edges of a box and between materials stay sharp.
+// Finally hanging nodes are interpolated.
 
 #include "image/shading/smooth_shading.h"
 

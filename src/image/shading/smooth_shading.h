@@ -23,9 +23,9 @@ public:
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   const std::vector<char>& shown = {});
 
-    /// Also computes a residual per patch, an indicator of the interpolation error: the mean square, over corners and
-    /// channels, of the difference between the corner values and the patch's own linear function, plus a multiple of
-    /// its bend (patch_slopes), times the open share of the patch.
+    /// For all surfaces. Also computes a residual per patch, an indicator of the interpolation error: the mean square,
+    /// over corners and channels, of the difference between the corner values and the patch's own linear function, plus
+    /// a multiple of its bend (patch_slopes), times the open share of the patch.
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   std::vector<double>& residuals);
 

@@ -81,9 +81,9 @@ TEST_CASE("regions hold needles and what shares their plane and material, and no
     const VisiblePatches patches(scene, values, 1);
     const FlatRegions regions(patches, 1);
     for (std::uint32_t surface = 0; surface < 80; ++surface)
-        CHECK(regions.hold(surface));
+        CHECK(regions.contains(surface));
     for (std::uint32_t surface = 80; surface < scene.surfaces().size(); ++surface)
-        CHECK_FALSE(regions.hold(surface));
+        CHECK_FALSE(regions.contains(surface));
 }
 
 TEST_CASE("a wall that stands on needles parts their light")
