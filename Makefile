@@ -6,7 +6,7 @@
 # make bench      measures speed; close other programs first. OBJ=FILE.obj: of lines through this file
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
-# make pictures   runs the commands of docs/gallery.md and of the lecture, docs/method.md, and renews their pictures and numbers
+# make pictures   runs the commands of the gallery and of the lectures, docs/{gallery,method,beyond}.md, and renews their pictures and numbers
 # make install    puts program, manual, completion, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
@@ -83,7 +83,7 @@ results: paper
 	sed 's/^!\[\([^]]*\)\](/&results\//' $(BUILD)/paper/results.md > docs/results.md
 
 pictures: $(PROGRAM)
-	BUILD=$(BUILD) RENEW=yes sh tests/documented_commands.sh $(PROGRAM) docs/gallery.md docs/method.md
+	BUILD=$(BUILD) RENEW=yes sh tests/documented_commands.sh $(PROGRAM) docs/gallery.md docs/method.md docs/beyond.md
 
 test: $(BUILD)/unit_tests $(PROGRAM)
 	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
