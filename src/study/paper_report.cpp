@@ -151,7 +151,7 @@ public:
             table.rows.push_back(reuse_row(file, name));
         report.emplace_back(table);
         text("The paper's methods forget a line once it has carried power. Line reuse counts which patches the lines "
-             "join and solves for the light (docs/method.md). Its curves fall more steeply than the limit of −1.25 "
+             "join and solves for the light (docs/beyond.md). Its curves fall more steeply than the limit of −1.25 "
              "where "
              "not only the visibility of each pair but also what is known of its neighbours improves with the lines.");
         text(

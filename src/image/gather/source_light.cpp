@@ -1,4 +1,4 @@
-// The direct irradiance of a point is H = U V. The unoccluded irradiance U is a sum of Lambert's closed form over the
+// The direct irradiance of a point is H = H0 V. The unoccluded irradiance H0 is a sum of Lambert's closed form over the
 // sources. The visible share V is estimated with shadow rays, which are distributed among the sources in proportion to
 // their unoccluded irradiance, and within a source uniformly over its solid angle, so that the weight w of a ray
 // contains only the cosine. V is a ratio estimator, exact if all rays agree:

@@ -9,8 +9,8 @@
 #include <vector>
 
 // Stochastic Jacobi iterations (Neumann: Monte Carlo radiosity, Computing 55, 1995). For the powers P that the patches
-// send, the radiosity system is P = S + rho T P, where S is the power of the sources and T P the power that each patch
-// receives. It is solved by iterating P <- S + rho T P, with a new estimate of T P in every iteration. The result is
+// send, the radiosity system is P = U + rho T P, where U is the power of the sources and T P the power that each patch
+// receives. It is solved by iterating P <- U + rho T P, with a new estimate of T P in every iteration. The result is
 // the mean of the iterations.
 
 namespace multipath {
@@ -34,7 +34,7 @@ struct TransportEstimate
 class JacobiIterations
 {
 public:
-    /// The sources S are the unshot power of `start`. `first`: the state after an estimate of all light that they
+    /// The sources U are the unshot power of `start`. `first`: the state after an estimate of all light that they
     /// bring; it counts as much as an iteration with `lines` lines. Both `scene` and `start` must outlive this object.
     JacobiIterations(const Scene& scene, const PowerState& start, const PowerState& first, double lines);
 

@@ -1,9 +1,9 @@
 // Neyman allocation (Neyman 1934). Let a single ray from a patch of area A and reflectance rho estimate the power that
-// it receives with standard deviation A s. Then m rays give its radiosity the variance rho^2 s^2 / m, which adds rho^2
-// s^2 A / m to the error (1), up to a factor that all patches share. For a given total number of rays, the sum over the
-// patches is smallest with m in proportion to rho s sqrt(A), and not to A, as with global lines.
+// it receives with standard deviation A sigma. Then m rays give its radiosity the variance rho^2 sigma^2 / m, which
+// adds rho^2 sigma^2 A / m to the error (1), up to a factor that all patches share. For a given total number of rays,
+// the sum over the patches is smallest with m in proportion to rho sigma sqrt(A), and not to A, as with global lines.
 //
-// The standard deviations s are estimated in rounds. The first rounds are small; each round distributes its rays by
+// The standard deviations sigma are estimated in rounds. The first rounds are small; each round distributes its rays by
 // water-filling, so that together with the earlier rays they come as near as possible to the optimum. After each round
 // the light is estimated roughly, and after the last the linear system (R1) is solved.
 

@@ -1,13 +1,13 @@
-// A block of patches i with areas a_i, radiosities y_i and variances s_i^2 is fitted by f = sum of q_k <q_k, y>, where
-// <x, y> = sum of a_i x_i y_i, and q_1 ... q_p are orthonormal polynomials in the coordinates of the patches
-// (Gram-Schmidt). The expected error of f, sum of a_i (f_i - truth_i)^2, is that of
+// A block of patches i with areas A_i, radiosities B_i and variances s_i^2 is fitted by B~ = sum of q_k <q_k, B>, where
+// <x, y> = sum of A_i x_i y_i, and q_1 ... q_p are orthonormal polynomials in the coordinates of the patches
+// (Gram-Schmidt). The expected error of B~, sum of A_i (B~_i - truth_i)^2, is that of
 //
-//   sum of a_i (f_i - y_i)^2 + 2 T - N,    T = sum of a_i^2 s_i^2 h_i,  N = sum of a_i s_i^2,        (R6)
+//   sum of A_i (B~_i - B_i)^2 + 2 sum of A_i^2 s_i^2 l_i - sum of A_i s_i^2        (R6)
 //
-// where h_i = sum of q_k(i)^2 is the leverage of patch i: Stein's unbiased risk estimate. For patches that are not
-// fitted, T = N. A chosen fit is the best of many, so its estimated risk is too low; an empirical price above 2 for T
-// compensates this (cost-complexity pruning, Breiman et al. 1984). The constant polynomial preserves the sum of a_i
-// y_i.
+// where l_i = sum of q_k(i)^2 is the leverage of patch i: Stein's unbiased risk estimate. For patches that are not
+// fitted, the last two sums are equal. A chosen fit is the best of many, so its estimated risk is too low; an empirical
+// price above 2 for the middle sum compensates this (cost-complexity pruning, Breiman et al. 1984). The constant
+// polynomial preserves the sum of A_i B_i.
 
 #include "radiosity/reuse/denoising.h"
 
@@ -279,8 +279,8 @@ private:
 struct Residual
 {
     Rgb found; ///< sum of a (f - y)^2
-    Rgb noise; ///< N
-    Rgb trace; ///< T
+    Rgb noise; ///< sum of A_i s_i^2
+    Rgb trace; ///< sum of A_i^2 s_i^2 l_i
     double risk() const { return sum(found) + price * sum(trace) - sum(noise); }
 };
 

@@ -1,8 +1,8 @@
 // With y = sqrt(rho) H, where H is the irradiance, (R1) becomes symmetric:
 //
-//   a_i y_i - sqrt(rho_i) sum over j of G_ij sqrt(rho_j) y_j = sqrt(rho_i) sum over j of G_ij S_j
+//   A^_i y_i - sqrt(rho_i) sum over j of G_ij sqrt(rho_j) y_j = sqrt(rho_i) sum over j of G_ij S_j
 //
-// Black patches need no special case. If the rows add up to a and all reflectances are below 1, the matrix is positive
+// Black patches need no special case. If the rows add up to A^ and all reflectances are below 1, the matrix is positive
 // definite, and conjugate gradients apply, here with the diagonal as preconditioner.
 
 #include "radiosity/reuse/exchange_solver.h"

@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// Solution of B_i = S_i + rho_i / a_i sum over j of G_ij B_j (R1), where a_i are the row areas of the exchange G.
+/// Solution of B_i = S_i + rho_i / A^_i sum over j of G_ij B_j (R1), where A^_i are the row areas of the exchange G.
 struct ExchangeSolution
 {
     std::vector<Rgb> radiosity; ///< B [W/m^2]

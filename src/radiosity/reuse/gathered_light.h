@@ -51,14 +51,14 @@ struct ShadowRaySums
 };
 
 /// Direct light, gathered by shadow rays from the patches. Each patch casts rays to its lights in proportion to their
-/// unoccluded irradiance, P in total. It receives
+/// unoccluded irradiance, H0 in total. Its irradiance is
 ///
-///   P (1 + e) sum of g v c / sum of g        (R5)
+///   H0 (1 + e) sum of g v c / sum of g        (R5)
 ///
-/// Here e estimates the mean of g - 1, which removes the effect of the approximations in P. It is a sum of two
+/// Here e estimates the mean of g - 1, which removes the effect of the approximations in H0. It is a sum of two
 /// shrinkage estimates (empirical Bayes), first of the mean over the surrounding patches, then of the patch's own
 /// deviation from it. If typical errors have size b (0.1 and 0.03), m rays get the weight b^2 m / (b^2 m + variance of
-/// g). There is no noise where P is exact and the lights are fully visible or fully hidden.
+/// g). There is no noise where H0 is exact and the lights are fully visible or fully hidden.
 class GatheredLight
 {
 public:

@@ -55,12 +55,12 @@ PatchBlocks surface_blocks(const Scene& scene)
     return patch_blocks(scene, std::numeric_limits<std::uint32_t>::max());
 }
 
-// The unoccluded exchange G of a pair is known exactly. A share V of the lines through both patches is free of
-// obstacles, and G V is wanted. The plain estimate from the free lines, G V ~ a * joined (a: area per crossing), has
+// The unoccluded exchange G0 of a pair is known exactly. A share V of the lines through both patches is free of
+// obstacles, and G = G0 V is wanted. The plain estimate from the free lines, G ~ a * joined (a: area per crossing), has
 // the noise of how many lines happen to pass through the two patches at all. The number of all lines through them has
-// the same noise, and its expectation G / a is known. So it serves as a control variate:
+// the same noise, and its expectation G0 / a is known. So it serves as a control variate:
 //
-//   G V ~ beta G + a (joined - beta * through)          (R2)
+//   G ~ beta G0 + a (joined - beta * through)          (R2)
 //
 // is unbiased for any beta that is independent of these lines, and exact if beta = V = 1 or beta = V = 0, the case of
 // most pairs. The best beta is V itself. It is estimated from the lines between blocks of neighbouring patches, without

@@ -9,7 +9,7 @@
 
 namespace multipath {
 
-/// Symmetric matrix over n patches with one value for each unordered pair, the diagonal included: the lower triangle,
+/// Symmetric matrix over n_p patches with one value for each unordered pair, the diagonal included: the lower triangle,
 /// row by row. Initially zero; pages that were never written take no memory.
 template <class Value>
 class PairMatrix

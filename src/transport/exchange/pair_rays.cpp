@@ -87,10 +87,11 @@ RayPair::Ray RayPair::into_solid_angle(Vec3 start, double u, double v) const
     return {{start, d}, all * std::max(0.0, dot(from_normal_, d))};
 }
 
-// Neyman allocation (Neyman 1934). If m rays estimate the exchange of a pair with variance s^2 / m, the pair adds s^2 /
-// m (rho_i^2 B_j^2 / A_i + rho_j^2 B_i^2 / A_j) to the error (1), up to factors common to all pairs. For a given total
-// number of rays the sum over the pairs is smallest if m is proportional to s times the root of the bracket, the
-// importance of the pair. The global lines count as rays that a pair already has, so water-filling finds the rest.
+// Neyman allocation (Neyman 1934). If m rays estimate the exchange of a pair with variance sigma^2 / m, the pair adds
+// sigma^2 / m (rho_i^2 B_j^2 / A_i + rho_j^2 B_i^2 / A_j) to the error (1), up to factors common to all pairs. For a
+// given total number of rays the sum over the pairs is smallest if m is proportional to sigma times the root of the
+// bracket, the importance of the pair. The global lines count as rays that a pair already has, so water-filling finds
+// the rest.
 
 namespace {
 

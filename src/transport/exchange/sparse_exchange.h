@@ -17,9 +17,9 @@ namespace multipath {
 /// Knopp
 ///    (1967). The factors remove the noise of how many rays of other patches happened to meet each patch. No row sum
 ///    exceeds its area.
-/// 2. The deficit s_i of a row is exchange that no ray has sampled. It is spread over all patches with a deficit:
-///    s_i s_j / sum of s. With tens of rays per patch this is a small part of the whole, see unseen_share(). A deficit
-///    from rounding alone becomes self-exchange, so that no light gets into closed spaces.
+/// 2. The deficit delta_i of a row is exchange that no ray has sampled. It is spread over all patches with a deficit:
+///    delta_i delta_j / sum of delta. With tens of rays per patch this is a small part of the whole, see
+///    unseen_share(). A deficit from rounding alone becomes self-exchange, so that no light gets into closed spaces.
 class SparseExchange : public Exchange
 {
 public:

@@ -54,7 +54,7 @@ DenseExchange exchange_of(const PairMatrix<float>& pairs, double self)
     return DenseExchange(pairs, std::move(losses), std::move(row_area), 1);
 }
 
-/// One channel of a_i B_i - rho_i sum over j of G_ij B_j = a_i S_i, the equation as it stands in the header.
+/// One channel of A^_i B_i - rho_i sum over j of G_ij B_j = A^_i S_i, the equation as it stands in the header.
 std::vector<double> exact_channel(const DenseExchange& exchange, const PairMatrix<float>& pairs, const Field& rho,
                                   const Field& source, double Rgb::*channel)
 {
