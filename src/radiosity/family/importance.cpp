@@ -52,7 +52,7 @@ private:
 
 } // namespace
 
-// Noise dP in the power that arrives at patch j changes B_j by rho_j dP / A_j. Its square counts with V_j A_j. In
+// Noise dP in the power that arrives at patch j changes B_j by rho_j dP / A_j. Its square counts with w_j A_j. In
 // addition, patch j reflects the noise to other patches. Its influence R_j on all important patches solves the adjoint
 // system, and if the influence is spread over their weighted area, the noise contributes (rho_j R_j dP)^2 / that area.
 std::vector<double> Importance::noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
