@@ -1,5 +1,5 @@
-// multipath COMMAND [OPTIONS] ARGS: finds the command, runs it, and turns what goes wrong into one line and an exit
-// code.
+// multipath COMMAND [OPTIONS] ARGUMENTS: finds the command, runs it, and turns exceptions into one line on stderr and
+// an exit code.
 
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
@@ -68,7 +68,7 @@ int main(int argc, char** argv)
 {
     prepare_standard_streams();
     end_at_interrupts();
-    end_at_lost_bytes();
+    end_at_bus_errors();
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {
@@ -85,7 +85,7 @@ int main(int argc, char** argv)
         return exit_failed;
     } catch (const std::bad_alloc&) {
         return out_of_memory();
-    } catch (const std::length_error&) { // of a list: more than any memory holds
+    } catch (const std::length_error&) { // a vector or string larger than any memory
         return out_of_memory();
     } catch (const std::exception& error) {
         print_note(format("multipath: %s\n", error.what()));

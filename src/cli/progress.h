@@ -9,25 +9,25 @@ namespace multipath {
 
 enum class ProgressStyle {
     none,
-    bar,   ///< one line that is drawn over again: for a terminal
-    lines, ///< a plain line now and then: for a log file
+    bar,   ///< one line that is redrawn, for a terminal
+    lines, ///< a plain line every ten seconds, for a log file
 };
 
-/// `--progress`: a definition for the tables.
+/// The option --progress for the tables of commands.
 Option progress_option();
 
-/// The style that the options --progress and --quiet ask for: a bar when stderr is a terminal, otherwise lines, which a
-/// run of some seconds never gets to see.
+/// The style that the options --progress and --quiet ask for: a bar if stderr is a terminal, lines otherwise. A run of
+/// a few seconds prints no lines.
 ProgressStyle progress_style(const CommandLine& line);
 
-/// Shows on stderr how far the work is and how long it will take.
+/// Shows on stderr how much of the work is done and how long the rest will take.
 class Progress
 {
 public:
     Progress(std::string what, ProgressStyle style);
     ~Progress(); ///< clears the bar
 
-    void show(double done); ///< 0 ... 1
+    void show(double done); ///< share of the work, 0 ... 1
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 11> without_effect = {"threads",    "outp
                                                              "progress",   "json",   "verbose",   "state",
                                                              "save-every", "resume", "from-state"};
 
-/// A default that holds only as long as another option has its own, or `value`: otherwise it would be refused if it
-/// were written out, mean something else or nothing.
+/// A default that is recorded only while another option has its own default, or has `value`. In other cases the option
+/// would be refused if it were given, have another meaning or no effect.
 struct DependentDefault
 {
     std::string_view option;
@@ -44,7 +44,7 @@ bool default_holds(const CommandLine& line, std::string_view option)
     });
 }
 
-/// With a blank before it.
+/// The option as words of a command line, after a space; "" if it is not recorded.
 std::string words_of(const Option& option, const CommandLine& line)
 {
     const std::string name(option.name);

@@ -7,10 +7,10 @@ namespace multipath {
 /// "multipath 0.1.0"
 std::string version();
 
-/// The checksum and size of the sources that the program was built from, which tells apart programs of one version.
+/// Checksum and size of the sources that the program was built from, to distinguish builds of the same version.
 std::string sources_checksum();
 
-/// Version, compiler and what the program was built for, a few lines.
+/// Version, compiler and usable instruction sets, a line each.
 std::string version_text();
 
 } // namespace multipath

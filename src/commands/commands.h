@@ -8,22 +8,23 @@
 
 namespace multipath {
 
-/// One word after `multipath`: its options and what it does. run() returns the exit code, 0 or 1.
+/// A command of the program: its table and the function that runs it, which returns the exit code 0, exit_failed or
+/// exit_interrupted.
 struct Command
 {
     CommandTable table;
     int (*run)(const CommandLine& line);
 };
 
-/// All commands in the order of the help.
+/// All commands, in the order of the help.
 std::vector<Command> commands();
 
-/// The command of this name. Throws UsageError for another word.
+/// The command of this name. Throws UsageError if there is none.
 Command command_named(const std::string& name);
 
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands);
 
-/// All topics of `multipath help`, in the order in which they are best read.
+/// All topics of `multipath help`, in reading order.
 std::vector<HelpTopic> help_topics();
 
 Command solve_command();
@@ -36,6 +37,6 @@ Command paper_command();
 Command points_command();
 Command explain_command();
 Command selftest_command();
-Command help_command(const std::vector<Command>& others); ///< explains these too
+Command help_command(const std::vector<Command>& others); ///< explains the other commands too
 
 } // namespace multipath

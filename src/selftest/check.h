@@ -6,20 +6,20 @@
 
 namespace multipath {
 
-/// A measured value beside the expected one: one row of the table that `selftest` prints.
+/// A measured value and its expected value: one row of the table that `selftest` prints.
 struct Check
 {
-    std::string topic;    ///< the scene, or what is compared: "furnace"
-    std::string method;   ///< of solving
-    std::string sequence; ///< of the runs; "all" for a check of runs with any
+    std::string topic;    ///< the known scene ("furnace"), or the kind of comparison
+    std::string method;   ///< that solved the scene
+    std::string sequence; ///< of the runs; "all" if the check covers the runs of all sequences
     std::string quantity; ///< with its unit
     double expected = 0.0;
-    double measured = 0.0;       ///< mean of independent runs, or a number without randomness
+    double measured = 0.0;       ///< mean of independent runs, or a deterministic value
     double standard_error = 0.0; ///< of the mean
-    int degrees = 0;             ///< of freedom of the standard error; 0: no randomness
-    /// Largest deviation for other reasons than chance: rounding, and light that a walk leaves unshot.
+    int degrees = 0;             ///< degrees of freedom of the standard error; 0: deterministic
+    /// Largest systematic deviation that is acceptable: rounding, and light that a walk leaves unshot.
     double allowance = 0.0;
-    /// Least deviation that must be noticed: a check that would not notice it proves nothing.
+    /// Smallest deviation that the check must be able to detect; if it cannot, it is inconclusive.
     double resolution = 0.0;
 };
 
@@ -29,8 +29,8 @@ enum class CheckOutcome {
     inconclusive, ///< the limit is wider than the resolution
 };
 
-/// Two-sided t test of all checks of a table. A correct program fails any of them with the probability `risk`, which
-/// the random checks share equally (Bonferroni correction).
+/// Two-sided t test of all checks of a table. The probability that a correct program fails at least one of them is at
+/// most `risk`, of which every random check gets an equal part (Bonferroni correction).
 class SignificanceTest
 {
 public:
@@ -38,25 +38,26 @@ public:
 
     explicit SignificanceTest(const std::vector<Check>& checks);
 
-    /// Quantile of Student's distribution: standard errors that a check of so many degrees of freedom may be off.
+    /// Largest deviation that passes, in standard errors: the quantile of Student's distribution for these degrees of
+    /// freedom; 0 for deterministic checks.
     double most_sigmas(int degrees) const;
-    /// Largest deviation that passes: most_sigmas standard errors and the allowance.
+    /// Largest deviation that passes: most_sigmas standard errors plus the allowance.
     double limit(const Check& check) const;
     CheckOutcome outcome(const Check& check) const;
     std::size_t failures() const { return failures_; }
 
 private:
-    double tail_; ///< probability that one check fails
+    double tail_; ///< probability that a correct program fails one random check
     std::size_t failures_;
 };
 
-/// Deviation beyond the allowance in standard errors, with its sign; 0 within the allowance.
+/// Deviation beyond the allowance, in standard errors with its sign; 0 within the allowance.
 double sigmas(const Check& check);
 
-/// The table to read, with a head line, and the counts "N passed, N failed" in its last line.
+/// The table as text with a header; the last line is "N passed, N failed".
 std::string checks_text(const std::vector<Check>& checks, bool only_failed);
 
-/// The table as CSV, below the comments.
+/// The table as CSV, after the comments.
 std::string checks_csv(const std::vector<Check>& checks, const std::vector<std::string>& comments);
 
 } // namespace multipath

@@ -9,17 +9,17 @@
 
 namespace multipath {
 
-/// A quantity of a solved scene whose value follows from a formula.
+/// A quantity of a solved scene whose value is known from a formula.
 struct KnownAnswer
 {
     std::string quantity; ///< with its unit
     double value;
     std::function<double(const Scene& scene, const Solution& solution)> read;
-    /// [unit / W] By how much the quantity can be too low for every watt that is left unshot.
+    /// [unit / W] Largest amount by which the quantity can be too low, for each watt that is left unshot.
     double per_unshot_watt;
 };
 
-/// A scene whose light is known. Every surface is one patch.
+/// A scene with known answers. Every surface is one patch.
 struct KnownScene
 {
     std::string name;
@@ -27,7 +27,7 @@ struct KnownScene
     std::vector<KnownAnswer> answers;
 };
 
-/// Each with its derivation in the source.
+/// All known scenes. The source file derives the answers.
 std::vector<KnownScene> known_scenes();
 
 } // namespace multipath

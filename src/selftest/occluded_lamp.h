@@ -7,9 +7,9 @@
 
 namespace multipath {
 
-/// [1] Irradiance at a point with this unit normal from a lamp of radiosity 1 behind opaque surfaces, exactly: the
-/// lamp's polygon without the shadows of the blockers and what lies below the horizon, each part by Lambert's formula.
-/// The point lies in the plane of no blocker.
+/// [1] Exact irradiance at a point with this unit normal from a lamp of radiosity 1 that opaque surfaces occlude in
+/// part: the lamp's polygon is clipped by the horizon and by the shadow of every blocker, and the visible parts are
+/// integrated by Lambert's formula. The point must not lie in the plane of a blocker.
 double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, Vec3 point, Vec3 normal);
 
 } // namespace multipath

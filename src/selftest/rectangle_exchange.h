@@ -7,7 +7,8 @@
 
 namespace multipath {
 
-// Closed forms from Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
+// Closed forms of the exchange area A F [m^2] of two rectangles from Howell, A Catalog of Radiation Heat Transfer
+// Configuration Factors.
 
 struct Interval
 {

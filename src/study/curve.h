@@ -18,42 +18,42 @@ struct PowerLaw
     double at(double x) const;
 };
 
-/// Least squares in the logarithms, all points with equal weight: a mean of squares over a scene has nearly the same
-/// relative error at any number of lines. The standard error comes from the scatter about the line, so it also tells
-/// when a straight line does not describe the points. Empty for less than three different x; all values must be above
-/// 0.
+/// Least-squares fit to the logarithms. All points have equal weight, since a mean of squares over a scene has nearly
+/// the same relative error at any number of lines. The standard error of the exponent is estimated from the scatter of
+/// the points about the line, so it is also large if a straight line does not describe them. Nothing for fewer than
+/// three different x. All values must be above 0.
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::vector<double>& ys);
 
-/// Half the width of the interval that holds the true exponent with 95 %: Student's t for points - 2 degrees of freedom
-/// times the standard error.
+/// Half the width of the 95 % confidence interval of the exponent: Student's t for points - 2 degrees of freedom times
+/// the standard error.
 double exponent_interval(const PowerLaw& law);
 
-/// A way to solve, at any number of lines.
+/// What the runs of a curve have in common: the method and the choice of its lines.
 struct CurveKind
 {
     std::string method;     ///< as --method names it
     std::string sequence;   ///< as --sequence names it
     std::string pairing;    ///< as --pairing names it
     std::string chords;     ///< as --chords names it; empty for a method without global lines
-    std::string line_order; ///< as --line-order names it; empty for a method that does not walk along them
+    std::string line_order; ///< as --line-order names it; empty for a method whose result does not depend on the order
 };
 
 bool operator==(const CurveKind& a, const CurveKind& b);
 
-/// The mean of some executions with the same number of lines.
+/// The mean of the executions with the same number of lines.
 struct CurvePoint
 {
-    std::uint64_t lines = 0;     ///< asked for, N_l + N_g
+    std::uint64_t lines = 0;     ///< N_l + N_g as asked for
     double local_lines = 0.0;    ///< N_l, mean
     double global_lines = 0.0;   ///< N_g, mean
     double mean_square = 0.0;    ///< MSE (1) [W^2/m^4], mean
     double relative = 0.0;       ///< the same over the square of the reference's mean radiosity [1]
     double relative_error = 0.0; ///< standard error of `relative` [1]; 0 with one execution
     double seconds = 0.0;        ///< [s] processor time of one execution on one thread, preparation included, mean
-    bool above_reference = true; ///< is the reference's own error small beside it? Otherwise it is left out of the fit
+    bool above_reference = true; ///< false: the reference's own error is not small beside it; it is left out of the fit
 };
 
-/// (2): `relative` against lines, through the points above the reference.
+/// Fits (2) to `relative` against lines, for the points above the reference.
 std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points);
 
 struct Curve
@@ -67,8 +67,8 @@ struct Curve
 struct Study
 {
     std::vector<Curve> curves;
-    int executions = 1;                              ///< of which every point is the mean
-    std::optional<double> reference_relative_square; ///< [1] relative MSE of the reference, estimated by itself
+    int executions = 1;                              ///< for each point
+    std::optional<double> reference_relative_square; ///< [1] estimated relative MSE of the reference
 };
 
 } // namespace multipath

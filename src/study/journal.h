@@ -12,9 +12,9 @@ namespace multipath {
 /// Identifies an execution of a study.
 struct ExecutionKey
 {
-    std::string curve; ///< a name without tabs and line ends
+    std::string curve; ///< its name, without tabs and line ends
     std::uint64_t lines = 0;
-    int number = 0; ///< among those with the same curve and lines
+    int number = 0; ///< index among the executions of the same curve and lines
 };
 
 /// Result of one run of a study.
@@ -32,15 +32,18 @@ struct Execution
 class Journal
 {
 public:
-    /// Without a file.
+    /// A journal without a file.
     Journal() = default;
 
-    /// Reads what the file holds, if there is one, and appends to it. `identity` says in one line what the runs have in
-    /// common; a file of another identity is begun anew. Throws std::runtime_error with the reason when the file cannot
-    /// be written.
+    /// Reads the file, if it exists, and appends to it. `identity` describes in one line the study whose runs it holds;
+    /// a file with another identity is overwritten. Throws std::runtime_error with the reason if the file cannot be
+    /// written.
     Journal(const std::string& path, const std::string& identity);
 
+    /// The result of a finished execution; nothing if it is not in the journal.
     std::optional<Execution> find(const ExecutionKey& key) const;
+
+    /// Records an execution, in the file at once. Throws std::runtime_error if the file cannot be written.
     void add(const ExecutionKey& key, const Execution& execution);
 
 private:
@@ -48,7 +51,7 @@ private:
 
     mutable std::mutex mutex_;
     std::map<std::string, Execution> executions_;
-    std::string path_; ///< empty: none
+    std::string path_; ///< empty: no file
     std::ofstream file_;
 };
 

@@ -10,26 +10,26 @@
 #include <string>
 #include <vector>
 
-// The paper's reproduction: the commands that compute its tables and figures, what they find, and the report of it.
+// The reproduction of the paper: the commands that compute its tables and figures, their results, and the report.
 
 namespace multipath {
 
-/// One command of the paper's reproduction.
+/// One command of the reproduction.
 struct PaperStep
 {
-    std::vector<std::string> words;   ///< of the command, without outputs and what does not change the result
+    std::vector<std::string> words;   ///< of the command, without outputs and options that do not change the result
     std::vector<std::string> outputs; ///< names of the files that it makes
 };
 
-/// The words as a user would type them, outputs included.
+/// The command line as a user would type it, outputs included.
 std::string typed(const PaperStep& step);
 
-/// All tables and figures of the paper and what goes beyond it, in the order in which they are made: a later step may
-/// read what an earlier one has written into `folder`. `scenes` is the folder of the bundled scenes. The quick set
-/// differs in the numbers of lines and executions alone.
+/// The commands for all tables and figures of the paper, and for the results beyond it, in the order in which they are
+/// run: a later step may read what an earlier one has written into `folder`. `scenes` is the folder of the bundled
+/// scenes. The quick set differs only in the numbers of lines and executions.
 std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder);
 
-// Numbers printed in the paper (Castro, Martinez, Sbert 1998), to be set beside those that the program finds.
+// Numbers printed in the paper (Castro, Martinez, Sbert 1998), for comparison with those of the program.
 
 /// A row of Table 1: the slopes of log MSE against log N.
 struct PublishedSlope
@@ -56,7 +56,7 @@ constexpr PublishedBudget published_up = {0.577, 0.7, 0.073, 2.1, 0.41};       /
 constexpr PublishedBudget published_down = {0.577, 0.65, 0.67, 2.1, 0.85};     ///< first shot, lit downwards
 constexpr PublishedBudget published_extended = {0.577, 0.577, 1.0, 2.1, 1.06}; ///< extended first shot, both
 
-/// The numbers of one scene as the program finds them.
+/// The figures that the program measures for one scene.
 struct SceneFindings
 {
     std::string name; ///< "4CHAIRS, lit upwards"
@@ -72,22 +72,24 @@ struct PaperFindings
     SceneFindings five_cubes;
     SceneFindings four_chairs;
     SceneFindings four_chairs_up;
-    std::map<std::string, Study> studies;        ///< by the name of their files without extension
-    std::map<std::string, std::string> commands; ///< that made a file, by its name
+    std::map<std::string, Study> studies;        ///< by file name without extension
+    std::map<std::string, std::string> commands; ///< the command that made a file, by the name of the file
 
     const Study& study(const std::string& name) const { return studies.at(name); }
 };
 
-/// The curve of a study with this method and sequence, and this line order if one is given. Throws std::out_of_range.
+/// The first curve of a study with this method and sequence, and with this line order and pairing unless they are
+/// empty. Throws std::out_of_range if there is none.
 const Curve& curve_of(const Study& study, const std::string& method, const std::string& sequence,
                       const std::string& line_order = "", const std::string& pairing = "");
 
-/// Judgement of a statement: undecided while the 95 % interval of a number holds values for and against it.
+/// Verdict on a statement. It is undecided if the 95 % interval of the measured number contains values for and against
+/// it.
 enum class Verdict { holds, undecided, differs };
 
 std::string verdict_word(Verdict verdict);
 
-/// A statement of the paper beside the result.
+/// A statement of the paper and the result for it.
 struct Claim
 {
     std::string statement;
@@ -103,8 +105,8 @@ std::vector<Claim> paper_claims(const PaperFindings& findings);
 /// The same as lines for a terminal.
 std::string claims_text(const std::vector<Claim>& claims);
 
-/// The report of the paper's reproduction: its statements beside what was found, then every table and figure, each with
-/// how to read it.
+/// The report of the reproduction: the statements of the paper beside the results, then every table and figure with an
+/// explanation.
 Report paper_report(const PaperFindings& findings);
 
 } // namespace multipath

@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-// A report of text, tables and figures, and its two forms: one HTML file that holds everything, and Markdown beside the
-// figures' files. In all texts `...` is code and *...* is emphasis.
+// A report of text, tables and figures, written as one self-contained HTML file or as Markdown that refers to the files
+// of the figures. In all texts `...` is code and *...* is emphasis.
 
 namespace multipath {
 
@@ -31,10 +31,10 @@ struct ReportFigure
 {
     std::string file; ///< .svg or .png in the report's folder
     std::string caption;
-    std::string command; ///< that makes it
+    std::string command; ///< that made it
 };
 
-/// Figures side by side, as far as the page is wide enough.
+/// Figures side by side, as many in a row as the page has room for.
 struct ReportFigures
 {
     std::vector<ReportFigure> figures;
@@ -43,10 +43,11 @@ struct ReportFigures
 using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportTable, ReportFigures>;
 using Report = std::vector<ReportBlock>;
 
-/// A page without any reference to another file. `folder` is where the figures lie; the comments stand at its head.
-/// Throws InputError for a figure that cannot be read.
+/// The report as a self-contained page. `folder` is the folder of the figures; the comments go into the head of the
+/// page. Throws InputError for a figure that cannot be read.
 std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments);
 
+/// The report as Markdown; the comments are at its end.
 std::string report_markdown(const Report& report, const std::vector<std::string>& comments);
 
 } // namespace multipath

@@ -67,7 +67,7 @@ void append_side(const Scene& scene, std::uint32_t surface, bool front, const Sm
                 known[number] = true;
                 result.shared[first + number] = values[k];
             } else if (result.shared[first + number] != values[k]) {
-                result.places.push_back(4 * (first_patch + cell) + k);
+                result.slots.push_back(4 * (first_patch + cell) + k);
                 result.own.push_back(values[k]);
             }
         }
@@ -306,7 +306,7 @@ void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& v
     CornerValues corners = corner_values(scene, without_texture(scene, values), threads);
     corners.shared.insert(corners.shared.end(), corners.own.begin(), corners.own.end());
     add_light(json, "corners", corners.shared);
-    json.text("own_places", packed_counts(corners.places));
+    json.text("own_places", packed_counts(corners.slots));
 }
 
 /// The values of the first quantity are the result itself, and given in full.

@@ -87,8 +87,8 @@ class Assembled
 public:
     Assembled(const Scene& scene, const CornerValues& corners) : scene_(scene), corners_(corners)
     {
-        for (std::size_t n = 0; n < corners.places.size(); ++n)
-            own_[corners.places[n]] = corners.own[n];
+        for (std::size_t n = 0; n < corners.slots.size(); ++n)
+            own_[corners.slots[n]] = corners.own[n];
         std::size_t first = 0;
         for (int side = 0; side < (scene.two_sided() ? 2 : 1); ++side)
             for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
@@ -237,8 +237,8 @@ TEST_CASE("shared and own values together are those of smooth shading")
                 if (scene.material_of(patch).emittance == Rgb{}) // of the surface, whichever side
                     CHECK(assembled.at(patch, k) == shading.at_corners(patch)[k]);
         // The floor has other values on the two sides of the wall: five or six points of its grid lie below it.
-        CHECK(corners.places.size() >= 5);
-        CHECK(corners.places.size() < scene.patch_count());
+        CHECK(corners.slots.size() >= 5);
+        CHECK(corners.slots.size() < scene.patch_count());
     }
 }
 

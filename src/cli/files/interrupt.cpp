@@ -1,5 +1,5 @@
-// The end of the program runs within a handler of signals, so that no phase of any work, nor a pipe without a reader,
-// can hold it up. Handlers call only what POSIX allows them, and read only lock-free atomics and slots of
+// The program ends inside the signal handler, so that neither the current work nor a pipe without a reader can delay
+// it. Handlers call only async-signal-safe functions (POSIX) and read only lock-free atomics and the slots of
 // part_file.cpp.
 
 #include "cli/files/interrupt.h"
@@ -19,19 +19,19 @@ namespace {
 constexpr unsigned seconds_to_end = 2;
 constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
 
-// Truths are whole words: RISC-V exchanges no single bytes.
+// Flags are int, not bool: RISC-V has no atomic exchange of single bytes.
 std::atomic<int> signal_received{0};
 std::atomic<int> always_ends{0};
 std::atomic<const char*> end_hint{""};
 std::atomic<int> delays{0};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free,
-              "handlers of signals read them");
+              "signal handlers read them");
 
-/// The last line that the program writes; without the heap.
+/// Composes and writes the last line of the program, without the heap.
 class LastLine
 {
 public:
-    /// Below what a terminal shows already: a bar of progress, ^C.
+    /// On a terminal the text begins on a new line: the current one may show a progress bar or ^C.
     void begin(const char* text)
     {
         if (isatty(STDERR_FILENO) != 0)
@@ -51,8 +51,8 @@ public:
     [[noreturn]] void end_program(int exit_code)
     {
         text_[size_++] = '\n';
-        const auto told = write(STDERR_FILENO, text_.data(), size_);
-        (void)told;
+        const auto written = write(STDERR_FILENO, text_.data(), size_);
+        (void)written;
         _exit(exit_code);
     }
 
@@ -88,6 +88,7 @@ extern "C" void end_failed(int)
     last_line.end_program(exit_failed);
 }
 
+/// Handler of SIGALRM, two seconds after the first signal.
 extern "C" void end_in_time(int signal)
 {
     if (delays > 0)
@@ -98,7 +99,7 @@ extern "C" void end_in_time(int signal)
 
 using Handler = void (*)(int);
 
-/// No handler interrupts another.
+/// Installs a handler. It is not interrupted by the other signals of this file, SIGBUS excepted.
 void handle(int signal, Handler handler)
 {
     struct sigaction action = {};
@@ -136,7 +137,7 @@ void end_at_interrupts()
 
 void always_end_at_interrupts(const char* hint)
 {
-    if (always_ends.exchange(1) == 0) // of the command that the user has typed
+    if (always_ends.exchange(1) == 0) // the first call is by the command that the user typed
         end_hint = hint;
 }
 
@@ -148,7 +149,7 @@ void watch_interrupts()
     handle_ends(note_interrupt);
 }
 
-void end_at_lost_bytes()
+void end_at_bus_errors()
 {
     handle(SIGBUS, end_failed);
 }

@@ -6,29 +6,31 @@ namespace multipath {
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
 
-// Ctrl-C (SIGINT), SIGTERM and SIGHUP (the terminal is closed) are meant below, unless the program was started to
-// ignore them, as a shell starts background jobs and nohup its command: those it goes on ignoring.
+// The signals below are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed). Signals that the program was
+// started to ignore (background jobs of a shell, nohup) stay ignored.
 
-/// From now on a signal ends the program at once with this exit code and one line, and removes what is half written.
+/// From now on a signal ends the program at once: removes incomplete outputs, prints one line on stderr and exits with
+/// exit_interrupted.
 void end_at_interrupts();
 
-/// The same for good: commands that this one runs do not get to write results as of then. `hint`: what the line adds;
-/// a string literal.
+/// Makes end_at_interrupts() permanent: watch_interrupts() has no effect any more, also when called by commands that
+/// this one runs. `hint`: a string literal to append to the line; that of the first call counts.
 void always_end_at_interrupts(const char* hint = "");
 
-/// From now on a signal asks the work to end in good order and to write its results as of then. The program ends in any
-/// case two seconds later, or at once at a second signal: outputs that are complete by then get their names, one line
-/// names the others, whose old files stay. No effect after always_end_at_interrupts().
+/// From now on a signal sets interrupted(), so that the work can stop and write its partial results. The program ends
+/// in any case two seconds later, or at once at a second signal: outputs that are complete by then are renamed to their
+/// targets; one line names the others, whose old files stay. No effect after always_end_at_interrupts().
 void watch_interrupts();
 
 /// True if a watched signal has been received.
 bool interrupted();
 
-/// From now on the program ends in the same way, but as work that failed, when bytes of a mapped file are gone
-/// (SIGBUS): whoever makes a state shorter in place while it is read gives no other sign.
-void end_at_lost_bytes();
+/// From now on SIGBUS ends the program at once: removes incomplete outputs, prints one line and exits with exit_failed.
+/// The signal is raised when a memory-mapped file is truncated while it is read, or its disk fails.
+void end_at_bus_errors();
 
-/// While one lives, the two seconds do not end: the time for a state to reach the disk.
+/// While an object exists, the limit of two seconds is extended: a state gets the time to reach the disk. A second
+/// signal still ends the program.
 class InterruptDelay
 {
 public:

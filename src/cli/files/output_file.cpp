@@ -14,10 +14,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// A result must never be half there: not after a full disk, not after Ctrl-C, not beside a crash. So the bytes go to
-// ".NAME.XXXXXX.part" in the target's folder, reach the disk (fsync), and then take the target's name in one step
-// (rename). The temporary is created before the work, which is when a missing or protected folder should be reported.
-// Things that are not regular files (devices, pipes, standard output) have no such step and are written as they are.
+// A result must never be incomplete: not after a full disk, Ctrl-C or a crash. So the bytes go to the temporary file
+// ".NAME.XXXXXX.part" in the target's folder, reach the disk (fsync), and get the target's name in one atomic step
+// (rename). The temporary file is created before the work, so that a missing or protected folder is reported early.
+// Devices, pipes and standard output cannot be renamed and are written directly.
 
 namespace multipath {
 
@@ -33,7 +33,7 @@ const std::string standard_output = "standard output";
     throw OutputError(message);
 }
 
-/// 0, or what went wrong.
+/// Writes all bytes. Returns 0 or the error number.
 int write_all(int descriptor, std::string_view bytes)
 {
     while (!bytes.empty()) {
@@ -46,8 +46,8 @@ int write_all(int descriptor, std::string_view bytes)
     return 0;
 }
 
-/// The new name in the folder of the path is on the disk. 0, or what went wrong; a folder that may not be read, or has
-/// no fsync, is left to the system.
+/// Flushes the folder of the path to the disk, so that a new name in it survives a crash. Returns 0 or EIO; folders
+/// that may not be read, or have no fsync, are left to the system.
 int sync_folder_of(const std::string& path)
 {
     const std::string folder = folder_of(path);
@@ -103,7 +103,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
             fail(name_, ENOENT);
         if (exists && access(target_.c_str(), W_OK) != 0)
             fail(name_, errno);
-        // Until it is complete nobody may read what the target's owner keeps private.
+        // A private target must not be readable by others before fchmod() below.
         const PartFile file = create_part_file(target_, exists ? 0600 : 0666);
         descriptor_ = file.descriptor;
         temporary_ = descriptor_ < 0 ? "" : file.path;
@@ -142,7 +142,8 @@ void OutputFile::write(std::string_view bytes)
 void OutputFile::complete()
 {
     assert(descriptor_ >= 0);
-    // EINVAL: a file system that has no fsync. Some of those tell at a close what has gone wrong.
+    // EINVAL: the file system has no fsync. Some of these report errors at close(), so a copy of the descriptor is
+    // closed.
     const int copy = dup(descriptor_);
     int error = copy < 0 ? errno : 0;
     if (error == 0 && !temporary_.empty() && fsync(copy) != 0 && errno != EINVAL)
@@ -168,7 +169,7 @@ void OutputFile::commit()
     }
     temporary_.clear();
     unfinished_ = {};
-    close(std::exchange(descriptor_, -1)); // after the new name: with the descriptor goes the lock
+    close(std::exchange(descriptor_, -1)); // after the rename: closing the descriptor releases the lock
 }
 
 void OutputFile::discard() noexcept
@@ -227,7 +228,7 @@ std::string_view output_extension(const std::string& path, const std::vector<std
     if (path == "-")
         return extensions.front();
     const std::string extension = lower_case_extension(path);
-    const auto ends_in = [&](std::string_view known) { // "_lightmap.glb": longer than an extension
+    const auto ends_in = [&](std::string_view known) { // "_lightmap.glb" is longer than an extension
         const std::size_t stem = known.size() - extension.size();
         return known.front() == '_' && known.size() > extension.size() && path.size() >= known.size() &&
                known.substr(stem) == extension &&

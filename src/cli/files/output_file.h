@@ -10,46 +10,49 @@
 
 namespace multipath {
 
-/// A result could not be written: exit code 1. One plain line, "cannot write out/room.png: No space left on device".
+/// A result could not be written (exit code 1). The message is one line, such as "cannot write out/room.png: No space
+/// left on device".
 class OutputError : public std::runtime_error
 {
 public:
     explicit OutputError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Whoever read standard output has left, as `head` does: exit code 1 as well, but nothing to tell anybody.
+/// The reader of standard output has closed it (EPIPE), as `head` does: exit code 1, but no message.
 class ReaderGone : public OutputError
 {
 public:
     using OutputError::OutputError;
 };
 
-/// Where the symbolic links at the end of a path lead, also when the last one leads to a file that does not exist yet.
-/// Throws OutputError for links in a circle.
+/// Resolves the symbolic links at the end of a path, even if the last one points to a file that does not exist yet.
+/// Throws OutputError for circular links.
 std::string follow_links(const std::string& path);
 
-/// Makes the folder if there is none. Throws OutputError.
+/// Makes the folder if it does not exist. Throws OutputError if that fails, or the path is something else.
 void make_folder(const std::string& path);
 
-/// A file that appears under its name only when it is complete. The constructor finds out whether the target can be
-/// written (do this before the work); the bytes go to a temporary beside it, which commit() renames and the destructor
-/// removes.
-/// `-` is standard output. Devices and pipes are written directly; a symbolic link is followed, not replaced.
+/// An output that appears under its name only when it is complete. The constructor checks that the target can be
+/// written; call it before the work. The bytes go to a temporary file in the same folder, which commit() renames and
+/// the destructor removes. `-` is standard output. Devices and pipes are written directly; a symbolic link is followed,
+/// not replaced.
 class OutputFile
 {
 public:
-    /// Throws OutputError, as do write(), complete() and commit(). After any of them an existing target is as it was.
+    /// Throws OutputError, like write(), complete() and commit(). An existing target is unchanged then, unless only the
+    /// sync of its folder failed.
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
 
-    /// Appends.
+    /// Appends the bytes.
     void write(std::string_view bytes);
 
-    /// Brings all bytes to the disk, so that a commit, or watch_interrupts() at a signal, only has a name to change.
+    /// Flushes all bytes to the disk (fsync). Only the rename is left then, for commit() or for the signal handler of
+    /// watch_interrupts().
     void complete();
 
-    /// Puts the file in place, on the disk; nothing may be written afterwards.
+    /// Completes the file and gives it the target's name. Nothing may be written afterwards.
     void commit();
 
     /// The name as the user gave it; "standard output" for `-`.
@@ -59,37 +62,38 @@ private:
     void discard() noexcept;
 
     std::string name_;
-    std::string target_;    ///< where the symbolic links lead
-    std::string temporary_; ///< empty: written directly, or done
-    Unfinished unfinished_; ///< the temporary, for signals
-    int descriptor_ = -1;   ///< -1: done or moved from
+    std::string target_;    ///< path without symbolic links at its end
+    std::string temporary_; ///< empty: written directly, or committed
+    Unfinished unfinished_; ///< registers the temporary file with the signal handlers
+    int descriptor_ = -1;   ///< -1: committed or moved from
 };
 
-/// A file that the user asked for, already open, to be filled when the work is done.
+/// An output that the user asked for: opened before the work, written after it.
 struct PlannedOutput
 {
     std::string_view extension; ///< ".csv"; one of those that the command writes
     OutputFile file;
-    std::size_t view = 0; ///< of several, which a picture shows
+    std::size_t view = 0; ///< index of the view that a picture shows
 };
 
-/// The one of `extensions`, string literals such as ".csv", that ends a file's name in upper or lower case; the first
-/// of them for `-`. Throws UsageError with the list.
-/// One that begins with "_" is the end of a name, and goes before what follows its dot.
+/// The entry of `extensions` (string literals such as ".csv") that a file's name ends with, in upper or lower case; the
+/// first entry for `-`. An entry that begins with "_", such as "_lightmap.glb", is a longer ending and takes precedence
+/// over the plain extension. Throws UsageError with the list if there is none.
 std::string_view output_extension(const std::string& path, const std::vector<std::string_view>& extensions);
 
-/// Opens all outputs, so that what cannot be written is found before the work. Throws UsageError for an extension that
-/// is not among `extensions`, a file named twice, or one that is also an input; OutputError for what cannot be written.
+/// Opens all outputs, so that an unwritable one is reported before the work. Throws UsageError for an extension that is
+/// not among `extensions`, a file named twice, or one that is also an input; OutputError for an unwritable file.
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
                                         const std::vector<std::string_view>& extensions);
 
-/// Throws UsageError for an output that is one of these files, read too, but known only since another one was read.
+/// Throws UsageError if an output is also one of these inputs. For inputs that are known late, such as the material
+/// files that a scene names.
 void require_no_input(const std::vector<PlannedOutput>& outputs, const std::vector<std::string>& inputs);
 
-/// Puts all into place: not one before the bytes of all are on the disk. Throws OutputError.
+/// Commits all outputs: none gets its name before the bytes of all are on the disk. Throws OutputError.
 void commit(std::vector<PlannedOutput>& outputs);
 
-/// True if both names lead to one file. Files that do not exist yet are compared by folder and name.
+/// True if both names refer to the same file. If one does not exist yet, folders and names are compared.
 bool same_file(const std::string& a, const std::string& b);
 
 } // namespace multipath

@@ -1,6 +1,6 @@
-// Whatever ends a run, the destructors that remove its part files, or a SIGKILL that nothing survives: a part file
-// whose maker lives is locked, and one that is not locked is rubbish. That holds on every file system, which O_TMPFILE,
-// a file without a name until it is complete, does not; and the space that a killed run took is there to be seen.
+// A part file is locked while the program that made it runs; one that is not locked is abandoned and may be removed.
+// This works however a run ends, even by SIGKILL, which runs no destructors. O_TMPFILE (a file without a name until it
+// is complete) does not work on every file system; and with names users can see the space that a killed run has taken.
 
 #include "cli/files/part_file.h"
 
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t letter_count = 6;
 constexpr std::string_view ending = ".part";
 
-/// Letters that differ between processes, files and tries; O_EXCL is what makes them unique.
+/// Six letters that differ between processes, files and attempts; O_EXCL guarantees that the name is new.
 std::string letters(unsigned attempt)
 {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -79,8 +79,8 @@ void remove_abandoned(const std::string& target)
     }
 }
 
-/// Takes the lock of a new file; false when another run took the file for abandoned in between. Where the file system
-/// has no locks, nobody else can take one either.
+/// Locks a new file. False if another run has locked or removed it in between, as abandoned. True also on file systems
+/// without locks, where no other run can lock it either.
 bool locked(const PartFile& file)
 {
     if (flock(file.descriptor, LOCK_EX | LOCK_NB) != 0)
@@ -116,20 +116,20 @@ PartFile create_part_file(const std::string& target, mode_t mode)
 
 namespace {
 
-// A handler of signals may neither wait for a lock nor touch the heap, which another thread may be changing at that
-// moment. So the names stand in slots of a fixed size, each with a state that changes in one step.
+// A signal handler may neither wait for a lock nor use the heap, which another thread may be changing at that moment.
+// So the names are kept in slots of a fixed size, each with an atomic state.
 
 enum class State { empty, changing, full, complete };
 
 struct Slot
 {
     std::atomic<State> state{State::empty};
-    std::array<char, 4096> path{}; ///< longer ones no system opens
+    std::array<char, 4096> path{}; ///< no system opens longer ones
     std::array<char, 4096> target{};
 };
 
 std::array<Slot, 64> slots;
-static_assert(std::atomic<State>::is_always_lock_free, "a handler of signals reads it");
+static_assert(std::atomic<State>::is_always_lock_free, "a signal handler reads it");
 
 } // namespace
 

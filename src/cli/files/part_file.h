@@ -5,33 +5,35 @@
 
 namespace multipath {
 
-/// An output that is not complete yet: ".NAME.XXXXXX.part" in the folder of the file that it will become, and locked
-/// (flock) for as long as its descriptor is open.
+/// A temporary output file: ".NAME.XXXXXX.part" in the folder of its target, locked (flock) while its descriptor is
+/// open.
 struct PartFile
 {
     std::string path;
-    int descriptor = -1; ///< for writing; -1: not created, errno says why
+    int descriptor = -1; ///< for writing; -1: not created, see errno
 };
 
-/// A new, empty one. Those that killed runs have left for the same target, locked by nobody, are removed first.
+/// Creates an empty part file. First removes abandoned ones of the same target, which killed runs have left and nobody
+/// locks any more.
 PartFile create_part_file(const std::string& target, mode_t mode);
 
-/// The folder's part of a path, up to and with the last slash; "" for the working directory.
+/// The folder of a path, including the last slash; "" for the working directory.
 std::string folder_of(const std::string& path);
 
-/// A part file that must not outlive a program which a signal ends: its destructors do not run then. As long as one
-/// lives, remove_unfinished() removes the file. Of more than 64 at a time the others stay, for the next run to remove.
+/// Registers a part file with the signal handlers, since a signal ends the program without running destructors. While
+/// the object exists, remove_unfinished() removes the file. At most 64 files can be registered at a time; others are
+/// left for the next run to remove.
 class Unfinished
 {
 public:
-    Unfinished() = default; ///< of nothing
-    /// `target`: the file that it will become.
+    Unfinished() = default; ///< registers nothing
+    /// `target`: the name that the file will get.
     Unfinished(const std::string& path, const std::string& target);
     ~Unfinished() { forget(); }
     Unfinished(Unfinished&& other) noexcept;
     Unfinished& operator=(Unfinished&& other) noexcept;
 
-    /// Nothing is missing but the target's name.
+    /// Marks the file as complete: only the rename is left.
     void complete() noexcept;
 
 private:
@@ -42,11 +44,11 @@ private:
     int slot_ = none;
 };
 
-/// Removes all of them. A handler of signals may call it.
+/// Removes all registered files. Async-signal-safe.
 void remove_unfinished() noexcept;
 
-/// The same, but what is complete gets the name of its target. `not_written` is called with the target of each of the
-/// others.
+/// Renames the complete files to their targets and removes the others, for each of which it calls `not_written` with
+/// the target. Async-signal-safe.
 void settle_unfinished(void (*not_written)(const char* target)) noexcept;
 
 } // namespace multipath

@@ -22,11 +22,11 @@ void replace_controls(std::string& text)
 
 void prepare_standard_streams()
 {
-    // Opened the wrong way round: what a closed stream would refuse, this refuses as well.
+    // Opened for the opposite direction: reading or writing fails as on a closed stream.
     constexpr int modes[] = {O_WRONLY, O_RDONLY, O_RDONLY};
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(descriptor, F_GETFD) < 0)
-            (void)open("/dev/null", modes[descriptor]); // the lowest number that is free: this one
+            (void)open("/dev/null", modes[descriptor]); // gets the lowest free number: this one
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -4,16 +4,16 @@
 
 namespace multipath {
 
-/// To be called before anything is opened. Standard descriptors that the caller of the program has closed are taken, so
-/// that no file gets their number and with it what is printed; printing to them stays an error. A reader of standard
-/// output who leaves, and a file beyond the permitted size, become errors of write() instead of signals that end the
-/// program with its temporary files left behind.
+/// Must be called before any file is opened. Opens /dev/null for standard descriptors that are closed, so that no file
+/// gets their number and receives what is printed; printing to them remains an error. Ignores SIGPIPE and SIGXFSZ: a
+/// reader that closes standard output, and a file above the size limit, become errors of write() instead of signals
+/// that would end the program and leave temporary files.
 void prepare_standard_streams();
 
-// Names of files may hold what a terminal takes for commands: printed text has '?' for control characters, but for line
-// feeds and tabs.
+// File names may contain control sequences of terminals. Control characters except line feeds and tabs are therefore
+// printed as '?'.
 
-/// Prints on standard output, at once. Throws OutputError.
+/// Prints on standard output, unbuffered. Throws OutputError.
 void print(std::string text);
 
 /// Prints on standard error.

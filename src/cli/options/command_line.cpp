@@ -22,7 +22,7 @@ std::string operand_names(const std::vector<Operand>& operands, std::size_t firs
     return names;
 }
 
-/// The option with this short name, nullptr when the table has none.
+/// The option with this short name; nullptr if the table has none.
 const Option* find_short_option(const CommandTable& table, char short_name)
 {
     for (const OptionGroup& group : table.groups)
@@ -32,7 +32,7 @@ const Option* find_short_option(const CommandTable& table, char short_name)
     return nullptr;
 }
 
-/// Walks over the arguments once, sorting them into options and operands.
+/// Parses the arguments in one pass into options and operands.
 class Reader
 {
 public:
@@ -104,8 +104,8 @@ private:
         }
     }
 
-    /// The argument after an option. One that looks like a long option is not taken: `-o --quiet` is a forgotten value
-    /// more often than a file of that name, which `--output=--quiet` can still say.
+    /// Takes the argument after an option as its value. Throws UsageError for one that looks like a long option:
+    /// `-o --quiet` more often has its value missing than names such a file, for which one writes `--output=--quiet`.
     std::string next_value(const Option& option)
     {
         if (next_ == arguments_.size() || arguments_[next_].compare(0, 2, "--") == 0)

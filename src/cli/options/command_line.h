@@ -36,10 +36,10 @@ struct Operand
     bool repeatable = false;
     bool optional = false;
     std::vector<std::string_view> extensions = {}; ///< of the files that completion offers, ".obj"; empty: any file
-    std::vector<std::string_view> choices = {};    ///< allowed words, when it is no file; empty: any text
+    std::vector<std::string_view> choices = {};    ///< allowed words, if it is not a file; empty: any text
 };
 
-/// Everything the parser, the help, the man page and the completion know about one command.
+/// The description of a command from which parser, help, man page and completion are made.
 /// `--help` and `-h` belong to every command and are not listed.
 struct CommandTable
 {
@@ -50,18 +50,18 @@ struct CommandTable
     std::string_view notes = {}; ///< examples and remarks below the options, printed as they are
 };
 
-/// As the usage shows it: "SCENE.obj", "STATE...", "[SCENE.obj]".
+/// The operand as the usage line shows it: "SCENE.obj", "STATE...", "[SCENE.obj]".
 std::string operand_text(const Operand& operand);
 
-/// The table, or the group, without the options of these long names.
+/// A copy of the table, or the group, without the options of these long names.
 CommandTable without_options(CommandTable table, const std::vector<std::string>& names);
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names);
 
-/// The option with this long name, nullptr when the table has none.
+/// The option with this long name; nullptr if the table has none.
 const Option* find_option(const CommandTable& table, std::string_view name);
 
-/// A word that an option allows, and what it stands for. Arrays of such rows, and of any others with a `name`, give an
-/// option its choices (names_of), and the value for the user's word (CommandLine::choice).
+/// A word that an option allows, and its value. Arrays of such rows, or of any rows with a `name`, provide the choices
+/// of an option (names_of) and the row of the user's word (CommandLine::choice).
 template <typename Value>
 struct NamedValue
 {
@@ -78,7 +78,7 @@ std::vector<std::string_view> names_of(const Rows& rows)
     return names;
 }
 
-/// Throws UsageError with the names for any other; `option` opens its message.
+/// The row with this name. Throws UsageError with the list of names if there is none; `option` begins the message.
 template <typename Rows>
 auto row_named(const Rows& rows, std::string_view option, std::string_view name)
 {
@@ -86,7 +86,7 @@ auto row_named(const Rows& rows, std::string_view option, std::string_view name)
     return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
 }
 
-/// The name of a value that is in one of the rows.
+/// The name of a value. One of the rows must have it.
 template <typename Rows, typename Value>
 std::string name_of(const Rows& rows, Value value)
 {
@@ -94,7 +94,7 @@ std::string name_of(const Rows& rows, Value value)
         std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.value == value; })->name);
 }
 
-/// The words after the command's name, checked against the command's table.
+/// The arguments after the command's name, checked against the command's table.
 class CommandLine
 {
 public:
@@ -108,24 +108,26 @@ public:
     /// The value given, else the default, else "".
     std::string text(std::string_view name) const;
 
-    /// What stands for the default where the option was not given: one that depends on what was read since.
+    /// Replaces the default of an option, for one that depends on data read later, such as the scene.
     void settle_default(std::string_view name, std::string text) { settled_[std::string(name)] = std::move(text); }
 
-    /// The row whose name is the value of the option. Throws UsageError for a value that no row has.
+    /// The row whose name is the value of the option. Throws UsageError if there is none.
     template <typename Rows>
     auto choice(std::string_view name, const Rows& rows) const
     {
         return row_named(rows, "--" + std::string(name), text(name));
     }
 
-    /// True if the command has such an option; its default text, "" without one.
+    /// True if the command has this option.
     bool knows(std::string_view name) const { return find_option(table_, name) != nullptr; }
+
+    /// The default in the table of an option that the command has; "" if there is none.
     std::string default_text(std::string_view name) const;
 
-    /// All values given, in the user's order; empty when there are none, whatever the default.
+    /// All values given, in the user's order. Empty if the option was not given, whatever its default.
     std::vector<std::string> all(std::string_view name) const;
 
-    /// Operands in order: as many as the table asks for, unless has("help").
+    /// Operands in order; their number agrees with the table unless has("help").
     const std::vector<std::string>& operands() const { return operands_; }
 
 private:

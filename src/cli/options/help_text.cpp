@@ -10,7 +10,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t widest_left_column = 30; // longer entries put their help on the next line
+constexpr std::size_t widest_left_column = 30; // the help of longer entries begins on the next line
 
 std::string left_column(const Option& option)
 {
@@ -123,22 +123,22 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
 
 namespace {
 
-/// ASCII text as roff prints it: a backslash begins a command, and a bare hyphen may become a dash that cannot be
-/// pasted into a shell.
+/// ASCII text escaped for roff, in which a backslash begins a command and a bare hyphen may become a dash, which cannot
+/// be pasted into a shell.
 std::string escaped(std::string_view text)
 {
     std::string result;
     bool line_begins = true;
     for (const char c : text) {
         if (line_begins && (c == '.' || c == '\''))
-            result += "\\&"; // such a line would be a command
+            result += "\\&"; // a line with such a first character would be a command
         line_begins = c == '\n';
         if (c == '\\')
             result += "\\e";
         else if (c == '-')
             result += "\\-";
         else if (c == '\'')
-            result += "\\(aq"; // else a curved quote
+            result += "\\(aq"; // otherwise it becomes a curved quote
         else
             result += c;
     }
@@ -163,7 +163,7 @@ std::string upper_case(std::string_view text)
     return result;
 }
 
-/// Lines that stay as they are.
+/// Preformatted lines.
 std::string as_it_is(std::string_view text)
 {
     const bool ended = !text.empty() && text.back() == '\n';
@@ -218,7 +218,7 @@ std::string man_page(const std::vector<CommandTable>& tables, const std::vector<
 
 namespace {
 
-// Where '=' separates words, as it does unless COMP_WORDBREAKS says otherwise, --method=reuse arrives as three of them.
+// '=' separates words unless COMP_WORDBREAKS is changed: --method=reuse then arrives as three words.
 constexpr const char* bash_functions = R"(# bash completion of multipath, written by 'multipath help --completion bash'.
 
 _multipath_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$word"); }
@@ -252,7 +252,7 @@ std::vector<Option> with_help(const CommandTable& table)
     return options;
 }
 
-/// Words with blanks between them.
+/// The words separated by spaces.
 std::string joined(const std::vector<std::string_view>& words)
 {
     std::string text;

@@ -9,15 +9,15 @@
 
 namespace multipath {
 
-/// The words of a text in lines of at most `width` columns, broken at spaces, each with its line feed; a longer word
-/// has a line of its own. The first line begins at `column`, which the caller has filled so far; the others with
-/// `indent` spaces.
+/// Breaks a text at spaces into lines of at most `width` columns, each with its line feed; a longer word gets a line of
+/// its own. The first line continues one that the caller has filled up to `column`; the others begin with `indent`
+/// spaces.
 std::string wrapped_text(std::string_view text, std::size_t column, std::size_t indent, std::size_t width);
 
-/// A subject that no single option explains.
+/// A subject that `multipath help` explains besides the commands.
 struct HelpTopic
 {
-    std::string_view name;    ///< "scenes"; no command has it
+    std::string_view name;    ///< "scenes"; differs from all commands
     std::string_view summary; ///< one line, without a full stop
     std::string text;         ///< lines of at most 80 columns
 };
@@ -28,11 +28,11 @@ inline const std::string program_summary =
 
 constexpr std::size_t page_width = 90; ///< [columns] of the help of commands
 
-/// `left` in a column of its own, `right` wrapped beside it, from column `indent` to `width`.
+/// `left`, and `right` wrapped into the columns from `indent` to `width`; on the next line if `left` is too long.
 std::string two_columns(const std::string& left, std::string_view right, std::size_t indent,
                         std::size_t width = page_width);
 
-/// The option's help with what the table knows besides in brackets: "(one of 4d, 2d; default 4d)".
+/// The option's help, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
 std::string option_help(const Option& option);
 
 /// `multipath solve [OPTIONS] SCENE.obj`
@@ -41,22 +41,22 @@ std::string usage_line(const CommandTable& table);
 /// `try 'multipath solve --help'`; with an empty command name `try 'multipath --help'`.
 std::string help_hint(std::string_view command);
 
-/// The answer to `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes.
-/// At most 90 columns wide, except for the notes.
+/// The output of `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes. At most 90
+/// columns wide, except for the notes.
 std::string help_text(const CommandTable& table);
 
-/// The answer to `multipath --help`.
+/// The output of `multipath --help`.
 std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
 
 /// One line per command: name and summary, aligned.
 std::string command_list(const std::vector<CommandTable>& tables);
 
-/// The manual of the program in the language of `man` (roff with the macros man(7)): every command with its options,
-/// then every topic. The same tables give the same bytes: it bears the version, and no date.
+/// The manual page (roff with the macros of man(7)): every command with its options, then every topic. It carries the
+/// version but no date, so that the same tables give the same bytes.
 std::string man_page(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
 
-/// The script that lets bash complete commands, the options of a command, their choices, and files with the extensions
-/// that an operand takes. An option's argument called FILE is a file, FOLDER a folder.
+/// A bash script for the completion of commands, their options and choices, and files with the extensions that an
+/// operand takes. An option whose argument is called FILE takes a file, FOLDER a folder.
 std::string bash_completion(const std::vector<CommandTable>& tables);
 
 } // namespace multipath

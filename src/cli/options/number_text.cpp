@@ -30,7 +30,7 @@ struct Decimal
     int exponent = 0;
 };
 
-/// Takes the digits at the front of `text` away and returns them.
+/// Removes the digits at the front of `text` and returns them.
 std::string_view take_digits(std::string_view& text)
 {
     const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
@@ -45,7 +45,8 @@ bool take(std::string_view& text, char wanted)
     return found;
 }
 
-/// `e6`, `E-3` or nothing. Six digits or more are absent: no double reaches so far.
+/// Removes an exponent such as `e6` or `E-3` and returns it; 0 if there is none. Nothing if it is malformed or has six
+/// digits or more, beyond any double.
 std::optional<int> take_exponent(std::string_view& text)
 {
     if (!take(text, 'e') && !take(text, 'E'))
@@ -62,7 +63,7 @@ std::optional<int> take_exponent(std::string_view& text)
     return negative ? -exponent : exponent;
 }
 
-/// `-12.5e3` and its parts; nothing else may surround it. Absent for any other text.
+/// Parses `-12.5e3`, without anything around it. Nothing for any other text.
 std::optional<Decimal> parse_decimal(std::string_view text)
 {
     if (text.size() > 1000) // keeps the exponent an int
@@ -88,12 +89,12 @@ std::optional<Decimal> parse_decimal(std::string_view text)
     return decimal;
 }
 
-/// Its value when whole and not negative, capped at 2^64 - 1; absent otherwise.
+/// The value of a whole number that is not negative, at most 2^64 - 1 (larger ones become that); nothing for others.
 std::optional<std::uint64_t> whole_value(const Decimal& decimal)
 {
     if (decimal.digits.empty() && !decimal.negative)
         return 0;
-    if (decimal.negative || decimal.exponent < 0) // no trailing zeros are left, so this is a fraction
+    if (decimal.negative || decimal.exponent < 0) // a fraction, since trailing zeros have been removed
         return std::nullopt;
     if (decimal.digits.size() + static_cast<std::size_t>(decimal.exponent) > 20)
         return beyond_count;
@@ -107,7 +108,7 @@ std::optional<std::uint64_t> whole_value(const Decimal& decimal)
     return value;
 }
 
-/// The nearest double; absent when out of range.
+/// The nearest double; nothing if it is out of range or subnormal.
 std::optional<double> real_value(const Decimal& decimal)
 {
     if (decimal.digits.empty())
@@ -125,7 +126,7 @@ std::optional<double> real_value(const Decimal& decimal)
     throw UsageError(std::string(option) + ": expected " + expected + ", got " + quoted_argument(text));
 }
 
-/// `2^20`; capped at 2^64 - 1. Absent when either side is not a plain whole number.
+/// The value of `2^20`, at most 2^64 - 1 (larger ones become that). Nothing unless both sides are plain whole numbers.
 std::optional<std::uint64_t> power_value(std::string_view text)
 {
     const std::size_t caret = text.find('^');
@@ -146,7 +147,7 @@ std::optional<std::uint64_t> power_value(std::string_view text)
     return value;
 }
 
-/// `1e6`, `1.5M`. Upper case only for M and G: `1m` could mean a thousandth.
+/// Parses `1e6` or `1.5M`. M and G only in upper case: `1m` could mean a thousandth.
 std::optional<Decimal> decimal_with_suffix(std::string_view text)
 {
     const char last = text.empty() ? '\0' : text.back();
@@ -197,7 +198,8 @@ struct Unit
     double factor;
 };
 
-/// A number followed by one of the units; the first whose name fits is taken. k, M and G are units here, if anything.
+/// The value of a number that is followed by one of the units; nothing for any other text. Suffixes such as k, M and G
+/// count only if they are among the units.
 std::optional<double> value_with_unit(std::string_view text, const std::vector<Unit>& units)
 {
     const std::size_t number_length = std::min(text.find_last_of("0123456789.") + 1, text.size());

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string_view>
 
-// Numbers as users write them: 1000000, 1e6, 1M (k, M, G are powers of 1000), 2^20. `option` ("--lines") opens the
-// message of the UsageError that refuses anything else: signs where none make sense, nan, inf, trailing text, decimal
-// commas, overflow.
+// Numbers as users write them: 1000000, 1e6, 1M (k, M, G are powers of 1000), 2^20. Anything else is refused with a
+// UsageError whose message begins with `option` ("--lines"): signs where they make no sense, nan, inf, trailing text,
+// decimal commas, overflow.
 
 namespace multipath {
 
@@ -25,7 +25,7 @@ double read_real(std::string_view option, std::string_view text, double low = 0.
 /// A real number above zero.
 double read_positive(std::string_view option, std::string_view text);
 
-/// A share within [0, 1]: `1%` or `0.01`. A bare `1` is refused: it could mean either.
+/// A share within [0, 1]: `1%` or `0.01`. A bare `1` is refused: it could mean 1 % or everything.
 double read_share(std::string_view option, std::string_view text);
 
 /// [bytes], rounded down, at least 1: 512MB, 2GB, 1GiB, or a plain number of bytes; upper or lower case.
@@ -37,17 +37,18 @@ double read_seconds(std::string_view option, std::string_view text);
 /// Three numbers of any sign: 1,2.5,-3.
 Vec3 read_vec3(std::string_view option, std::string_view text);
 
-/// Three numbers, not all zero, scaled by a power of two so that the squares of large and small ones fit in a double.
+/// A direction: three numbers, not all zero, scaled by a power of two so that the largest is in [1, 2) and squares
+/// neither overflow nor vanish.
 Vec3 read_direction(std::string_view option, std::string_view text);
 
-/// [pixels], each at least 1.
+/// Size of a picture [pixels], each at least 1.
 struct PixelSize
 {
     int width = 0;
     int height = 0;
 };
 
-/// Width and height, none above `largest`: 800x600.
+/// Width and height, 1 to `largest` each: 800x600.
 PixelSize read_pixel_size(std::string_view option, std::string_view text, int largest);
 
 } // namespace multipath

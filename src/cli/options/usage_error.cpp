@@ -7,7 +7,7 @@ namespace multipath {
 
 namespace {
 
-/// Without leading dashes and in lower case: neither should count as a misspelling.
+/// The word without leading dashes and in lower case: neither counts as a misspelling.
 std::string bare(std::string_view word)
 {
     word.remove_prefix(std::min(word.find_first_not_of('-'), word.size()));
@@ -17,8 +17,8 @@ std::string bare(std::string_view word)
     return result;
 }
 
-/// Fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other
-/// (optimal string alignment).
+/// Optimal string alignment distance: fewest insertions, deletions, replacements and swaps of neighbours that turn one
+/// word into the other.
 std::size_t edit_distance(const std::string& from, const std::string& to)
 {
     std::vector<std::size_t> before_last(to.size() + 1);
@@ -53,7 +53,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
     const std::string typed = bare(word);
     if (typed.empty())
         return "";
-    std::size_t smallest = std::max<std::size_t>(1, typed.size() / 3) + 1; // more than a third wrong is another word
+    std::size_t smallest = std::max<std::size_t>(1, typed.size() / 3) + 1; // at most a third of the letters wrong
     std::string nearest;
     for (const std::string& candidate : candidates) {
         const std::string wanted = bare(candidate);

@@ -7,22 +7,22 @@
 
 namespace multipath {
 
-/// The command line is wrong: exit code 2. The message is one plain line without the name of the program; whoever
-/// prints it adds help_hint(), since only main knows the command.
+/// The command line is wrong (exit code 2). The message is one line without the name of the program; main(), which
+/// knows the command, adds help_hint().
 class UsageError : public std::runtime_error
 {
 public:
     explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// The user's text in single quotes, control characters as '?', so that a message stays one line.
+/// The user's text in single quotes, with '?' for control characters, so that a message stays one line.
 std::string quoted_argument(std::string_view text);
 
-/// The candidate that `word` is most likely a misspelling of (a few letters swapped, missing or too many, or an
-/// unfinished word), as "; did you mean CANDIDATE?" ready to be appended; "" when none is near.
+/// The text "; did you mean CANDIDATE?" with the candidate that `word` most likely misspells (a few letters wrong,
+/// swapped, missing or too many) or begins; "" if none is close.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "a, b, c"; with " or " before the last word "a, b or c".
+/// The words as a list: "a, b, c", or "a, b or c" if `before_last` is " or ".
 std::string listed(const std::vector<std::string_view>& words, std::string_view before_last = ", ");
 
 /// Throws UsageError "OPTION: expected one of A, B, C, got 'WORD'; did you mean A?" unless `word` is among the choices.

@@ -7,7 +7,7 @@
 
 namespace multipath {
 
-// The told lines as they are drawn. What leaves the scene is drawn a little way.
+// Traced lines as lines of a drawing. Rays that leave the scene are drawn for a fifth of its diagonal.
 
 std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines);
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace);

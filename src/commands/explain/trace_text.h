@@ -5,32 +5,32 @@
 #include <string>
 #include <vector>
 
-// The lines of a run, told in words.
+// Traces of a run in words.
 
 namespace multipath {
 
-/// Breaks a text between words into lines of at most 110 columns; its first line begins with `first` spaces, the others
+/// Breaks a text between words into lines of at most 110 columns. The first line begins with `first` spaces, the others
 /// with `others`.
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others);
 
-/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ, within which no line ends.
+/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ. Its spaces are tied: wrapped() does not break at them.
 std::string watts(Rgb power);
 
-/// "table_top (line 12)", as `check` names it; the material stands in for a missing name.
+/// "table_top (line 12)", as `check` names surfaces: the group and its line, or the material if the group has no name.
 std::string surface_name(const Scene& scene, std::uint32_t surface);
-/// "patch 12 of table_top (line 12)"; "its back" is said where both sides have patches.
+/// "patch 12 of table_top (line 12)", with ", its back" for a patch on the back of a surface.
 std::string patch_name(const Scene& scene, std::uint32_t patch);
 
-/// The run that the lines of a trace belong to.
+/// The run to which the lines of a trace belong.
 struct TracedRun
 {
     const Scene& scene;
     const SolveOptions& options;
-    std::string method;   ///< as the user names it
+    std::string method;   ///< name for --method
     std::string sequence; ///< full name
 };
 
-/// The traces in plain text for readers without the paper, at most 110 columns wide.
+/// The trace as plain text, at most 110 columns wide, for readers who do not know the paper.
 std::string trace_text(const TracedRun& run, const GlobalTrace& trace);
 std::string trace_text(const TracedRun& run, const BundleTrace& trace);
 std::string trace_text(const TracedRun& run, const ShotTrace& trace);

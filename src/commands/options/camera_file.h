@@ -6,9 +6,9 @@
 
 namespace multipath {
 
-/// Reads a view from a JSON file as the page saves it: an object of `eye` and `target` [m], three numbers each, and
-/// perhaps `up` (three numbers, else 0, 1, 0) and `fov` (degrees, vertical, 1 to 179, else 60). Throws InputError
-/// "FILE:line: what is wrong, what was expected".
+/// Reads a view from a JSON file as the page saves it: an object with `eye` and `target` [m], three numbers each, and
+/// optionally `up` (three numbers, default 0, 1, 0) and `fov` (vertical field of view, 1 to 179 degrees, default 60).
+/// Throws InputError "FILE:line: problem, expected ...".
 Camera read_camera_file(const std::string& path);
 
 } // namespace multipath

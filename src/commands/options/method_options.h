@@ -10,27 +10,28 @@
 
 namespace multipath {
 
-/// The options that decide what a run does, of every command that solves or follows one. `line_count` is the command's
-/// own option for the number of all lines of the run; `reuse` is among the methods, and the default, of those commands
-/// that can do it; the others take the methods whose lines can be told.
+/// The options of the method, for every command that solves or traces a run. `line_count` is the command's own option
+/// for the total number of lines. With `with_reuse` all methods are choices and `reuse` is the default; otherwise only
+/// methods whose lines can be traced.
 OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 
-/// The same for `solve`.
+/// The same for `solve`, with the options --lines and --important.
 OptionGroup solve_method_group();
 
-/// `line_count`: the name of that option. Throws UsageError.
+/// Reads the options of the method. `line_count`: name of the option for the total number of lines. Throws UsageError.
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count);
 
 /// The same without method, sequence, pairing, line order, chords and number of lines.
 SolveOptions read_settings(const CommandLine& line);
 
-/// What `--lines auto` means for the scene, "2^21": 2^20, or the power of two that gives each patch 24.
+/// The number of lines that `--lines auto` takes for the scene, as text such as "2^21": at least 2^20, and at least 24
+/// per patch.
 std::string usual_lines(const Scene& scene);
 
-/// Puts it into its place.
+/// Replaces `--lines auto` by usual_lines(), in the command line and in the options.
 void settle_lines(const Scene& scene, CommandLine& line, SolveOptions& options);
 
-// What the words of --chords, --pairing and --line-order stand for.
+// Values of --chords, --pairing and --line-order.
 inline constexpr std::array<NamedValue<Chords>, 2> chords_choices = {
     {{"sphere", Chords::sphere}, {"box", Chords::box}}};
 inline constexpr std::array<NamedValue<Pairing>, 2> pairing_choices = {
@@ -38,14 +39,15 @@ inline constexpr std::array<NamedValue<Pairing>, 2> pairing_choices = {
 inline constexpr std::array<NamedValue<LineOrder>, 2> line_order_choices = {
     {{"shuffled", LineOrder::shuffled}, {"sequence", LineOrder::sequence}}};
 
-/// Options that the method has no use for are mistakes: throws UsageError.
+/// Throws UsageError for an option that has no effect with the method, unless its value is the default.
 void require_options_with_effect(const CommandLine& line);
 
-/// The same for several methods, of which one must have a use for the option. `given`: what the user wrote of them.
+/// The same for several methods: the option must have an effect with one of them. `given`: what the user wrote, such as
+/// "--methods local,global".
 void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
                                  const std::string& given);
 
-/// The sequence's full name; its absence is the user's mistake (UsageError) with `option`.
+/// The full name of the sequence. Throws UsageError, which names `option`, if it cannot be made.
 std::string checked_sequence_name(const SolveOptions& options, const std::string& option = "--sequence");
 
 } // namespace multipath

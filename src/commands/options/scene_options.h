@@ -12,31 +12,37 @@ namespace multipath {
 /// The options of every command that reads an OBJ scene.
 OptionGroup scene_option_group();
 
-/// The file of the scene that the first operand names: as given, or the bundled one of that name.
+/// Path of the scene file that the first operand names: the file itself, or the bundled scene of that name.
 std::string scene_path(const CommandLine& line);
 
-/// The given options that change how the file is read, not what is done with it: --flip without a value, --unit, ...
+/// An option that the user gave.
 struct GivenOption
 {
     std::string name;
     std::string value; ///< empty: takes none
 };
+
+/// The given scene options that change the content of the scene, such as --flip or --unit: all but those for the size
+/// of patches and the memory. Values equal to the default are left out.
 std::vector<GivenOption> reading_options(const CommandLine& line);
 
-/// That scene, cut into patches as the options say, of adaptive ones into those that they begin with. Throws
-/// UsageError, InputError.
+/// Reads the scene of the first operand and cuts it into patches as the options say; with adaptive patches, into the
+/// coarse ones from which refinement begins. Throws UsageError, InputError.
 Scene read_scene(const CommandLine& line, int threads = 1);
 
-/// How many adaptive patches the options ask for; without --patches and --patch-size `solve` chooses for itself. 0 for
-/// those that are read. Throws UsageError.
+/// Number of adaptive patches that the options ask for, or that `solve` chooses without --patches and --patch-size.
+/// 0: patches are not adaptive. Throws UsageError.
 std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces);
 
-/// `--threads`: a definition for the tables, and its value; without it, all processors.
+/// The option --threads for the tables of commands.
 Option threads_option();
+
+/// The value of --threads; all processors by default.
 int thread_count(const CommandLine& line);
 
-/// The folder of the scenes that come with the program: of an installed one PREFIX/share/multipath/scenes, of one that
-/// was built beside its sources their folder `scenes`. Empty when there is none or the program cannot tell where it is.
+/// The folder of the scenes that come with the program: PREFIX/share/multipath/scenes of an installed program, or the
+/// folder `scenes` beside one that was built from sources. Empty if there is neither, or the path of the program is
+/// unknown.
 std::string bundled_scenes_folder();
 
 } // namespace multipath

@@ -8,31 +8,32 @@
 
 namespace multipath {
 
-/// How well the user wants to know the result.
+/// The accuracy that the user asks for.
 struct Accuracy
 {
     int replicates = 1;
     std::optional<double> tolerance;         ///< [1] root of the relative total MSE to reach
-    std::optional<double> patch_error;       ///< [1] the patches' part of it, once it is known
-    std::optional<double> seconds;           ///< to solve for
-    std::optional<std::uint64_t> most_lines; ///< of the last round, where one of these two decides
+    std::optional<double> patch_error;       ///< [1] root of the part of it that the patches cause, once known
+    std::optional<double> seconds;           ///< [s] time to solve
+    std::optional<std::uint64_t> most_lines; ///< limit for the last round, with a tolerance or a time
 
+    /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
-    /// [1] What the tolerance leaves for the noise. Half of it where the patches' error leaves less: they are the
-    /// user's choice then.
+    /// [1] Root of the relative MSE that the tolerance leaves for the noise, beside that of the patches; at least half
+    /// of the tolerance, since patches with a larger error are the user's choice or the largest number allowed.
     double noise_tolerance() const;
 };
 
-/// Ends the rounds when the tolerance is reached, or where another round, twice as long as the last, would exceed the
+/// Stopping rule of the rounds: the tolerance is reached, or another round, twice as long as the last, would exceed the
 /// time or the lines.
 class RoundLimit
 {
 public:
-    /// With fewer lines than `least_lines` an error is not believed.
+    /// Estimates of the error from fewer than `least_lines` lines are not trusted.
     RoundLimit(const Accuracy& accuracy, std::uint64_t least_lines) : accuracy_(accuracy), least_lines_(least_lines) {}
 
-    /// After each round, `seconds` after the start of the first one.
+    /// True if another round is to follow. Called after each round; `seconds` since the start of the first one.
     bool go_on(const Round& round, double seconds);
 
 private:
@@ -41,13 +42,13 @@ private:
     double round_start_ = 0.0; ///< [s]
 };
 
+/// --adaptive, --replicates, --tolerance and --time.
 OptionGroup accuracy_option_group();
 
-/// Throws UsageError.
+/// Reads the options of the accuracy, --adaptive excepted. Throws UsageError.
 Accuracy read_accuracy(const CommandLine& line);
 
-/// Solves as the accuracy asks: once, in replicates, or in rounds until it is reached or would not be in time. Shares
-/// are for runs without replicates.
+/// Solves once, in replicates, or in rounds until RoundLimit stops them. A shard requires a run without replicates.
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
                           const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 

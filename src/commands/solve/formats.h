@@ -18,43 +18,44 @@
 
 namespace multipath {
 
-/// A solution and all that formats are made of. What several files share is made once, for the first of them.
+/// A solution and everything that the formats need. Data that several files share are computed once, when first needed.
 class SolvedScene
 {
 public:
-    /// Bytes that tell more than the solution does; called at most once for each file.
+    /// Makes the bytes of a file that cannot be made from the solution alone; called at most once for each file.
     using Bytes = std::function<std::string()>;
 
-    /// All references must outlive it.
+    /// The arguments passed by reference must outlive the object.
     SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
                 const std::vector<std::string>& origin, Bytes state_bytes, Bytes page_bytes);
 
     const Scene& scene;
     const Solution& solution;
     const PictureOptions& options;
-    const std::vector<std::string>& comments; ///< origin, for formats that have a place for text
+    const std::vector<std::string>& comments; ///< provenance, for formats that can hold text
     const Bytes state;
     const Bytes page;
 
-    void show(std::size_t view); ///< of the options' views, from now on; the first at the start
+    void show(std::size_t view); ///< selects one of the options' views; initially the first
 
-    std::string one_comment() const;
-    const std::vector<Rgb>& shown_values(); ///< of the quantity that pictures show, per patch
+    std::string one_comment() const;        ///< all comments in one line
+    const std::vector<Rgb>& shown_values(); ///< per patch, of the quantity that pictures show
     Image light();                          ///< the picture as numbers
     const ScreenImage& screen();            ///< the picture for a screen
     const LightGrid& grid();                ///< of --grid, which must be given
-    /// What it comes to, for people; empty if no table was written of it.
+    /// One line for the user with mean, least and uniformity of the grid; empty if grid() was not called.
     std::string grid_summary() const;
     const Lightmap& lightmap();
-    double linear_colour_scale() const; ///< [m^2/W] of colours that end at 1, in meshes and lightmaps
+    double
+    linear_colour_scale() const; ///< [m^2/W] from radiosity to linear colours, at most 1, of meshes and lightmaps
     std::string lightmap_png();
-    std::string file_name;         ///< of the output that is made, without folder
+    std::string file_name;         ///< name of the current output, without folder
     const PatchMesh& mesh();       ///< with the radiosity at its corners
     const PatchMesh& plain_mesh(); ///< the same without the detail of textures
-    double mesh_scale();           ///< [m^2/W] exposure of the mesh's colours, that of pictures of it
+    double mesh_scale();           ///< [m^2/W] exposure of the mesh's colours, equal to that of pictures
     ScreenColour mesh_colour();
-    std::vector<GlbCamera> mesh_cameras();    ///< of all views
-    std::vector<std::string> mesh_comments(); ///< with the scale
+    std::vector<GlbCamera> mesh_cameras();    ///< one for each view
+    std::vector<std::string> mesh_comments(); ///< the comments and mesh_scale()
 
 private:
     const Camera& camera();
@@ -70,44 +71,46 @@ private:
     std::optional<double> mesh_scale_;
 };
 
-/// In the order in which files are made: first what is quick, so that what a signal costs can be made again from it.
+/// Kinds of formats in the order in which files are made: the quickest first. If a signal ends the program, the others
+/// can be made from the state.
 enum class FormatKind { state, table, mesh, picture, page };
 
-/// A format: one row of the table in formats.cpp. A new one is a function in `image` or `export` and a row.
+/// A format: one row of the table in formats.cpp. A new format is a function in `image` or `export` and a row.
 struct OutputFormat
 {
     std::string_view extension; ///< ".ppm"
     FormatKind kind;
     std::string_view summary; ///< a few words
-    bool by_default;          ///< written when no output is named
+    bool by_default;          ///< written if no output is named
     std::string (*bytes)(SolvedScene&);
 };
 
-/// All formats; the first one is that of standard output.
+/// All formats; the first one is used for standard output.
 std::vector<OutputFormat> output_formats();
 
-/// The kind that a file's extension names. Throws UsageError with the list of extensions.
+/// The kind of the format that a file's extension names. Throws UsageError with the list of extensions if there is
+/// none.
 FormatKind kind_of(const std::string& path);
 
 /// True if one of the outputs is of this kind.
 bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind);
 
-/// True if one of them shows the scene from a camera, or with the exposure of such a picture.
+/// True if one of the outputs needs a camera: it shows the scene, or has the exposure of a picture.
 bool has_view(const std::vector<PlannedOutput>& outputs);
 
-/// --output, --quiet and the like, of every command that writes solutions.
+/// --output, --quiet, ... of every command that writes solutions.
 OptionGroup solution_output_group();
 
-/// For a file NAME.*: NAME.ppm and whatever else is written by default, in the working directory.
+/// The default outputs for an input NAME.*: NAME.ppm and NAME.png in the working directory.
 std::vector<std::string> default_outputs(const std::string& path);
 
-/// open_outputs() with these formats. Of several views every picture becomes one for each: "room.png" becomes
-/// "room-door.png" for the view `door`.
+/// Calls open_outputs() with these formats. With several views, every picture becomes one for each view: "room.png"
+/// becomes "room-door.png" for the view `door`.
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
                                                  const std::vector<std::string>& inputs,
                                                  const std::vector<View>& views);
 
-/// Fills every output in its format and puts all into place. Throws OutputError.
+/// Writes every output in its format and commits all. Throws OutputError.
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);
 
 } // namespace multipath

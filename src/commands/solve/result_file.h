@@ -8,17 +8,18 @@
 
 namespace multipath {
 
-/// The result in a table (.csv) or in the state of a finished run, whatever the file is called.
+/// A result read from a table of patches (.csv) or from the state of a finished run. The content decides which, not the
+/// extension.
 struct ResultFile
 {
-    PatchTable table;                   ///< of a state the one that `solve -o FILE.csv` would have written
-    std::unique_ptr<const Scene> scene; ///< of a state
+    PatchTable table;                   ///< for a state, the table that `solve -o FILE.csv` would have written
+    std::unique_ptr<const Scene> scene; ///< for a state; otherwise null
 
-    /// `beside`: see read_patch_table. Throws InputError, ArchiveError.
+    /// `beside`: see read_patch_table(). Throws InputError, ArchiveError.
     explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
 };
 
-/// True if two scenes have the same surfaces and sides, in whichever patches.
+/// True if two scenes have the same surfaces and sides; their patches may differ.
 bool have_same_surfaces(const Scene& a, const Scene& b);
 
 } // namespace multipath

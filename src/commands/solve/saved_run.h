@@ -15,80 +15,83 @@
 
 namespace multipath {
 
-/// Whether and where the state of a run is kept, what it goes on from, and which share of the work it does.
+/// The state options of a command line.
 struct StateOptions
 {
-    std::string path;         ///< file; empty: not kept
-    std::string from;         ///< state to go on from; empty: it begins anew
+    std::string path;         ///< file in which the state is kept; empty: it is not kept
+    std::string from;         ///< state to resume from; empty: the run begins anew
     double save_every = 60.0; ///< [s]
     Shard shard;
 };
 
-/// --state, --resume, --shard and the like.
+/// --state, --resume, --shard, ...
 OptionGroup state_option_group();
 
-/// Throws UsageError; InputError for a state that exists where none is to be resumed: it would be lost.
+/// Reads these options. Throws UsageError; InputError if the --state file exists and --resume is not given: the state
+/// would be lost.
 StateOptions read_state_options(const CommandLine& line);
 
-/// Scene, options and share of a run, as its state file has them.
+/// Scene, options and shard of a run, as stored at the head of its state file.
 struct RunDescription
 {
-    std::vector<std::string> arguments; ///< of `solve`, as words: those that its result depends on, and the scene
+    std::vector<std::string> arguments; ///< words of the `solve` command: options that change the result, and the scene
     ArchivedScene scene;
     Shard shard;
 
     void visit(Archive& archive);
 };
 
-/// Of the run that the user asks for; its options are those of `solve`.
+/// The description of the run that a command line of `solve` asks for.
 RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard);
 
-/// The command line of the run that a state is of, with more words of the user, such as where to write pictures.
+/// The command line of `solve` that a state was made with, with more words of the user, such as outputs.
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words);
 
-/// The options that were given on a command line, as words for that of another command that has them, too.
+/// The options given on a command line, as words for another command that has the same options.
 std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line);
 
-/// Throws InputError "run.state: made with --sequence sobol, not halton; ..." where the user asks for another run than
-/// the state is of. Of a longer run of the same kind it may be the beginning, unless it is a share.
+/// Throws InputError "run.state: the state of another run: made with --sequence sobol, not with --sequence halton; ..."
+/// if the state belongs to another run than the wanted one. The wanted run may have other lines, tolerance and time,
+/// unless the state is of a shard.
 void require_same_run(const RunDescription& saved, const std::string& path, const RunDescription& wanted);
 
-/// A state file that has been read: the run that it is of, and where that was left.
+/// A state file that has been read: the description of its run, and the state in which the run was saved.
 struct SavedRun
 {
     std::unique_ptr<StateReader> arrays;
     RunDescription description;
-    std::vector<std::string> parts; ///< under way, the outermost first
+    std::vector<std::string> parts; ///< parts of the run that were in progress, the outermost first
 
     const std::string& name() const { return arrays->name(); }
 };
 
-/// Throws ArchiveError.
+/// Reads a state file. Throws ArchiveError.
 SavedRun read_saved_run(const std::string& path);
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 
-/// True if the run has reached the number of lines that it was asked for.
+/// True if the run has cast all lines that it was asked for.
 bool is_finished(const SavedRun& saved);
 
-/// Of the pieces of the run that are finished. Throws InputError without any.
+/// The solution from the finished pieces of the run. Throws InputError if there are none.
 Solution finished_solution(const SavedRun& saved, const Scene& scene);
 
-/// Saves the state of a run now and then, at its end, and where the user interrupts it, which ends the work.
+/// Saves the state of a run at intervals, at its end, and when the user interrupts it, which stops the run.
 class StateKeeper : public Checkpoint
 {
 public:
-    /// `keep_last`: what was saved last stays in the memory, for an output.
+    /// `keep_last`: also keeps the last saved state in memory, for an output.
     StateKeeper(StateOptions options, bool keep_last, RunDescription description);
 
-    /// The run goes on from there.
+    /// Lets the run resume from this state.
     void resume(SavedRun saved);
 
     bool wants_pause() const override;
 
     const std::string& path() const { return options_.path; }
-    /// Of the last time it was saved, if that is kept.
+    /// The last saved state, if it is kept in memory.
     const std::string& last_bytes() const { return last_bytes_; }
     bool resumed() const { return resumed_.has_value(); }
+    /// True if the shard is finished and its state saved for `merge`.
     bool handed_in() const { return handed_in_; }
 
 protected:
@@ -110,7 +113,7 @@ private:
     Clock::time_point next_save_;
     std::string last_bytes_;
     bool handed_in_ = false;
-    mutable std::atomic<bool> worked_{false}; ///< or was everything done already?
+    mutable std::atomic<bool> worked_{false}; ///< false: the resumed state was complete already
 };
 
 } // namespace multipath

@@ -15,7 +15,7 @@
 
 namespace multipath {
 
-/// The request to `solve`, read from its command line.
+/// A command line of `solve` and the options read from it.
 struct SolveJob
 {
     using Clock = std::chrono::steady_clock;
@@ -29,18 +29,18 @@ struct SolveJob
     Clock::time_point start = Clock::now();
 };
 
-/// Throws UsageError.
+/// Reads the options. Throws UsageError.
 SolveJob read_solve_job(const CommandLine& line);
 
-/// Refuses, before the work, a view in which nothing can be seen and a page that does not fit into the memory. Throws
-/// SettingsError and InputError.
+/// Checks before the work that the outputs can be made. Throws SettingsError for a camera without direction, InputError
+/// for a page that does not fit into the memory.
 void require_results_possible(const SolveJob& job, const Scene& scene, const std::vector<PlannedOutput>& outputs);
 
-/// Solves, or goes on with what the keeper resumes, fills the outputs and tells the user. Returns the exit code.
+/// Solves, or resumes the run of the keeper, writes the outputs and prints the summary. Returns the exit code.
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
               Shard shard);
 
-/// Fills the outputs from a solution; `state` are the bytes of those that are one.
+/// Writes the outputs of a solution. `state`: the bytes for outputs that are states.
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state);
 
@@ -55,24 +55,25 @@ struct SolveSummary
     double seconds = 0.0;                ///< from start to end, pictures included
     double seconds_trace = 0.0;          ///< of the solver alone
     double seconds_outputs = 0.0;        ///< of making and writing the outputs
-    double seconds_to_first_lines = 0.0; ///< from start to when the first block of lines was done
-    bool complete = true;                ///< or was it interrupted?
-    bool all_at_once = true;             ///< or were some of the lines traced by an earlier run?
+    double seconds_to_first_lines = 0.0; ///< from start to the end of the first block of lines
+    bool complete = true;                ///< false: interrupted
+    bool all_at_once = true;             ///< false: an earlier run traced some of the lines
 
-    /// [1] Root of the relative total MSE, of patches and noise; nothing where these are not known.
+    /// [1] Root of the relative total MSE, of patches and noise; nothing unless both are known.
     std::optional<double> error() const;
 
-    /// [1] Root of the relative MSE by noise of the patches that options.importance weights, relative to their mean.
+    /// [1] Root of the relative MSE by noise of the patches that options.importance weights, relative to their mean;
+    /// nothing without importance or standard errors.
     std::optional<double> error_of_important() const;
 };
 
-/// Some lines for a person.
+/// The summary as text, some lines.
 std::string summary_text(const SolveSummary& summary);
 
-/// Where the power is after every stage: each pass of the (extended) first shot, then the whole run.
+/// A table of the power balance after every stage: each pass of the (extended) first shot, then the whole run.
 std::string stages_text(const Solution& solution);
 
-/// The same for a program: the keys of `solve --json`.
+/// The summary as the JSON object of `solve --json`.
 JsonObject summary_json(const SolveSummary& summary);
 
 } // namespace multipath
