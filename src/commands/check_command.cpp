@@ -34,7 +34,7 @@ CommandTable check_table()
             "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"};
 }
 
-/// All that a scene emits through one material.
+/// The emission of a scene by one material.
 struct Emitter
 {
     const Material* material;
@@ -173,7 +173,7 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     json.number("lit_fraction", r.direct.lit_fraction);
     json.number("lit_fraction_effective", r.direct.effective_fraction);
     json.number("secondary_reflectance", r.direct.secondary_reflectance);
-    constexpr double null = std::numeric_limits<double>::quiet_NaN(); // as JSON writes it
+    constexpr double null = std::numeric_limits<double>::quiet_NaN(); // written as null
     json.number("ratio_first_shot", r.ratio_first_shot.value_or(null));
     json.number("ratio_extended", r.ratio_extended.value_or(null));
     json.number("threshold_radiosity", r.threshold_radiosity);
@@ -211,7 +211,7 @@ std::string power_text(double power, const SceneFile& scene)
     return std::isfinite(power) ? format("%.4g %s", power, light_units(scene).power) : "";
 }
 
-/// What would give light to a scene that has none.
+/// The options that would give light to a scene without emitters, each with the power that would arrive.
 std::string dark_text(const DarkScene& dark)
 {
     std::string text = dark.scene->path + ": no emitter; about what would arrive on fronts, with\n";
@@ -232,6 +232,7 @@ JsonObject dark_json(const DarkScene& dark)
     return JsonObject().text("scene", dark.scene->path).text("error", dark.what()).objects("lights", lights);
 }
 
+/// Reads the scene. If it has no light, prints the options that would give it some and throws DarkScene.
 Scene scene_for_check(const CommandLine& line, int threads)
 {
     try {

@@ -24,7 +24,7 @@ namespace multipath {
 
 namespace {
 
-/// In one channel of one patch.
+/// A deviation in one channel of one patch.
 struct Deviation
 {
     std::size_t patch = 0;
@@ -37,7 +37,7 @@ struct WorstPatch
     double share; ///< [1] of the MSE
 };
 
-/// How far A, the estimate, is from B, the reference. The lists of both have the same length.
+/// Error of A, the estimate, against B, the reference. Both tables have the same patches.
 struct Comparison
 {
     const PatchTable& a;
@@ -46,15 +46,16 @@ struct Comparison
     ErrorMeasure error{};
     double mean_a = 0.0; ///< radiosity [W/m^2]
     double mean_b = 0.0;
-    std::optional<double> expected_a{}; ///< [1] relative MSE (1) that the table's own standard errors let expect
+    std::optional<double> expected_a{}; ///< [1] expected relative MSE (1) by the table's own standard errors
     std::optional<double> expected_b{};
     Deviation largest{};
     std::vector<WorstPatch> worst{};
 
-    /// [1] of the relative MSE
+    /// [1] Root of the relative MSE.
     double root() const { return std::sqrt(error.relative_mean_square); }
 
-    /// 1 where A and B are independent and their standard errors are all that makes them differ; nothing without any.
+    /// Ratio of the MSE to the one expected from the standard errors: about 1 if A and B are independent and differ
+    /// only by their noise. Nothing if there are no standard errors, or all are 0.
     std::optional<double> measured_over_expected() const
     {
         const double expected =
@@ -63,7 +64,7 @@ struct Comparison
     }
 };
 
-/// Throws InputError for tables of other patches, told by their number and areas.
+/// Throws InputError if the patches of the tables differ in number or area.
 void require_same_patches(const PatchTable& a, const PatchTable& b)
 {
     if (a.areas.size() != b.areas.size())
@@ -76,7 +77,7 @@ void require_same_patches(const PatchTable& a, const PatchTable& b)
                              b.path);
 }
 
-/// Area-weighted [W/m^2].
+/// Area-weighted mean [W/m^2].
 double mean_radiosity(const PatchTable& table)
 {
     double power = 0.0;
@@ -129,8 +130,8 @@ std::vector<WorstPatch> worst_patches(const PatchTable& a, const PatchTable& b, 
     return patches;
 }
 
-/// Of tables with the same patches, which must outlive it, with the `worst_count` patches that have the largest shares
-/// of the MSE. Throws InputError for numbers too large to square, and for a reference without light.
+/// Compares tables of the same patches, which must outlive the result, and finds the `worst_count` patches with the
+/// largest shares of the MSE. Throws InputError for numbers too large to square, and for a reference without light.
 Comparison compare(const PatchTable& a, const PatchTable& b, std::size_t worst_count)
 {
     Comparison c{a, b};
@@ -158,7 +159,8 @@ std::string expected_text(std::optional<double> relative_square)
                            : "unknown";
 }
 
-/// The MSE of a few replicates scatters by up to a factor of two.
+/// Interpretation of measured_over_expected(). Between 0.5 and 2 the standard errors explain the difference, since an
+/// MSE by a few replicates scatters by up to a factor of two.
 std::string verdict(const Comparison& c, double ratio)
 {
     if (ratio < 0.5)
@@ -212,7 +214,7 @@ JsonObject worst_json(const Comparison& c, const WorstPatch& patch)
     return json;
 }
 
-/// Some lines for a person.
+/// The report as text.
 std::string report_text(const Comparison& c)
 {
     std::string text = "A          " + c.a.path + "\nB          " + c.b.path + ", the reference\n";
@@ -226,7 +228,7 @@ std::string report_text(const Comparison& c)
     return text + errors_text(c) + worst_text(c);
 }
 
-/// The same for a program: the keys of `compare --json`.
+/// The report as the JSON object of `compare --json`.
 JsonObject report_json(const Comparison& c)
 {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
@@ -253,14 +255,14 @@ JsonObject report_json(const Comparison& c)
     return json;
 }
 
-// Results with other patches of the same surfaces are compared by what they show.
+// Results with different patches of the same surfaces are compared by what smooth shading shows at points.
 
 bool have_other_patches(const ResultFile& a, const ResultFile& b)
 {
     return a.scene && b.scene && a.table.areas != b.table.areas && have_same_surfaces(*a.scene, *b.scene);
 }
 
-/// Some lines for a person.
+/// The report as text. `alone`: there is no B.
 std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownError& e, bool alone)
 {
     std::string text =
@@ -276,7 +278,7 @@ std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownErro
     return text;
 }
 
-/// The same for a program.
+/// The report as JSON.
 JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError& e)
 {
     JsonObject json;

@@ -18,7 +18,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t most_lines_told = 1000;
+constexpr std::uint64_t most_traced_lines = 1000;
 
 CommandTable explain_table()
 {
@@ -63,7 +63,7 @@ constexpr std::array<NamedStage, 5> known_stages = {{{"first-shot", StageKind::s
                                                      {"bundle", StageKind::bundle},
                                                      {"local", StageKind::local}}};
 
-/// Which stage of the run is told.
+/// The stage of the run whose lines are traced.
 struct Stage
 {
     StageKind kind;
@@ -72,17 +72,17 @@ struct Stage
 
 bool has_stage(Method method, std::string_view name)
 {
-    const std::vector<std::string_view> told = told_stages(method);
-    return std::find(told.begin(), told.end(), name) != told.end();
+    const std::vector<std::string_view> stages = told_stages(method);
+    return std::find(stages.begin(), stages.end(), name) != stages.end();
 }
 
 /// "first-shot or global, or --method extended": the stages of the method, and the methods with the stage.
 std::string expected_stages(Method method, std::string_view name)
 {
-    const std::vector<std::string_view> told = told_stages(method);
+    const std::vector<std::string_view> stages = told_stages(method);
     std::string text;
-    for (std::size_t k = 0; k < told.size(); ++k)
-        text += (k == 0 ? "" : k + 1 < told.size() ? ", " : " or ") + std::string(told[k]);
+    for (std::size_t k = 0; k < stages.size(); ++k)
+        text += (k == 0 ? "" : k + 1 < stages.size() ? ", " : " or ") + std::string(stages[k]);
     const char* before = ", or --method ";
     for (const Method other : all_methods())
         if (has_stage(other, name)) {
@@ -112,21 +112,21 @@ Stage read_stage(const CommandLine& line)
     return {stage->kind, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
-TracedRange read_told_range(const CommandLine& line)
+TracedRange read_traced_range(const CommandLine& line)
 {
     return {read_count("--first", line.text("first"), 1, std::uint64_t{1} << 48) - 1,
-            read_count("--lines", line.text("lines"), 1, most_lines_told)};
+            read_count("--lines", line.text("lines"), 1, most_traced_lines)};
 }
 
-/// Text and drawing of one trace.
-struct Telling
+/// Text and drawn lines of one trace.
+struct Explanation
 {
     std::string text;
     std::string title;
     std::vector<DrawnLine> lines;
 };
 
-Telling tell(const TracedRun& run, const Stage& stage, const TracedRange& range)
+Explanation explain(const TracedRun& run, const Stage& stage, const TracedRange& range)
 {
     if (stage.kind == StageKind::global) {
         const GlobalTrace trace = trace_global_pass(run.scene, run.options, range);
@@ -161,7 +161,7 @@ int run_explain(const CommandLine& line)
 {
     require_options_with_effect(line);
     const Stage stage = read_stage(line);
-    const TracedRange range = read_told_range(line);
+    const TracedRange range = read_traced_range(line);
     const Vec3 up = read_direction("--up", line.text("up"));
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);
@@ -173,15 +173,15 @@ int run_explain(const CommandLine& line)
     for (const std::string& warning : scene.file().warnings)
         print_note(warning + "\n");
     const TracedRun run{scene, options, line.text("method"), sequence};
-    const Telling telling = tell(run, stage, range);
-    LineDrawing drawing = drawing_of(run, stage, telling.title);
+    const Explanation explanation = explain(run, stage, range);
+    LineDrawing drawing = drawing_of(run, stage, explanation.title);
     drawing.up = up;
     drawing.comments = provenance(explain_table(), line, scene);
     for (PlannedOutput& output : outputs)
-        output.file.write(draw_lines(scene, telling.lines, drawing));
+        output.file.write(draw_lines(scene, explanation.lines, drawing));
     commit(outputs);
     if (std::find(paths.begin(), paths.end(), "-") == paths.end())
-        print(telling.text);
+        print(explanation.text);
     return 0;
 }
 

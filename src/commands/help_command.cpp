@@ -178,7 +178,7 @@ CommandTable help_table(const std::vector<CommandTable>& others)
     return table;
 }
 
-/// The text about a command or topic that exists.
+/// The help of a command, or the text of a topic. One of them must have this name.
 std::string explanation(const std::string& name, const std::vector<CommandTable>& tables,
                         const std::vector<HelpTopic>& topics)
 {

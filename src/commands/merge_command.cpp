@@ -30,30 +30,31 @@ CommandTable merge_table()
             "  multipath merge 1.state 2.state -o room.png -o room.csv\n"};
 }
 
-/// Throws InputError unless these are all shares of one run.
-void require_all_shares(std::vector<SavedRun>& runs)
+/// Sorts the runs by the number of their shard. Throws InputError unless they are all shards of one run.
+void require_all_shards(std::vector<SavedRun>& runs)
 {
     std::sort(runs.begin(), runs.end(), [](const SavedRun& a, const SavedRun& b) {
         return a.description.shard.number < b.description.shard.number;
     });
     const std::uint64_t of = runs[0].description.shard.of;
-    const auto share_text = [&](std::uint64_t number) { return std::to_string(number + 1) + "/" + std::to_string(of); };
+    const auto shard_text = [&](std::uint64_t number) { return std::to_string(number + 1) + "/" + std::to_string(of); };
     for (std::size_t k = 0; k < runs.size(); ++k) {
         RunDescription same_shard = runs[k].description;
         same_shard.shard.number = runs[0].description.shard.number;
         require_same_run(runs[0].description, runs[0].name(), same_shard);
         const std::uint64_t number = runs[k].description.shard.number;
         if (k > 0 && number == runs[k - 1].description.shard.number)
-            throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both share " + share_text(number) +
+            throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both share " + shard_text(number) +
                              "; expected each share once");
         if (number != k)
-            throw InputError("share " + share_text(k) + " is missing; expected all " + std::to_string(of) + " of them");
+            throw InputError("share " + shard_text(k) + " is missing; expected all " + std::to_string(of) + " of them");
     }
     if (runs.size() != of)
-        throw InputError("share " + share_text(runs.size()) + " is missing; expected all " + std::to_string(of) +
+        throw InputError("share " + shard_text(runs.size()) + " is missing; expected all " + std::to_string(of) +
                          " of them");
 }
 
+/// Throws InputError unless the shards have been saved at the same point of the run, with the same direct light.
 void require_same_stage(const std::vector<SavedRun>& runs)
 {
     for (const SavedRun& run : runs) {
@@ -66,7 +67,7 @@ void require_same_stage(const std::vector<SavedRun>& runs)
     }
 }
 
-/// The average of shares that are runs of their own.
+/// Writes the average of shards that are independent runs.
 void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t lines, Archive& sum)
 {
     RunRecord record;
@@ -86,7 +87,7 @@ void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t line
     record.visit(sum, scene.patch_count());
 }
 
-/// The bytes of the state that one run alone would have now.
+/// The bytes of the state that a single run would have at this point.
 std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const Scene& scene)
 {
     std::string bytes;
@@ -97,10 +98,10 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
     whole.description.visit(sum);
     if (job.options.method->shards == Shards::added) {
         require_same_stage(runs);
-        std::vector<Archive*> shares;
+        std::vector<Archive*> shards;
         for (SavedRun& run : runs)
-            shares.push_back(run.arrays.get());
-        add_up_shares(shares, runs[0].parts, scene.patch_count(), job.options.threads, sum);
+            shards.push_back(run.arrays.get());
+        add_up_shares(shards, runs[0].parts, scene.patch_count(), job.options.threads, sum);
     } else {
         average(runs, scene, job.options.lines, sum);
     }
@@ -117,7 +118,7 @@ int run_merge(const CommandLine& line)
     if (runs.size() == 1 && runs[0].description.shard.of == 1)
         throw InputError(runs[0].name() +
                          ": of a whole run, not a share of one; 'multipath render' makes outputs of it");
-    require_all_shares(runs);
+    require_all_shards(runs);
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
     inputs.push_back(runs[0].description.scene.file->path);

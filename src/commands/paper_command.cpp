@@ -44,7 +44,7 @@ CommandTable paper_table()
         "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
 }
 
-/// Runs one step as if it had been typed, with its files in the folder.
+/// Runs one step as if it had been typed, with its outputs in the folder.
 void run_step(const PaperStep& step, const std::string& folder, const CommandLine& line)
 {
     const Command command = command_named(step.words.front());
@@ -73,7 +73,8 @@ SceneFindings scene_findings(const std::string& name, const std::string& path, i
     return {name, scene.patch_count(), report_on(scene, report_lines, threads)};
 }
 
-/// The folder that --scenes names. If there is no `scenes` here and none was asked for, that of the program.
+/// The folder that --scenes names; or the bundled one if --scenes has its default and the working directory has no
+/// folder with the scenes.
 std::string scenes_folder(const CommandLine& line)
 {
     const std::string given = line.text("scenes");
@@ -100,7 +101,7 @@ PaperFindings read_findings(const CommandLine& line, const std::string& scenes, 
     return findings;
 }
 
-/// The processor's name as the system tells it, else the kind of machine.
+/// The processor's name as the system reports it, otherwise the type of machine.
 std::string processor_name()
 {
     std::ifstream facts("/proc/cpuinfo"); // Linux
@@ -111,7 +112,7 @@ std::string processor_name()
     return uname(&names) == 0 ? names.machine : "unknown";
 }
 
-/// Today, "2026-11-21" (UTC).
+/// The current date (UTC), such as "2026-11-21".
 std::string today()
 {
     const std::time_t now = std::time(nullptr);

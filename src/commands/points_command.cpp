@@ -22,8 +22,8 @@ namespace {
 
 constexpr int most_dimensions = 64;
 constexpr int most_dimensions_of_a_matrix = 8;                         // 28 plots
-constexpr std::uint64_t most_points_drawn = 65536;                     // more are a grey square of many megabytes
-constexpr std::uint64_t most_points_measured = std::uint64_t{1} << 14; // the work grows with the square: seconds
+constexpr std::uint64_t most_points_drawn = 65536;                     // more look grey and take many megabytes
+constexpr std::uint64_t most_points_measured = std::uint64_t{1} << 14; // takes seconds; quadratic in the number
 
 constexpr std::array<NamedValue<decltype(&paper_figure_1)>, 2> paper_figures = {
     {{"1", paper_figure_1}, {"2", paper_figure_2}}};
@@ -109,7 +109,7 @@ std::string range_words(const PointRange& range)
            std::to_string(range.first + (range.count - 1));
 }
 
-/// One row per point, in pieces: the table may be larger than the memory.
+/// Writes one row per point, block by block: the table may be larger than the memory.
 void write_points(OutputFile& file, const PointRange& range, const std::vector<std::string>& comments)
 {
     std::string text = comment_lines(comments) + "n";
@@ -134,11 +134,11 @@ struct DiscrepancyRow
 {
     std::uint64_t count;
     double l2_star;
-    double random_l2_star;      ///< of independent random points, root mean square
+    double random_l2_star;      ///< root mean square for independent random points
     std::optional<double> star; ///< in one and two dimensions
 };
 
-/// For 1, 2, 4, ... points of the range, and for all of them; time of order count^2.
+/// Measures the first 1, 2, 4, ... points of the range, and all of them. O(count^2).
 std::vector<DiscrepancyRow> measure_discrepancy(const PointRange& range)
 {
     std::vector<std::uint64_t> counts;
@@ -155,7 +155,7 @@ std::vector<DiscrepancyRow> measure_discrepancy(const PointRange& range)
     return rows;
 }
 
-/// For readers: aligned columns below a line of headings.
+/// The table as text with aligned columns.
 std::string discrepancy_text(const std::vector<DiscrepancyRow>& rows)
 {
     std::string text = format("%9s%13s%13s%13s\n", "points", "L2 star", "if random", "star");
@@ -165,7 +165,7 @@ std::string discrepancy_text(const std::vector<DiscrepancyRow>& rows)
     return text;
 }
 
-/// As CSV; `star` is empty where it is absent.
+/// The table as CSV; `star` is empty where it is not computed.
 std::string discrepancy_table(const std::vector<DiscrepancyRow>& rows, const std::vector<std::string>& comments)
 {
     std::string table = comment_lines(comments) + "count,l2_star,random_l2_star,star\n";
@@ -244,7 +244,7 @@ int run_listing(const CommandLine& line)
     for (PlannedOutput& output : outputs)
         if (output.extension == ".svg")
             output.file.write(draw(all_points(range), pairs, range_words(range), provenance(points_table(), line)));
-        else // made again without a drawing, which those options need
+        else // the recorded command writes only the table: without options that need a drawing
             write_points(output.file, range, provenance(without_options(points_table(), {"pairs", "order"}), line));
     commit(outputs);
     return 0;

@@ -31,7 +31,7 @@ CommandTable selftest_table()
             "Exit code 0: every check passed; 1: a check failed, which is WRONG or INCONCLUSIVE.\n"};
 }
 
-/// Options without effect are refused: those of scenes without a scene, the choice of known scenes with one.
+/// Throws UsageError for options without effect: scene options without SCENE.obj, --case with it.
 void require_effect(const CommandLine& line)
 {
     if (!line.operands().empty()) {
@@ -44,7 +44,7 @@ void require_effect(const CommandLine& line)
             throw UsageError("--" + std::string(option.name) + " has no effect without SCENE.obj");
 }
 
-/// Fewer runs than of the known scenes, with as many lines as the patches need.
+/// Settings for the user's scene: fewer runs than for the known scenes, and at least 128 lines per patch up to 2^20.
 SelftestSettings settings_for(const Scene& scene, SelftestSettings settings)
 {
     settings.replicates = 16;
@@ -52,7 +52,7 @@ SelftestSettings settings_for(const Scene& scene, SelftestSettings settings)
     return settings;
 }
 
-/// The known scenes that --case names, or all.
+/// The known scenes that --case names, or all of them.
 std::vector<KnownScene> chosen_scenes(const CommandLine& line)
 {
     const std::vector<std::string> wanted = line.all("case");

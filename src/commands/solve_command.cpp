@@ -51,8 +51,10 @@ void require_one_on_standard_output(const CommandLine& line)
         throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
 }
 
-/// A share of `reuse` is counts that mean nothing alone; one of a walk is a run of its own.
-void require_outputs_of_share(const CommandLine& line, const SolveJob& job, const StateOptions& state)
+/// Throws UsageError for a shard with replicates, with more shards than lines, or without a state to merge. A shard of
+/// `reuse` holds counts that mean nothing by themselves, so its only outputs are states; a shard of another method is
+/// an independent run.
+void require_valid_shard(const CommandLine& line, const SolveJob& job, const StateOptions& state)
 {
     if (state.shard.of == 1)
         return;
@@ -77,11 +79,11 @@ std::vector<std::string> output_paths(const CommandLine& line, const StateOption
     return state.shard.of > 1 ? std::vector<std::string>{} : default_outputs(line.operands()[0]);
 }
 
-/// Lets the run go on from a saved state. Throws InputError for the state of another run.
+/// Lets the run resume from a saved state. Throws InputError for the state of another run.
 void resume(const StateOptions& state, const RunDescription& wanted, const SolveJob& job, StateKeeper& keeper)
 {
     SavedRun saved = read_saved_run(state.from);
-    const bool whole = state.from != state.path && saved.description.shard.of == 1; // merged, to be shared again
+    const bool whole = state.from != state.path && saved.description.shard.of == 1; // merged, to be split again
     if (whole)
         saved.description.shard = wanted.shard;
     require_same_run(saved.description, state.from, wanted);
@@ -107,8 +109,8 @@ CommandTable solve_table()
             "  multipath solve room.obj -o room.html\n"};
 }
 
-/// The scene that was read, cut further where adaptive patches are asked for.
-Scene as_adaptive_as_asked(SolveJob& job, Scene coarse)
+/// The scene with the adaptive patches that the options ask for, if any.
+Scene with_adaptive_patches(SolveJob& job, Scene coarse)
 {
     const std::uint64_t most = adaptive_patches(job.line, coarse.surfaces());
     if (most == 0)
@@ -123,15 +125,15 @@ Scene as_adaptive_as_asked(SolveJob& job, Scene coarse)
     return adapted(coarse, most, job.options.memory, job.options.threads, [&](double done) { progress.show(done); });
 }
 
-/// With replicates the patches' error is told beside the noise. A tolerance has them cut until their error is at most
-/// its share, equal to that of the noise, unless options fix them.
-Scene as_accurate_as_asked(SolveJob& job, Scene scene)
+/// With replicates, estimates the error that the patches cause, which is reported beside the noise. With a tolerance,
+/// cuts the patches until their part of the MSE is at most half of it, unless options fix the patches.
+Scene with_patches_for_tolerance(SolveJob& job, Scene scene)
 {
     if (job.accuracy.replicates < 2)
         return scene;
     constexpr double most = 1e6;              // patches
-    constexpr double order = 1.3;             // of the MSE in the number of patches, in rooms
-    constexpr double least = 1.5, step = 8.0; // growth at a time
+    constexpr double order = 1.3;             // of convergence of the MSE in the number of patches, measured in rooms
+    constexpr double least = 1.5, step = 8.0; // smallest and largest growth at a time
     const bool fixed =
         !job.accuracy.tolerance || job.line.has("adaptive") || job.line.has("patches") || job.line.has("patch-size");
     const double wanted = job.accuracy.tolerance.value_or(0.0) / std::sqrt(2.0);
@@ -147,13 +149,13 @@ Scene as_accurate_as_asked(SolveJob& job, Scene scene)
         const auto patches = static_cast<std::uint64_t>(growth * scene.patch_count());
         require_memory_for_patches(job.line, scene.file(), static_cast<double>(patches));
         Scene finer = adapted(scene, patches, job.options.memory, job.options.threads, show);
-        if (finer.patch_count() == scene.patch_count()) // all that differ are as small as can be
+        if (finer.patch_count() == scene.patch_count()) // no patch can be cut further
             return scene;
         scene = std::move(finer);
     }
 }
 
-/// Adds what one camera sees: the pixels of each patch over its area.
+/// Adds the weights of the patches that one camera sees: the number of their pixels over their area.
 void add_view(const Scene& scene, const Camera& camera, double aspect, std::vector<double>& weight)
 {
     constexpr int rows = 256;
@@ -199,9 +201,9 @@ std::vector<double> weight_of_named(const Scene& scene, const std::string& name)
     return weight;
 }
 
-/// What --important says: the patches of an object or a material of this name, all with the weight 1; or for "view"
-/// those that the user's cameras see, in proportion to their share of the pictures. Throws UsageError for a view
-/// without a camera of the user's, and InputError for a name that the scene does not have or whose patches reflect
+/// The importance that --important asks for. Patches of an object or material of this name have the weight 1; for
+/// "view" the user's cameras determine it: pixels over area, relative to the largest. Throws UsageError for "view"
+/// without a camera of the user, and InputError for a name that the scene does not have or whose patches reflect
 /// nothing.
 std::shared_ptr<const Importance> important_patches(const Scene& scene, const std::string& what,
                                                     const PictureOptions& pictures)
@@ -225,14 +227,15 @@ int run_solve(const CommandLine& line)
     require_one_on_standard_output(line);
     SolveJob job = read_solve_job(line);
     const StateOptions state = read_state_options(line);
-    require_outputs_of_share(line, job, state);
+    require_valid_shard(line, job, state);
     std::vector<std::string> inputs = {scene_path(line)};
     for (const std::string& path : {state.path, state.from})
         if (!path.empty())
             inputs.push_back(path);
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs, job.pictures.views);
 
-    const Scene scene = as_accurate_as_asked(job, as_adaptive_as_asked(job, read_scene(line, thread_count(line))));
+    const Scene scene =
+        with_patches_for_tolerance(job, with_adaptive_patches(job, read_scene(line, thread_count(line))));
     settle_lines(scene, job.line, job.options);
     if (line.has("important"))
         job.options.importance = important_patches(scene, line.text("important"), job.pictures);

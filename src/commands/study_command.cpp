@@ -39,26 +39,26 @@ namespace multipath {
 
 namespace {
 
-/// The entries of a list with commas; one that begins with a digit belongs to the entry before if that has a colon, as
-/// in "sobol,halton:2,7,3,5".
+/// Splits a list at its commas. An entry that begins with a digit belongs to the previous one if that has a colon:
+/// "sobol,halton:2,7,3,5" has two entries.
 std::vector<std::string> split_list(const std::string& text)
 {
     std::vector<std::string> entries;
     std::size_t from = 0;
     while (from <= text.size()) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string piece = text.substr(from, comma - from);
-        const bool number = !piece.empty() && std::isdigit(static_cast<unsigned char>(piece[0]));
+        const std::string part = text.substr(from, comma - from);
+        const bool number = !part.empty() && std::isdigit(static_cast<unsigned char>(part[0]));
         if (number && !entries.empty() && entries.back().find(':') != std::string::npos)
-            entries.back() += "," + piece;
+            entries.back() += "," + part;
         else
-            entries.push_back(piece);
+            entries.push_back(part);
         from = comma + 1;
     }
     return entries;
 }
 
-/// The sequences that need nothing but their name.
+/// The sequences whose arguments are optional.
 std::vector<std::string_view> all_sequence_names()
 {
     std::vector<std::string_view> names;
@@ -68,7 +68,9 @@ std::vector<std::string_view> all_sequence_names()
     return names;
 }
 
-/// The entries of the option `name`, for "all" those of `all`. Without choices anything goes.
+/// The entries of the option `name`; for the word "all" those of the list `all`, unless that is empty. Throws
+/// UsageError for an empty or repeated entry, and for one that is not among the choices; without choices any name is
+/// allowed.
 std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
                                    const std::vector<std::string_view>& choices,
                                    const std::vector<std::string_view>& all = {})
@@ -107,7 +109,7 @@ CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
     return plan;
 }
 
-/// The options that say which curves a study has: lists of methods, sequences, pairings, chords and line orders.
+/// The options for the curves of a study: lists of methods, sequences, pairings, line orders and chords.
 OptionGroup study_curve_options()
 {
     return {"Curves, one for each combination",
@@ -120,8 +122,8 @@ OptionGroup study_curve_options()
              {"chords", 0, "LIST", "", "Of " + listed(names_of(chords_choices)) + ". Without it, each method's own."}}};
 }
 
-/// One curve for each combination of the lists, without those that differ in nothing, such as chords of a method
-/// without global lines. Throws UsageError for an unknown name, one named twice, and options without effect.
+/// One curve for each combination of the lists, without duplicates: for a method without global lines, for example, all
+/// chords give the same curve. Throws UsageError for an unknown or repeated name, and for options without effect.
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
     const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
@@ -217,9 +219,10 @@ StudyPlan read_plan(const CommandLine& line)
     return plan;
 }
 
-constexpr std::uint64_t lines_beyond = 16; ///< lines of the reference for each of the longest run
+constexpr std::uint64_t reference_factor = 16; ///< lines of the reference over those of the longest run
 
-std::string beside(const std::string& output)
+/// The folder NAME.cache beside the output NAME.*.
+std::string cache_beside(const std::string& output)
 {
     const std::size_t slash = output.rfind('/');
     const std::size_t dot = output.rfind('.');
@@ -227,13 +230,15 @@ std::string beside(const std::string& output)
     return (extension ? output.substr(0, dot) : output) + ".cache";
 }
 
-/// The folder in which a study keeps what it has finished, the reference as a table of patches and the runs: the one
-/// that --cache names, or one beside the first output that is a file; made if need be. Empty: nothing is kept. Throws
-/// OutputError for one that cannot be made.
+/// The folder in which a study keeps the reference (a table of patches) and the finished runs: the one that --cache
+/// names, or one beside the first output that is a file. It is made if it does not exist. Empty: nothing is kept.
+/// Throws OutputError if it cannot be made.
 std::string cache_folder(const CommandLine& line, const std::vector<std::string>& outputs)
 {
     const auto file = std::find_if(outputs.begin(), outputs.end(), [](const std::string& path) { return path != "-"; });
-    std::string folder = line.has("cache") ? line.text("cache") : file != outputs.end() ? beside(*file) : std::string();
+    std::string folder = line.has("cache")       ? line.text("cache")
+                         : file != outputs.end() ? cache_beside(*file)
+                                                 : std::string();
     if (!folder.empty())
         make_folder(folder);
     return folder;
@@ -249,11 +254,12 @@ std::string bytes_of(const std::vector<Rgb>& values)
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Rgb)};
 }
 
-/// The `solve` whose result is the reference: as a user would type it, so that its table tells how to make it again.
+/// The command `solve` whose result is the reference, as a user would type it. Its table records it, so that it can be
+/// reproduced.
 CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
 {
     std::vector<std::string> words = {
-        line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(lines_beyond * longest),
+        line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(reference_factor * longest),
         "--sequence",       "sobol-owen", "--replicates", "4"};
     for (const char* name : {"patch-size", "patches", "memory", "threads", "seed"})
         if (line.has(name))
@@ -263,6 +269,7 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
     return {solve_command().table, words};
 }
 
+/// Throws InputError if the patches of the table differ from those of the scene in number or area.
 void require_same_scene(const PatchTable& table, const Scene& scene)
 {
     const auto refuse = [&](const std::string& difference) {
@@ -276,7 +283,7 @@ void require_same_scene(const PatchTable& table, const Scene& scene)
             refuse("patch " + std::to_string(i) + " has another area than in the scene");
 }
 
-/// The last of the facts that kept results have in common.
+/// Identifies the sources of the program: results kept by a program from other sources are not used.
 std::string program_fact()
 {
     return "sources: " + sources_checksum();
@@ -299,7 +306,7 @@ Reference reference_of(const PatchTable& table, const Scene& scene)
     return reference;
 }
 
-/// The reference that the cache holds in the file, if it is what the facts say.
+/// The reference in a file of the cache, if it has exactly these facts as comments.
 std::optional<Reference> kept_reference(const std::string& path, const std::vector<std::string>& facts,
                                         const Scene& scene)
 {
@@ -318,7 +325,8 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
     return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
 }
 
-/// Of the patches of a scene the mean radiosity [W/m^2] of those patches of a finer one that have their middle there.
+/// Transfers a radiosity [W/m^2] to coarser patches: the area-weighted mean of the finer patches whose centres lie on
+/// each patch, or its emittance if there are none.
 std::vector<Rgb> averaged(const Scene& finer, const std::vector<Rgb>& radiosity, const Scene& scene)
 {
     std::vector<Rgb> power(scene.patch_count());
@@ -342,7 +350,8 @@ std::vector<Rgb> averaged(const Scene& finer, const std::vector<Rgb>& radiosity,
     return power;
 }
 
-/// The total error of what is shown, at points, against light gathered from a result with other patches.
+/// A reference for the total error, of patches and noise: at points, the shown radiosity is compared with light
+/// gathered from a result with other patches.
 Reference total_reference(ResultFile finer, const Scene& scene, int threads)
 {
     constexpr std::uint64_t points = 10000;
@@ -354,15 +363,16 @@ Reference total_reference(ResultFile finer, const Scene& scene, int threads)
     reference.radiosity = std::move(finer.table.radiosity);
     reference.measure = [&scene, truth, guide](const std::vector<Rgb>& radiosity) -> ErrorMeasure {
         const ShownError error = shown_error(scene, radiosity, guide, truth, points, 1);
-        // Chance can make a small mean square negative, which has no logarithm.
+        // The estimate of a small mean square may be negative, which has no logarithm.
         const double relative = std::max(error.relative_mean_square, 0.1 * error.standard_error);
         return {relative * error.mean_true * error.mean_true, relative};
     };
     return reference;
 }
 
-/// The result that --reference names, else the one kept by a program from the same sources, else a solution with 16
-/// times the lines of the plan's last point, which is then kept. Throws InputError for a table of another scene.
+/// The result that --reference names; or the one in the cache, if a program from the same sources has kept it; or a new
+/// solution with 16 times the lines of the plan's last point, which is then kept. Throws InputError for a table of
+/// another scene.
 Reference study_reference(const CommandLine& line, const Scene& scene, const StudyPlan& plan, const std::string& cache)
 {
     if (line.has("reference")) {
@@ -389,13 +399,14 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
     return {solution.radiosity, expected_relative_square(scene.weights(), solution.radiosity, solution.standard_error)};
 }
 
-/// Of the runs of this study; without a file if there is no folder. Runs with other settings, another scene or
-/// reference are kept apart; those of a program from other sources are forgotten. Throws OutputError.
+/// The journal of the runs of this study, in a file of the cache; without a file if there is no cache. Runs with other
+/// settings, scene or reference have files of their own; those by a program from other sources are overwritten. Throws
+/// OutputError.
 Journal open_journal(const CommandLine& line, const Scene& scene, const Reference& reference, const std::string& cache)
 {
     if (cache.empty())
         return Journal();
-    // Facts that all runs of this study share; the curves and the numbers of lines are each run's own.
+    // The identity leaves out what differs between runs (curves, numbers of lines) and what does not change them.
     const std::vector<std::string> not_shared = {"methods", "sequences",  "pairings",  "line-orders", "chords", "from",
                                                  "to",      "replicates", "reference", "against",     "with"};
     const std::string shared = joined(provenance(without_options(study_table(), not_shared), line, scene)) +
@@ -451,7 +462,7 @@ int run_study_command(const CommandLine& line)
         Journal journal = open_journal(line, scene, reference, cache);
         Progress progress("study", progress_style(line));
         const bool counts = std::any_of(plan.curves.begin(), plan.curves.end(), [](const CurvePlan& c) {
-            return c.options.method->shards == Shards::added; // which take memory for pairs of patches
+            return c.options.method->shards == Shards::added; // these need memory for pairs of patches
         });
         const int at_a_time = counts ? reuse_runs_at_a_time(line, scene, threads) : threads;
         study = run_study(scene, reference, plan, journal, at_a_time, [&](double done) { progress.show(done); });

@@ -23,7 +23,7 @@ std::string outcome_word(CheckOutcome outcome)
     }
 }
 
-/// Two decimals, or an exponent for numbers of four digits and more.
+/// A number with two decimals, or in exponential notation from 1000 on.
 std::string short_number(double value)
 {
     return format(std::abs(value) < 1000.0 ? "%.2f" : "%.1e", value);
@@ -40,7 +40,7 @@ std::string check_text(const Check& check, CheckOutcome outcome)
            outcome_word(outcome) + "\n";
 }
 
-/// The widest limit of the table, that of the fewest runs.
+/// States the widest limit of the table, that of the checks with the fewest runs.
 std::string limit_text(const std::vector<Check>& checks, const SignificanceTest& test)
 {
     double most = 0.0;
@@ -74,7 +74,7 @@ double SignificanceTest::limit(const Check& check) const
 
 CheckOutcome SignificanceTest::outcome(const Check& check) const
 {
-    if (!(std::abs(check.measured - check.expected) <= limit(check))) // not a number fails every comparison
+    if (!(std::abs(check.measured - check.expected) <= limit(check))) // also true for NaN
         return CheckOutcome::wrong;
     return limit(check) <= check.resolution ? CheckOutcome::passed : CheckOutcome::inconclusive;
 }

@@ -17,14 +17,14 @@ constexpr Vec3 y_axis = {0, 1, 0};
 constexpr Vec3 z_axis = {0, 0, 1};
 constexpr Interval unit = {0.0, 1.0};
 
-/// F of two unit squares that face each other at distance 1.
+/// Form factor of two unit squares that face each other at distance 1.
 double opposite_squares()
 {
     return parallel_rectangles(unit, unit, unit, unit, 1.0);
 }
 
-/// B of a patch. Of a watt left unshot, at most 1 / (1 - rho) watts arrive anywhere, rho the highest reflectance, and
-/// the patch reflects its share.
+/// The radiosity B of a patch in one channel. A watt left unshot would arrive, over all reflections, as at most
+/// 1 / (1 - highest_reflectance) watts, and the patch would reflect `reflectance` of it.
 KnownAnswer radiosity_of(const std::string& what, std::uint32_t patch, double Rgb::*channel, double value,
                          double highest_reflectance, double reflectance, double area)
 {
@@ -33,7 +33,8 @@ KnownAnswer radiosity_of(const std::string& what, std::uint32_t patch, double Rg
             reflectance / (1.0 - highest_reflectance) / area};
 }
 
-/// A F from the only lamp, of radiosity 1 and black, to a patch that reflects only what comes from it.
+/// The exchange area A F between the only lamp, which is black and has radiosity 1, and a patch that is lit by it
+/// alone.
 KnownAnswer exchange_with(std::uint32_t patch, double reflectance, double value)
 {
     return {"A F [m^2]", value,
@@ -49,8 +50,9 @@ KnownAnswer escaping(double value)
             [](const Scene&, const Solution& solution) { return solution.balance.escaped.g; }, 1.0};
 }
 
-/// A closed room, a box on its floor, all of E and rho: every reflection returns the share rho of the light, so
-/// B = E (1 + rho + rho^2 + ...) = E / (1 - rho) on every patch, also where the box covers the floor. Nothing is lost.
+/// Furnace: a closed room with a box on its floor; all surfaces have the same E and rho. Every reflection returns the
+/// share rho of the light, so B = E (1 + rho + rho^2 + ...) = E / (1 - rho) on every patch, also on the floor under the
+/// box. Nothing escapes.
 KnownScene furnace()
 {
     constexpr Rgb reflectance = {0.2, 0.4, 0.6};
@@ -68,8 +70,8 @@ KnownScene furnace()
              answer("the box's top, blue", 7, &Rgb::b, 0.5), escaping(0.0)}};
 }
 
-/// Two unit squares that face each other at distance 1: B_1 = E + rho_1 F B_2, B_2 = rho_2 F B_1. Of all that leaves
-/// them, 1 - F escapes.
+/// Two unit squares that face each other at distance 1: B_1 = E + rho_1 F B_2, B_2 = rho_2 F B_1. The share 1 - F of
+/// the power that leaves them escapes.
 KnownScene facing_squares()
 {
     constexpr double emittance = 2.0;
@@ -97,7 +99,7 @@ KnownScene parallel()
     return {"parallel", builder.file(), {exchange_with(1, 0.5, exchange)}};
 }
 
-/// A lamp and a wall that share a part of an edge.
+/// A lamp and a perpendicular wall that have a part of an edge in common.
 KnownScene perpendicular()
 {
     SceneBuilder builder;
@@ -107,8 +109,8 @@ KnownScene perpendicular()
     return {"perpendicular", builder.file(), {exchange_with(1, 0.5, exchange)}};
 }
 
-/// The facing squares with a black screen between their middles, from one to the other: each half sees only the half
-/// on its own side, A F = 2 (A F of the halves).
+/// The facing squares with a black screen that joins their middle lines: each half sees only the half on its own side,
+/// so A F = 2 (A F of two halves).
 KnownScene screened()
 {
     SceneBuilder builder;
@@ -121,7 +123,8 @@ KnownScene screened()
     return {"screened", builder.file(), {exchange_with(1, 0.5, 2.0 * half)}};
 }
 
-/// The mean over a rectangle, by 3 x 3 nodes in each of 64 x 64 parts: shadows have kinks.
+/// Mean irradiance of a rectangle by Gauss-Legendre quadrature with 3 x 3 nodes in each of 64 x 64 cells. The cells are
+/// small because the irradiance has kinks at shadow boundaries.
 double mean_irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, const Surface& receiver)
 {
     constexpr int parts = 64;
@@ -138,7 +141,7 @@ double mean_irradiance_past(const std::vector<Surface>& blockers, const Surface&
     return sum / weights;
 }
 
-/// A floor in the penumbra of two black sheets, one of them tilted, that overlap each other before the lamp.
+/// A floor in the penumbra of two black sheets, one of them tilted, whose shadows overlap.
 KnownScene penumbra()
 {
     const Surface lamp = {Shape::parallelogram, {0, 1, 0}, x_axis, 0.8 * z_axis};
@@ -157,9 +160,9 @@ KnownScene penumbra()
     return {"penumbra", builder.file(), {exchange_with(1, 0.5, mean_irradiance_past({level, tilted}, lamp, floor))}};
 }
 
-/// A glowing cube in the middle of a closed one. All light of the inner one reaches the outer, so reciprocity gives
-/// F_oi = A_i / A_o, and the rest of the outer one's light comes back to it: B_i = E + rho_i B_o,
-/// B_o = rho_o (F_oi B_i + (1 - F_oi) B_o). The six faces of either are alike.
+/// A glowing cube in the middle of a closed one. All light of the inner cube i reaches the outer cube o, so reciprocity
+/// gives F_oi = A_i / A_o, and the share 1 - F_oi of the light of the outer cube returns to it: B_i = E + rho_i B_o,
+/// B_o = rho_o (F_oi B_i + (1 - F_oi) B_o). By symmetry the six faces of each cube are alike.
 KnownScene nested_cubes()
 {
     constexpr double emittance = 3.0;
@@ -177,7 +180,7 @@ KnownScene nested_cubes()
              radiosity_of("the inner", 8, &Rgb::g, b_i, rho_i, rho_i, 0.16)}};
 }
 
-/// A cube without a ceiling, black but for the light of its floor: the share F of two facing squares escapes.
+/// A black cube without a ceiling, whose floor emits: the share F of two facing squares escapes.
 KnownScene open_cube()
 {
     SceneBuilder builder;

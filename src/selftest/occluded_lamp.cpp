@@ -1,3 +1,8 @@
+// The lamp's polygon is clipped by the horizon of the point. Each blocker then removes its shadow: the part of the
+// polygon inside the pyramid from the point through the blocker's edges, and farther away than its plane. A plane cuts
+// a convex polygon into two convex ones, so the visible region is a list of convex polygons. Lambert's formula gives
+// the irradiance from each.
+
 #include "selftest/occluded_lamp.h"
 
 #include "geometry/polygon.h"
@@ -10,21 +15,22 @@ namespace {
 
 using Polygon = std::vector<Vec3>; ///< convex, with any number of corners
 
-/// Of a polygon cut by a plane.
+/// The parts of a polygon on both sides of a plane.
 struct Halves
 {
     Polygon front;
     Polygon back;
 };
 
-Halves cut(const Polygon& polygon, Vec3 place, Vec3 normal)
+/// Cuts a polygon by the plane through a point with this normal.
+Halves cut(const Polygon& polygon, Vec3 origin, Vec3 normal)
 {
     Halves result;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec3 from = polygon[k];
         const Vec3 to = polygon[(k + 1) % polygon.size()];
-        const double here = dot(from - place, normal);
-        const double there = dot(to - place, normal);
+        const double here = dot(from - origin, normal);
+        const double there = dot(to - origin, normal);
         if (here >= 0.0)
             result.front.push_back(from);
         if (here <= 0.0)
@@ -38,8 +44,8 @@ Halves cut(const Polygon& polygon, Vec3 place, Vec3 normal)
     return result;
 }
 
-/// Appends what of a polygon is seen past a blocker: for each plane through the point and an edge the part beyond it,
-/// and of the rest the part before the blocker's own plane.
+/// Appends the parts of a polygon that are visible from the point past a blocker: the part outside each plane through
+/// the point and an edge of the blocker, and of the rest the part in front of the blocker's plane.
 void add_seen(Polygon rest, const Surface& blocker, Vec3 point, std::vector<Polygon>& seen)
 {
     const std::vector<Vec3> corners = corners_of(blocker);

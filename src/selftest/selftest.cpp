@@ -1,3 +1,7 @@
+// Every method solves every scene several times with independent lines. The mean of the runs is compared with the known
+// answer, or with the mean by local Monte Carlo; its standard error comes from the scatter of the runs. So the checks
+// are statistical tests (see SignificanceTest) that hold for any seed, not comparisons with stored numbers.
+
 #include "selftest/selftest.h"
 
 #include "geometry/elementary.h"
@@ -15,8 +19,8 @@ namespace multipath {
 
 namespace {
 
-constexpr double whole_surfaces = 1e3;          ///< patch size [m] above any edge
-constexpr double rounding = 1e-6;               ///< [1] of what is kept in single precision
+constexpr double whole_surfaces = 1e3;          ///< [m] patch size larger than any edge: a surface is one patch
+constexpr double rounding = 1e-6;               ///< [1] relative, of numbers in single precision
 constexpr double known_scene_resolution = 0.05; ///< [1]
 constexpr double scene_resolution = 0.25;       ///< [1] scenes may be hard
 constexpr std::size_t most_materials = 4;
@@ -32,7 +36,7 @@ SolveOptions options_of_run(Method method, const std::string& sequence, const Se
     options.method = method;
     options.sequence = sequence;
     options.lines = settings.lines;
-    options.bundle = 16; // few patches know little of few directions, however many lines these have
+    options.bundle = 16; // few lines for each direction give many directions, which scenes of few patches need
     options.threads = settings.threads;
     return independent_run(options, RandomStream::runs, settings.seed, static_cast<std::uint64_t>(number),
                            most_items_per_line * settings.lines);
@@ -54,9 +58,9 @@ std::vector<Solution> solved_runs(const Scene& scene, const Preparation& prepara
     return runs;
 }
 
-/// Sets mean, standard error and degrees of freedom from quantity(run). The stretches of a sequence that is not
-/// randomised have errors in common, which their scatter does not show: 1/200 of the expected value is allowed for
-/// them.
+/// The check with mean, standard error and degrees of freedom of quantity(run) over the runs. Without randomisation,
+/// the runs take successive ranges of one sequence and have common errors, which their scatter does not show; 1/200 of
+/// the expected value is allowed for these.
 template <class Run, class Quantity>
 Check measured_by(Check check, const std::vector<Run>& runs, const Quantity& quantity)
 {
@@ -71,7 +75,8 @@ Check measured_by(Check check, const std::vector<Run>& runs, const Quantity& qua
     return check;
 }
 
-/// Mean power that the runs left unshot [W]. Zero for the local method: Russian roulette is right in expectation.
+/// Mean over the runs of the power left unshot [W], in the channel with the most. Zero for the local method, whose
+/// Russian roulette is unbiased.
 double mean_unshot(const std::vector<Solution>& runs, Method method)
 {
     if (method == Method::local)
@@ -84,7 +89,7 @@ double mean_unshot(const std::vector<Solution>& runs, Method method)
     return mean.mean();
 }
 
-/// Whether emitted = absorbed + unshot + escaped + behind in all runs.
+/// Checks that emitted = absorbed + unshot + escaped + behind in all runs.
 Check balance_check(const std::string& topic, const std::string& method, const std::vector<Solution>& runs)
 {
     Check check = {topic, method, "all", "power gained or lost [1]"};
@@ -130,7 +135,7 @@ struct NamedChannel
     Channel channel;
 };
 
-/// One channel of a grey scene, else all three.
+/// One channel for a grey scene, all three for others.
 std::vector<NamedChannel> channels_of(const Scene& scene)
 {
     const auto is_grey = [](Rgb c) { return c.r == c.g && c.g == c.b; };
@@ -141,7 +146,7 @@ std::vector<NamedChannel> channels_of(const Scene& scene)
     return {{"red", &Rgb::r}, {"green", &Rgb::g}, {"blue", &Rgb::b}};
 }
 
-/// Power that the patches of each material reflect [W], for each run.
+/// Power [W] that the patches of each material reflect, for each run.
 std::vector<std::vector<Rgb>> reflected_powers(const Scene& scene, const std::vector<Solution>& runs)
 {
     std::vector<std::vector<Rgb>> powers;
@@ -155,7 +160,7 @@ std::vector<std::vector<Rgb>> reflected_powers(const Scene& scene, const std::ve
     return powers;
 }
 
-/// The materials that reflect most power.
+/// The materials that reflect most power, at most most_materials, the brightest first.
 std::vector<std::size_t> brightest_materials(const std::vector<std::vector<Rgb>>& powers)
 {
     std::vector<double> sums(powers.front().size());
@@ -171,7 +176,7 @@ std::vector<std::size_t> brightest_materials(const std::vector<std::vector<Rgb>>
     return order;
 }
 
-/// Bound of the power that the light left unshot would still add to a material: twice that of light which is spread
+/// Bound of the power [W] that unshot light would still add to a material: twice what it would add if it were spread
 /// evenly over the scene.
 double missing_power(const Scene& scene, std::size_t material, double unshot, Channel channel)
 {
@@ -182,7 +187,7 @@ double missing_power(const Scene& scene, std::size_t material, double unshot, Ch
     return 2.0 * unshot * scene.materials()[material].reflectance.*channel * area / scene.total_area() / absorbed;
 }
 
-/// The reflected power of these materials in each channel, without an expected value.
+/// Checks of the reflected power of these materials in each channel; the expected value is still missing.
 std::vector<Check> material_checks(const Scene& scene, const Method method, const std::vector<std::size_t>& materials,
                                    const std::vector<std::vector<Rgb>>& powers, double unshot)
 {
@@ -201,7 +206,7 @@ std::vector<Check> material_checks(const Scene& scene, const Method method, cons
     return checks;
 }
 
-/// The check with the result of another method as the expected value: the errors of both count.
+/// The check with the result of another method as the expected value. The standard errors of both are combined.
 Check compared_with(Check check, const Check& other)
 {
     check.expected = other.measured;
@@ -211,8 +216,8 @@ Check compared_with(Check check, const Check& other)
     return check;
 }
 
-/// No patch reflects less than nothing. Noise may make the exchange of two patches negative in a single run; the mean
-/// of all runs may be negative by up to 6 standard errors.
+/// Checks that no patch reflects negative power. Noise may make the exchange of two patches negative in a single run;
+/// the mean of all runs may be negative by up to 6 standard errors.
 Check reflected_check(const Scene& scene, const std::string& method, const std::vector<Solution>& runs)
 {
     double least = 0.0;
@@ -231,6 +236,7 @@ Check reflected_check(const Scene& scene, const std::string& method, const std::
     return check;
 }
 
+/// Checks that the runs emit the power of the sources.
 Check emitted_check(const Scene& scene, const std::string& method, const std::vector<Solution>& runs)
 {
     Check check = {"power", method, scene_sequence, "emitted [W]", mean(scene.source_power())};
@@ -247,19 +253,19 @@ std::vector<Check> known_scene_checks(const std::vector<KnownScene>& scenes, con
     SelftestSettings of_run = settings;
     of_run.threads = 1;
     const std::vector<Method> methods = all_methods();
-    const std::uint64_t pieces = scenes.size() * methods.size();
+    const std::uint64_t tasks = scenes.size() * methods.size();
     BlockBuffers<std::vector<Check>> slots(settings.threads);
     std::vector<Check> checks;
-    const auto solve_piece = [&](std::uint64_t number, int slot) {
-        const auto piece = static_cast<std::size_t>(number);
-        slots[slot] = known_scene_checks_by(scenes[piece / methods.size()], methods[piece % methods.size()], of_run);
+    const auto solve_task = [&](std::uint64_t number, int slot) {
+        const auto task = static_cast<std::size_t>(number);
+        slots[slot] = known_scene_checks_by(scenes[task / methods.size()], methods[task % methods.size()], of_run);
     };
-    const auto collect = [&](std::uint64_t number, int slot) {
+    const auto append_checks = [&](std::uint64_t number, int slot) {
         const std::vector<Check>& found = slots[slot];
         checks.insert(checks.end(), found.begin(), found.end());
-        progress(static_cast<double>(number + 1) / static_cast<double>(pieces));
+        progress(static_cast<double>(number + 1) / static_cast<double>(tasks));
     };
-    ordered_blocks(pieces, settings.threads, solve_piece, collect);
+    ordered_blocks(tasks, settings.threads, solve_task, append_checks);
     return checks;
 }
 
@@ -271,7 +277,7 @@ std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& sett
     double done = 0.0;
     for (const Method method : all_methods()) {
         SelftestSettings of_method = settings;
-        if (method == Method::gathering) // as few walks meet a small lamp
+        if (method == Method::gathering) // few of its walks meet a small lamp
             of_method.lines *= 16;
         const std::vector<Solution> runs =
             solved_runs(scene, preparation_for(scene, method), method, scene_sequence, of_method);

@@ -14,9 +14,9 @@ namespace multipath {
 
 namespace {
 
-constexpr double clearly_above = 10.0; ///< times the reference's own error: it then moves a point by a tenth at most
+constexpr double clearly_above = 10.0; ///< times the error of the reference, which then moves a point by 10 % at most
 
-/// Processor time of the calling thread since this object was made. It excludes the time taken by other programs.
+/// Processor time of the calling thread since this object was made, without the time that other programs take.
 class ProcessorTime
 {
 public:
@@ -38,9 +38,9 @@ std::string curve_name(const CurveKind& kind)
     return kind.method + " " + kind.sequence + " " + kind.pairing + " " + kind.chords + " " + kind.line_order;
 }
 
-/// Items between the beginnings of two executions: a power of two, so that stretches of Sobol's sequence begin where
-/// one of its nets does; no run of so many lines takes more.
-std::uint64_t stretch(const Scene& scene, const SolveOptions& options)
+/// Number of items between the first items of two executions: at least as many as a run takes, and a power of two, so
+/// that every execution with Sobol's sequence begins with a new net.
+std::uint64_t item_stride(const Scene& scene, const SolveOptions& options)
 {
     const std::uint64_t most = GlobalLines(scene.bounds(), chords_of(options)).lines_to_cast(options.lines);
     std::uint64_t items = 1;
@@ -84,7 +84,7 @@ private:
         SolveOptions options = plan_.options;
         options.lines = lines;
         return independent_run(options, RandomStream::runs, seed_ ^ lines, static_cast<std::uint64_t>(number),
-                               stretch(scene_, options));
+                               item_stride(scene_, options));
     }
 
     const Scene& scene_;
@@ -101,8 +101,7 @@ struct PlannedRun
     ExecutionKey key;
 };
 
-/// Executions that are not in the journal, the longest first: with short ones last all threads end at about the same
-/// time.
+/// Executions that are not in the journal, the longest first, so that all threads finish at about the same time.
 std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal)
 {
     std::vector<PlannedRun> runs;
@@ -173,15 +172,15 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
     parallel_blocks(runs.size(), threads, [&](std::uint64_t n) {
         const PlannedRun& run = runs[n];
         const auto lines = static_cast<double>(run.key.lines);
-        double told = 0.0; // of this run, 0 ... 1
-        const auto tell = [&](double done) {
+        double reported = 0.0; // share of this run
+        const auto report = [&](double done) {
             const std::lock_guard<std::mutex> lock(mutex);
-            done_lines += (done - told) * lines;
-            told = done;
+            done_lines += (done - reported) * lines;
+            reported = done;
             progress(std::min(1.0, done_lines / all_lines));
         };
-        journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference, tell));
-        tell(1.0);
+        journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference, report));
+        report(1.0);
     });
 
     Study study;

@@ -28,7 +28,7 @@ constexpr double sample_width = 20.0;
 constexpr double note_height = 16.0;
 constexpr double guide_label_width = 80.0;
 constexpr double guide_label_size = 11.0;
-constexpr double character_width = 6.6; ///< of a font of 12 px, at most, on average
+constexpr double character_width = 6.6; ///< upper bound of the mean in a font of 12 px
 
 constexpr const char* line_grey = "#808080";
 constexpr const char* label_grey = "#555555";
@@ -43,7 +43,7 @@ struct ErrorBar
     double high;
 };
 
-/// A curve with what is drawn of it; coordinates are decimal logarithms.
+/// The drawn parts of a curve; coordinates are decimal logarithms.
 struct PlottedCurve
 {
     MarkStyle style;
@@ -51,11 +51,11 @@ struct PlottedCurve
     std::vector<PlotPoint> others;
     std::vector<ErrorBar> bars;  ///< one per point
     std::optional<PowerLaw> law; ///< against the plot's abscissa
-    std::vector<PlotPoint> line; ///< of the law, over the fitted points; empty without one
+    std::vector<PlotPoint> line; ///< the law over the range of the fitted points; empty without a law
 };
 
-/// Two thin lines from one point, of slopes -1 (random lines) and -1.25 (the best of stratified sampling in four
-/// dimensions): their vertical extent for each decade across.
+/// Guides: two thin lines from one point with the slopes -1 (random lines) and -1.25 (the best of stratified sampling
+/// in four dimensions). The numbers are decades down per decade across.
 constexpr std::array<double, 2> guide_slopes = {1.0, 1.25};
 constexpr std::array<const char*, 2> guide_labels = {"slope \u22121", "slope \u22121.25"};
 
@@ -64,8 +64,8 @@ double abscissa(const CurvePoint& point, Abscissa against)
     return against == Abscissa::lines ? static_cast<double>(point.lines) : point.seconds;
 }
 
-/// Least ratio of the longest to the shortest time for a fit: where the preparation of a run takes most of the time,
-/// all points have nearly the same abscissa and a slope means nothing.
+/// Least ratio of the longest to the shortest time for a fit. If the preparation of a run takes most of the time, all
+/// points have nearly the same abscissa and the slope is meaningless.
 constexpr double least_span_of_seconds = 4.0;
 
 std::optional<PowerLaw> law_of(const Curve& curve, Abscissa against)
@@ -100,7 +100,7 @@ std::vector<PlotPoint> law_line(const PowerLaw& law, const std::vector<PlotPoint
     return {at(first->x), at(last->x)};
 }
 
-/// Points whose error and abscissa are above 0; others have no place on logarithmic axes.
+/// A curve in logarithmic coordinates. Points whose error or abscissa is not above 0 are left out.
 PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t series)
 {
     PlottedCurve result{svg_series_mark(series), {}, {}, {}, law_of(curve, against), {}};
@@ -108,9 +108,9 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
         const double x = abscissa(point, against);
         if (!(x > 0.0 && point.relative > 0.0))
             continue;
-        const PlotPoint place = {elementary::log10(x), elementary::log10(point.relative)};
-        (point.above_reference ? result.fitted : result.others).push_back(place);
-        result.bars.push_back(error_bar(place, point));
+        const PlotPoint position = {elementary::log10(x), elementary::log10(point.relative)};
+        (point.above_reference ? result.fitted : result.others).push_back(position);
+        result.bars.push_back(error_bar(position, point));
     }
     if (result.law && !result.fitted.empty())
         result.line = law_line(*result.law, result.fitted);
@@ -129,15 +129,15 @@ struct Extent
     }
 };
 
-/// The decimal logarithm of the reference's own error.
+/// Decimal logarithm of the error of the reference.
 std::optional<double> reference_level(const Study& study)
 {
     const double square = study.reference_relative_square.value_or(0.0);
     return square > 0.0 ? std::optional<double>(elementary::log10(square)) : std::nullopt;
 }
 
-/// Where both guides begin: left of all points, so high that the steeper one passes above them, but at most a decade
-/// above the highest.
+/// The common left end of the guides: at the leftmost point, so high that the steeper guide passes above all points,
+/// but not more than about a decade above the highest.
 std::optional<PlotPoint> guides_begin(const std::vector<PlottedCurve>& curves)
 {
     Extent across;
@@ -186,7 +186,7 @@ Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> refe
             51.0};
 }
 
-/// Both guides, as long as the frame has room for their labels to the right of their ends.
+/// Draws both guides, as long as the frame has room for their labels on the right.
 std::string guides_text(const Plot& plot, PlotPoint begin)
 {
     const double decade_across = plot.width / (plot.across.high - plot.across.low); // [px]
@@ -207,7 +207,7 @@ std::string guides_text(const Plot& plot, PlotPoint begin)
     return text;
 }
 
-std::vector<SvgPoint> places(const Plot& plot, const std::vector<PlotPoint>& points)
+std::vector<SvgPoint> positions(const Plot& plot, const std::vector<PlotPoint>& points)
 {
     std::vector<SvgPoint> result;
     for (const PlotPoint point : points)
@@ -215,7 +215,7 @@ std::vector<SvgPoint> places(const Plot& plot, const std::vector<PlotPoint>& poi
     return result;
 }
 
-/// The error bars that the marks do not hide, cut off at the frame.
+/// The error bars that are not hidden by their marks, cut off at the frame.
 std::vector<VerticalBar> visible_bars(const Plot& plot, const PlottedCurve& curve)
 {
     std::vector<VerticalBar> bars;
@@ -229,23 +229,23 @@ std::vector<VerticalBar> visible_bars(const Plot& plot, const PlottedCurve& curv
     return bars;
 }
 
-/// All marks above all lines. Points without a law are joined by dots.
+/// Draws the curves, all marks on top of all lines. A dotted line joins the points of a curve without a law.
 std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curves)
 {
     std::string lines;
     std::string marks;
     for (const PlottedCurve& curve : curves) {
         const std::string& colour = curve.style.colour;
-        lines += curve.law ? svg_polyline(places(plot, curve.line), {colour, 1.2})
-                           : svg_polyline(places(plot, curve.fitted), {colour, 1.2, "1 3"});
+        lines += curve.law ? svg_polyline(positions(plot, curve.line), {colour, 1.2})
+                           : svg_polyline(positions(plot, curve.fitted), {colour, 1.2, "1 3"});
         lines += svg_bars(visible_bars(plot, curve), {colour, 1.2});
-        marks += svg_marks(places(plot, curve.others), curve.style, true) +
-                 svg_marks(places(plot, curve.fitted), curve.style, false);
+        marks += svg_marks(positions(plot, curve.others), curve.style, true) +
+                 svg_marks(positions(plot, curve.fitted), curve.style, false);
     }
     return lines + marks;
 }
 
-/// Explanation of the signs in the plot.
+/// Notes that explain the symbols of the plot.
 std::vector<std::string> notes_of(const Study& study, const std::vector<PlottedCurve>& curves)
 {
     const auto any = [&](auto holds) { return std::any_of(curves.begin(), curves.end(), holds); };
@@ -271,7 +271,7 @@ std::string notes_text(const std::vector<std::string>& notes, double top)
     return text;
 }
 
-/// Everything inside the frame.
+/// Draws everything inside the frame.
 std::string plot_text(const Plot& plot, const std::vector<PlottedCurve>& curves, std::optional<PlotPoint> guides,
                       std::optional<double> reference)
 {
@@ -283,7 +283,7 @@ std::string plot_text(const Plot& plot, const std::vector<PlottedCurve>& curves,
     return text + (guides ? guides_text(plot, *guides) : "") + curves_text(plot, curves);
 }
 
-/// "slope −1.10 ± 0.01" with the 95 % interval, three decimals where two would leave nothing of it.
+/// "slope −1.10 ± 0.01" with the 95 % interval; with three decimals if the interval is below 0.01.
 std::string slope_text(const std::optional<PowerLaw>& law)
 {
     if (!law)
@@ -293,7 +293,7 @@ std::string slope_text(const std::optional<PowerLaw>& law)
     return "slope " + fixed(law->exponent, decimals) + " ± " + fixed(interval, decimals);
 }
 
-/// Mark and label of each curve in a row of its own, the slopes below each other; then the reference.
+/// The legend: a row with mark, label and slope for each curve, then one for the reference.
 std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vector<std::string>& labels, bool reference)
 {
     std::size_t longest = 0;

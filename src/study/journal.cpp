@@ -30,7 +30,7 @@ std::string values_text(const Execution& e)
                   e.relative, e.seconds);
 }
 
-/// Splits a record into its key and its values. Empty for one that is damaged.
+/// Parses a record. Nothing if its checksum is wrong or it is malformed.
 std::optional<std::pair<std::string, Execution>> parsed(const std::string& line)
 {
     const std::size_t end = line.rfind('\t');
@@ -59,7 +59,7 @@ Journal::Journal(const std::string& path, const std::string& identity) : path_(p
                 executions_[record->first] = record->second;
     const bool fresh = executions_.empty();
     file_.open(path, std::ios::binary | (fresh ? std::ios::trunc : std::ios::app));
-    append(fresh ? identity : ""); // ends what may have been cut off in the middle of a line
+    append(fresh ? identity : ""); // a line feed ends a record that a crash may have cut off
 }
 
 void Journal::append(const std::string& line)

@@ -20,11 +20,11 @@ const CurvePoint& last_point(const Curve& curve)
     return curve.points.back();
 }
 
-/// A number that was measured: where it lies with 95 %.
+/// A measured number with its 95 % interval.
 struct Measured
 {
     double value;
-    double interval; ///< half its width
+    double interval; ///< half the width of the interval
 };
 
 /// A ratio of two means [1] and its standard error.
@@ -32,7 +32,7 @@ struct Ratio
 {
     double value;
     double error;
-    int executions; ///< that each of the means is of
+    int executions; ///< in each of the means
 };
 
 Ratio ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
@@ -43,14 +43,15 @@ Ratio ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
             executions};
 }
 
-/// Relative MSE with random lines at the most lines over that of another method.
+/// Relative MSE of a method over that of another one, at the largest number of lines, with random lines.
 Ratio error_ratio(const Study& study, const char* method, const char* other)
 {
     return ratio_of(last_point(curve_of(study, method, "random")), last_point(curve_of(study, other, "random")),
                     study.executions);
 }
 
-/// Student's t, the scatter of both means being known from their executions alone.
+/// The 95 % interval of a ratio by Student's t, since the scatter is estimated from the executions. Infinite with one
+/// execution.
 Measured measured(const Ratio& ratio)
 {
     if (ratio.executions < 2)
@@ -78,7 +79,7 @@ std::string words(const Measured& measured, int decimals)
     return fixed(measured.value, decimals) + " ± " + fixed(measured.interval, decimals);
 }
 
-/// Whether a number lies between two limits. While its interval reaches over one of them, nothing is decided.
+/// Verdict on whether a number is between two limits: undecided if its interval contains one of them.
 Verdict between(const Measured& measured, double low, double high)
 {
     const double least = measured.value - measured.interval;
@@ -93,7 +94,7 @@ Verdict between(const Ratio& ratio, double low, double high)
     return between(measured(ratio), low, high);
 }
 
-/// Of both together.
+/// Verdict on the conjunction of two statements.
 Verdict worse(Verdict a, Verdict b)
 {
     return std::max(a, b);
@@ -136,7 +137,7 @@ Claim sobol_as_printed(const PaperFindings& f)
     return claim;
 }
 
-/// The larger bases on one scene cut coarsely and finely.
+/// Compares the slopes for the larger bases on the same scene with coarse and fine patches.
 Claim halton_varies(const PaperFindings& f)
 {
     const char* const large_bases = "halton:11,13,17,19";

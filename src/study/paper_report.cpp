@@ -9,7 +9,7 @@ namespace multipath {
 
 namespace {
 
-/// The report as it grows.
+/// Builds the report, section by section.
 class PaperReport
 {
 public:
@@ -166,7 +166,7 @@ private:
     void heading(int level, const std::string& words) { report.emplace_back(ReportHeading{level, words}); }
     void text(const std::string& words) { report.emplace_back(ReportParagraph{words}); }
 
-    /// Pairs of a file's name without extension and its caption.
+    /// Appends figures: pairs of a file name without extension and a caption.
     void figures(const std::vector<std::pair<std::string, std::string>>& wanted)
     {
         ReportFigures row;

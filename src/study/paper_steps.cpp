@@ -6,12 +6,12 @@ namespace multipath {
 
 namespace {
 
-/// How much work to spend.
+/// Numbers of lines and executions of the studies, as words for their options.
 struct Effort
 {
     std::string slopes_from; ///< lines of Table 1 and Figures 3 and 4
     std::string slopes_to;
-    std::string order_to; ///< lines of the experiment with the order of the lines, whose bias shows late
+    std::string order_to; ///< lines of the study of the order of the lines; its bias shows only with many
     std::string shots_to; ///< lines of Figures 7 to 9, from 46875 on; 46875 * 2^5 = 1.5 million
     std::string reference_lines;
     std::string replicates;
@@ -27,7 +27,8 @@ Effort quick_effort()
     return {"2^14", "2^19", "2^20", "375k", "2M", "3"};
 }
 
-/// Commands whose words are parted by blanks. Folders may hold blanks: SCENES and FOLDER stand for them.
+/// Builds the list of steps from command lines whose words are separated by spaces. SCENES and FOLDER stand for the
+/// names of folders, which may contain spaces.
 class StepList
 {
 public:
@@ -44,7 +45,7 @@ public:
         steps.push_back(step);
     }
 
-    /// A study as a table and a plot.
+    /// Adds a study with a table and a plot as outputs.
     void study(const std::string& name, const std::string& words)
     {
         add("study SCENES/" + words, {name + ".csv", name + ".svg"});
@@ -57,7 +58,7 @@ private:
     std::string folder_;
 };
 
-/// What `study` takes without the option; `solve` would choose adaptive patches.
+/// The patch size that `study` chooses for this scene by default; `solve` would choose adaptive patches.
 const std::string patches_of_4chairs = " --patch-size 0.25";
 
 /// Section 3: sequences.
@@ -84,8 +85,8 @@ void add_sequences(StepList& list, const Effort& effort)
     list.add(picture + "532000 --sequence halton:11,13,17,19" + flat, {"figure5d.png"});
 }
 
-/// Section 4: the extended first shot. Every plot is made against two references: as good a one as the program can
-/// make, and one like the paper's.
+/// Section 4: the extended first shot. The errors are measured against two references: the best that the program can
+/// compute, and one like the paper's.
 void add_shots(StepList& list, const Effort& effort)
 {
     const auto picture = [&](const std::string& method, const std::string& file) {

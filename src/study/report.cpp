@@ -29,7 +29,7 @@ details { margin-top: .2rem; font-size: .85rem; } summary { cursor: pointer; }
 @media print { details { display: none; } body { max-width: none; } }
 )";
 
-/// Pairs of a mark become the tags of an element.
+/// Replaces each pair of a mark by the tags of an element.
 std::string tagged(const std::string& text, char mark, const std::string& element)
 {
     std::string result;
@@ -115,7 +115,7 @@ std::string record(const std::vector<std::string>& comments)
     return text;
 }
 
-/// Text of a cell, which a bar would end.
+/// Text of a table cell in Markdown: vertical bars are escaped.
 std::string cell_text(const std::string& text)
 {
     std::string result;
@@ -185,7 +185,7 @@ std::string report_markdown(const Report& report, const std::vector<std::string>
         text += std::visit(MarkdownWriter(), block);
     text += "---\n\n";
     for (const std::string& comment : comments)
-        text += "    " + comment + "\n"; // as code: nothing in it is Markdown
+        text += "    " + comment + "\n"; // indented as code, so that nothing in it is taken for Markdown
     return text;
 }
 

@@ -17,7 +17,7 @@ constexpr int most_mantissa = 511;
 
 double clipped(double channel)
 {
-    return channel > 0.0 ? std::min(channel, largest_shared) : 0.0; // not a number fails every comparison
+    return channel > 0.0 ? std::min(channel, largest_shared) : 0.0; // 0 for NaN
 }
 
 } // namespace
@@ -65,7 +65,7 @@ std::uint32_t shared_exponent(Rgb colour)
         std::frexp(brightest, &magnitude); // brightest < 2^magnitude
         exponent = std::max(0, magnitude + exponent_bias);
     }
-    // Rounding may carry into a tenth bit.
+    // Rounding may carry into a tenth bit of the mantissa.
     if (std::lround(std::ldexp(brightest, mantissa_bits + exponent_bias - exponent)) > most_mantissa)
         ++exponent;
     const auto mantissa = [&](double channel) {

@@ -1,5 +1,7 @@
-// The page is written as an ordinary web page: page.html names its style sheet and its scripts, each on a line of its
-// own. Their text replaces these lines here, and the data replace a comment.
+// The sources of the page are an ordinary web page: page.html refers to its style sheet and its scripts, each on a line
+// of its own. Here the texts of these files replace the lines, and the data of the room, a JSON document, replace a
+// comment, so that the result is one self-contained file. The page holds surfaces and their grids of cells, not
+// patches: room.js cuts them as Tessellation does. docs/viewer.md describes the document.
 
 #include "viewer/viewer_page.h"
 
@@ -29,7 +31,7 @@ namespace multipath {
 
 namespace {
 
-/// A triangle's rows get shorter.
+/// Index of a grid point, row by row. The rows of a triangle get shorter.
 std::size_t grid_number(const Tessellation& tessellation, GridPoint point)
 {
     const std::size_t row = point.j;
@@ -43,14 +45,14 @@ std::size_t grid_size(const Tessellation& tessellation)
     return grid_number(tessellation, {last, tessellation.cells_v}) + 1;
 }
 
-/// Takes the patches of one side of a surface.
+/// Appends the corner values of the patches on one side of a surface.
 void append_side(const Scene& scene, std::uint32_t surface, bool front, const SmoothShading& shading,
                  CornerValues& result)
 {
     const std::uint32_t first_patch = scene.first_patch(surface, front);
     const Tessellation& tessellation = scene.tessellation(surface);
     const std::size_t first = result.shared.size();
-    if (tessellation.trees) { // four places for each patch
+    if (tessellation.trees) { // four values for each patch, none of them shared
         for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell)
             for (const Rgb value : shading.at_corners(first_patch + cell))
                 result.shared.push_back(value);
@@ -85,7 +87,7 @@ void append_point(std::vector<double>& numbers, Vec3 point)
         numbers.push_back(six_digits(x));
 }
 
-/// One number where the channels agree.
+/// The channels of a power with six digits, or one number if they agree.
 std::vector<double> power_channels(Rgb power)
 {
     const Rgb p = {six_digits(power.r), six_digits(power.g), six_digits(power.b)};
@@ -131,8 +133,8 @@ JsonObject line_json(const ViewerLine& line)
         .objects("transfers", transfers);
 }
 
-/// A chapter of the traced lines as the page reads it: every line as a chain of points, with the power that goes along
-/// its stretches. Numbers have six digits: they are looked at, not computed with.
+/// A chapter of traced lines as the page reads it: every line is a polyline with the transfers of power along its
+/// stretches. Numbers have six digits: they are shown, not computed with.
 JsonObject chapter_json(const ViewerChapter& chapter)
 {
     std::vector<JsonObject> lines;
@@ -151,7 +153,8 @@ std::vector<double> channels(Rgb c)
     return {c.r, c.g, c.b};
 }
 
-/// How surfaces lie on their textures, six numbers each, not numbers where one shows none; empty if there are none.
+/// The mapping of surfaces to their textures (TextureFrame), six numbers each; NaN for a surface without a texture.
+/// Empty if the scene has no textures.
 std::vector<double> texture_frames(const Scene& scene)
 {
     std::vector<double> numbers;
@@ -184,7 +187,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
     }
     const std::vector<bool> is_covered = covered_patches(scene, threads);
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
-        if (is_covered[patch] || scene.is_sky(scene.surface_of(patch))) // pages have a background of their own
+        if (is_covered[patch] || scene.is_sky(scene.surface_of(patch))) // the page has its own background
             covered.push_back(patch);
     return JsonObject()
         .text("triangles", packed_bytes(triangles))
@@ -235,7 +238,7 @@ JsonObject camera_json(const Camera& camera)
         .number("field_of_view", camera.field_of_view);
 }
 
-/// The exposure of the picture of the first view, for every operator.
+/// Initial tone map, exposure, and the scale from radiosity to the tone curve for every operator.
 JsonObject tone_json(const Scene& scene, const ViewerContent& content)
 {
     JsonObject scales;
@@ -251,7 +254,7 @@ JsonObject tone_json(const Scene& scene, const ViewerContent& content)
     return json;
 }
 
-/// The colour map in 256 steps, as a screen shows it.
+/// The colour map in 256 steps of sRGB.
 std::string packed_colour_map()
 {
     std::vector<std::uint8_t> bytes;
@@ -263,7 +266,8 @@ std::string packed_colour_map()
     return packed_bytes(bytes);
 }
 
-/// Reaches to the 99th percentile of the patches, as false-colour pictures do of what they show.
+/// The legend of a quantity. Its scale reaches at least to the 99th percentile of the patches, like that of
+/// false-colour pictures for what they show.
 JsonObject legend_json(const std::vector<double>& values)
 {
     std::vector<double> sorted;
@@ -278,7 +282,7 @@ JsonObject legend_json(const std::vector<double>& values)
     return JsonObject().number("top", scale.top()).texts("numbers", numbers);
 }
 
-/// Coarse light, as good as a screen.
+/// Adds light in the packed format, which is precise enough for a screen.
 void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>& values)
 {
     const PackedLight packed = packed_light(values);
@@ -286,7 +290,7 @@ void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>&
     json.number(key + "_unit", packed.unit);
 }
 
-/// [1] Of the patches, where their textures make them differ.
+/// [1] Reflectances of the patches, if the scene has textures; without them the materials suffice.
 JsonObject reflectances_json(const Scene& scene)
 {
     JsonObject json;
@@ -299,8 +303,8 @@ JsonObject reflectances_json(const Scene& scene)
     return json;
 }
 
-/// At the corners of the patches, without the detail of textures; own values stand behind the shared ones, so that they
-/// have one unit.
+/// Adds the values at the corners of the patches, without the detail of textures. Own values follow the shared ones in
+/// one list, so that they have the same unit.
 void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& values, int threads)
 {
     CornerValues corners = corner_values(scene, without_texture(scene, values), threads);
@@ -309,7 +313,7 @@ void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& v
     json.text("own_places", packed_counts(corners.slots));
 }
 
-/// The values of the first quantity are the result itself, and given in full.
+/// A quantity. The values of the first one are the result itself and are given in single precision.
 JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, bool first, int threads)
 {
     JsonObject json;
@@ -345,8 +349,7 @@ std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& con
     return result;
 }
 
-/// Everything that the page shows, as the JSON document that its scripts read (docs/viewer.md). It holds surfaces and
-/// levels of cells, not patches: the page cuts them as Tessellation does.
+/// The JSON document of everything that the page shows (docs/viewer.md).
 std::string room_json(const Scene& scene, const ViewerContent& content)
 {
     std::vector<JsonObject> quantities;
@@ -393,14 +396,14 @@ bool starts_with(std::string_view text, std::string_view start)
     return text.substr(0, start.size()) == start;
 }
 
-/// What is between the first two quotation marks behind `attribute`.
+/// The value of an attribute: the text between the first two quotation marks after its name.
 std::string_view value_of(std::string_view line, std::string_view attribute)
 {
     const std::size_t begin = line.find('"', line.find(attribute)) + 1;
     return line.substr(begin, line.find('"', begin) - begin);
 }
 
-/// The title, and one line of the head for each part of the record, as a report has them.
+/// The title, and one line for each entry of the record, as in a report.
 std::string head_of(const Scene& scene, const ViewerContent& content)
 {
     std::string text = "<title>" + html_escaped(scene.path()) + " - multipath</title>\n";
@@ -409,7 +412,7 @@ std::string head_of(const Scene& scene, const ViewerContent& content)
     return text;
 }
 
-/// No name in the scene may end the element that holds the data.
+/// The element that holds the data. Every '<' is escaped, so that no name in the scene can end the element.
 std::string room_element(const Scene& scene, const ViewerContent& content)
 {
     std::string text = room_data_begin;

@@ -9,6 +9,7 @@ std::string label(const char* kind, const LineOrigin& origin)
     return std::string(kind) + " " + std::to_string(origin.number + 1);
 }
 
+/// The hit of a ray, or a point a little farther along one that leaves the scene.
 Vec3 end_of(const Scene& scene, const Line& ray, const std::optional<Meeting>& meeting)
 {
     constexpr double shown_outside = 0.2; // of the scene's diagonal
@@ -54,12 +55,12 @@ std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleTrace& trac
     std::vector<DrawnLine> drawn;
     for (const ToldParticle& particle : trace.particles) {
         DrawnLine shape{label("particle", particle.origin), {}, {}};
-        for (const ToldStep& told : particle.steps) {
+        for (const ToldStep& traced : particle.steps) {
             if (!shape.meetings.empty())
-                shape.stretches.push_back({shape.meetings.back(), told.ray.origin, false}); // within a patch
-            const Vec3 end = end_of(scene, told.ray, told.meeting);
-            shape.stretches.push_back({told.ray.origin, end, Segment::is_patch(told.step.where)});
-            if (told.meeting)
+                shape.stretches.push_back({shape.meetings.back(), traced.ray.origin, false}); // within a patch
+            const Vec3 end = end_of(scene, traced.ray, traced.meeting);
+            shape.stretches.push_back({traced.ray.origin, end, Segment::is_patch(traced.step.where)});
+            if (traced.meeting)
                 shape.meetings.push_back(end);
         }
         drawn.push_back(shape);

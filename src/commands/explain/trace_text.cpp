@@ -11,10 +11,10 @@ namespace multipath {
 
 namespace {
 
-/// Stands for a space at which no line ends.
+/// Stands for a space at which wrapped() breaks no line.
 constexpr char tied = '\x1f';
 
-/// "0.7", or "(0.7, 0.6, 0.5)" where the channels differ; tied.
+/// "0.7", or "(0.7, 0.6, 0.5)" with tied spaces where the channels differ.
 std::string colour_text(Rgb c)
 {
     const std::string r = format("%.4g", c.r);
@@ -41,7 +41,7 @@ std::string origin_text(const LineOrigin& origin)
 constexpr std::size_t text_width = 110;
 constexpr std::size_t widest_name = 41;
 
-/// Cut or filled to a number of columns.
+/// The text cut or padded to a number of columns.
 std::string fitted(const std::string& text, std::size_t width)
 {
     std::string cut = text;
@@ -58,7 +58,7 @@ std::string patch_number(std::uint32_t patch)
     return Segment::is_patch(patch) ? std::to_string(patch) : "-";
 }
 
-/// A table of the meetings, numbered from 1, in order.
+/// A table of the hits in order, numbered from 1.
 std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meetings)
 {
     std::size_t name_width = 7;
@@ -76,8 +76,8 @@ std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meeti
     return text;
 }
 
-constexpr std::size_t name_column = 13; // of the patches of a stretch, below which stands
-constexpr std::size_t indent = 15;      // what they send
+constexpr std::size_t name_column = 13; // where the patches of a stretch are named
+constexpr std::size_t indent = 15;      // of the lines below, about the power that they send
 
 std::string heading(const TracedRun& run, const std::string& stage)
 {
@@ -115,7 +115,7 @@ std::string before_the_pass(const GlobalTrace& trace)
            " of the lines. What patches reflected of them and what the sources kept is unshot: " + unshot;
 }
 
-/// Where the lines come from, and how many it takes (N1).
+/// Explains how the lines are generated, and how many are cast (N1).
 std::string lines_drawn(const TracedRun& run, const GlobalTrace& trace)
 {
     if (chords_of(run.options) == Chords::box)
@@ -239,16 +239,16 @@ std::string ray_text(const Scene& scene, const ShotRay& ray, std::uint64_t of)
                           2, 4);
 }
 
-std::string step_text(const Scene& scene, const ToldStep& told, std::size_t number)
+std::string step_text(const Scene& scene, const ToldStep& traced, std::size_t number)
 {
-    const ParticleStep& step = told.step;
+    const ParticleStep& step = traced.step;
     std::string text =
-        format("  %zu  ", number) + point_text(told.ray.origin) + " of " + patch_name(scene, step.from) + " -> ";
-    text += told.meeting ? point_text(told.meeting->point) + " of " : "";
+        format("  %zu  ", number) + point_text(traced.ray.origin) + " of " + patch_name(scene, step.from) + " -> ";
+    text += traced.meeting ? point_text(traced.meeting->point) + " of " : "";
     if (!Segment::is_patch(step.where))
         return wrapped((text + "nothing: " + watts(step.power) + ", " + loss(step.where)).substr(2), 2, 5);
     const double survival = mean(scene.reflectance(step.where));
-    text += patch_name(scene, step.where) + ": brings " + watts(step.power) + ", scored " + watts(told.counted);
+    text += patch_name(scene, step.where) + ": brings " + watts(step.power) + ", scored " + watts(traced.counted);
     text += step.goes_on == Rgb{}
                 ? format("; the number drawn, %.3f, is not below the reflectance, %.3g: it ends", step.drawn, survival)
                 : format("; the number drawn, %.3f, is below the reflectance, %.3g: it goes on with ", step.drawn,

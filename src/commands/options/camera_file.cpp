@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-/// As much of JSON as a view needs: one object whose values are numbers or lists of numbers.
+/// Parser for the subset of JSON that a view needs: one object whose values are numbers or lists of three numbers.
 class CameraParser
 {
 public:
@@ -42,7 +42,7 @@ public:
                 fail("unknown key " + in_quotes(key) + ", expected `eye`, `target`, `up` or `fov`");
         }
         expect('}', "a comma or the end of the object");
-        if (next() != '\0' || place_ < text_.size())
+        if (next() != '\0' || position_ < text_.size())
             fail("more text after the view, expected the end of the file");
         for (const char* needed : {"eye", "target"})
             if (std::find(keys.begin(), keys.end(), needed) == keys.end())
@@ -58,22 +58,23 @@ public:
 private:
     [[noreturn]] void fail(const std::string& problem) const
     {
-        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(place_, text_.size()));
+        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size()));
         multipath::refuse({path_, static_cast<std::uint32_t>(1 + std::count(text_.begin(), end, '\n'))}, problem);
     }
 
-    /// The next character that is no blank; 0 at the end.
+    /// Skips white space and returns the next character; 0 at the end.
     char next()
     {
-        while (place_ < text_.size() && (is_blank(text_[place_]) || text_[place_] == '\n' || text_[place_] == '\r'))
-            ++place_;
-        return place_ < text_.size() ? text_[place_] : '\0';
+        while (position_ < text_.size() &&
+               (is_blank(text_[position_]) || text_[position_] == '\n' || text_[position_] == '\r'))
+            ++position_;
+        return position_ < text_.size() ? text_[position_] : '\0';
     }
 
     bool take(char c)
     {
         const bool found = next() == c;
-        place_ += found ? 1 : 0;
+        position_ += found ? 1 : 0;
         return found;
     }
 
@@ -86,24 +87,24 @@ private:
     std::string string()
     {
         expect('"', "a key in double quotes");
-        const std::size_t end = text_.find('"', place_);
+        const std::size_t end = text_.find('"', position_);
         if (end == std::string_view::npos)
             fail("a key has no end, expected a double quote");
-        std::string result(text_.substr(place_, end - place_));
-        place_ = end + 1;
+        std::string result(text_.substr(position_, end - position_));
+        position_ = end + 1;
         return result;
     }
 
     double number(const std::string& key)
     {
         next();
-        const std::size_t end = std::min(text_.find_first_of(",]} \t\r\n", place_), text_.size());
-        const std::string_view word = text_.substr(place_, end - place_);
+        const std::size_t end = std::min(text_.find_first_of(",]} \t\r\n", position_), text_.size());
+        const std::string_view word = text_.substr(position_, end - position_);
         const std::optional<double> value = to_number(word);
         constexpr double most = 1e9; // as in OBJ files
         if (!value || !(*value >= -most && *value <= most))
             fail("`" + key + "`: expected a number, got " + in_quotes(word));
-        place_ = end;
+        position_ = end;
         return *value;
     }
 
@@ -130,7 +131,7 @@ private:
 
     const std::string& path_;
     std::string_view text_;
-    std::size_t place_ = 0;
+    std::size_t position_ = 0;
     Camera camera_;
 };
 

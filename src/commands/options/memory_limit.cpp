@@ -20,13 +20,14 @@ namespace multipath {
 
 namespace {
 
-/// [bytes] What the machine has, or the container that the program runs in. Infinite where the system does not tell.
+/// [bytes] Memory of the machine, or of the container in which the program runs. Infinite if the system does not report
+/// it.
 double machine_memory()
 {
     const long pages = sysconf(_SC_PHYS_PAGES);
     double bytes = pages > 0 ? static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE))
                              : std::numeric_limits<double>::infinity();
-    // Linux's control groups, versions 2 and 1; "max" where there is no limit.
+    // Linux control groups, versions 2 and 1. The file holds "max" if there is no limit.
     for (const char* limit : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
         std::ifstream file(limit);
         if (double allowed = 0.0; file >> allowed && allowed > 0.0)
@@ -50,6 +51,7 @@ std::string size_text(double bytes)
     return bytes < 1e12 ? format("%.3g GB", bytes / 1e9) : format("%.0f TB", bytes / 1e12);
 }
 
+/// Throws InputError "WHAT about SIZE of memory, but ...; expected EXPECTED" if the bytes exceed the limit.
 void require(const CommandLine& line, double bytes, const std::string& what, const std::string& expected)
 {
     const double limit = memory_limit(line);
@@ -71,7 +73,7 @@ Option memory_option()
 void require_memory_for_file(const CommandLine& line, const std::string& path)
 {
     std::error_code error;
-    const auto size = std::filesystem::file_size(path, error); // of pipes there is none
+    const auto size = std::filesystem::file_size(path, error); // fails for pipes
     if (!error)
         require(line, static_cast<double>(size), path + ": reading it needs", "a smaller file");
 }
@@ -79,7 +81,7 @@ void require_memory_for_file(const CommandLine& line, const std::string& path)
 void require_memory_for_patches(const CommandLine& line, const SceneFile& file, double patches)
 {
     const auto surfaces = static_cast<double>(file.surfaces.size());
-    const double counted = std::min(patches, 1e15); // infinitely many may have been asked for
+    const double counted = std::min(patches, 1e15); // `patches` may be infinite
     require(line, run_bytes(surfaces, counted),
             file.path + ": " + grouped(static_cast<std::uint64_t>(counted)) +
                 (patches > counted ? " patches and more" : " patches") + " need",
@@ -95,7 +97,7 @@ void require_memory_for_page(const CommandLine& line, const Scene& scene)
 
 void require_memory_for_picture(const CommandLine& line, int width, int height, bool gathers)
 {
-    // The pixels as light, as colours and as a file; gathering keeps what it has found for every pixel.
+    // The picture as light, as colours and as a file; gathering also stores data for every pixel.
     const double bytes_per_pixel = gathers ? 220.0 : 40.0;
     require(line, bytes_per_pixel * width * height, format("--size: a picture of %d x %d pixels needs", width, height),
             "a smaller one");

@@ -40,7 +40,7 @@ constexpr std::array<NamedValue<Estimator>, 2> estimator_choices = {
 constexpr std::array<NamedValue<bool>, 2> yes_or_no = {{{"yes", true}, {"no", false}}};
 constexpr std::array<NamedValue<Direct>, 2> direct_choices = {{{"shoot", Direct::shoot}, {"gather", Direct::gather}}};
 
-constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // months; the sequences end beyond it
+constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // take months; the sequences have more items
 
 Option direct_option()
 {
@@ -162,7 +162,7 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
     options.sequence = line.text("sequence");
     options.line_order = line.choice("line-order", line_order_choices).value;
     options.pairing = line.choice("pairing", pairing_choices).value;
-    if (line_count != "lines" || line.text("lines") != "auto") // settle_lines() knows the scene
+    if (line_count != "lines" || line.text("lines") != "auto") // "auto" depends on the scene: see settle_lines()
         options.lines = read_count("--" + std::string(line_count), line.text(line_count), 1, most_lines);
     if (line.has("chords"))
         options.chords = line.choice("chords", chords_choices).value;

@@ -110,7 +110,7 @@ void read_views(const CommandLine& line, PictureOptions& options)
 
 namespace {
 
-/// Of "0.85,0.5".
+/// Reads "HEIGHT,STEP", such as "0.85,0.5".
 GridPlan read_grid(const std::string& text, Vec3 up)
 {
     const std::size_t comma = text.find(',');
@@ -219,7 +219,7 @@ PictureOptions with_camera(PictureOptions options, const Scene& scene, const std
 std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& radiosity, const PictureOptions& options)
 {
     constexpr double tolerated = 0.9; // of the pixels
-    constexpr std::uint8_t black = 4; // of 255: an eye sees no more in darker pixels
+    constexpr std::uint8_t black = 4; // of 255: pixels up to this look black
     const Camera camera = camera_for(scene, options);
     const RenderOptions render = preview_options(options.render);
     const ScreenImage screen = picture(scene, radiosity, camera, render, options.tone);

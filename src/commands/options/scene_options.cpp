@@ -31,8 +31,9 @@ constexpr std::array<NamedValue<double>, 5> unit_choices = {
 
 constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"lux", true}}};
 
-/// The path of a scene: the name itself if there is such a file, otherwise for a bare name, with or without `.obj`, the
-/// bundled scene of that name. Without one the name itself, so that the reader's message has what was typed.
+/// The path of a scene: the name itself if such a file exists; for a name without folder, with or without `.obj`,
+/// otherwise the bundled scene of that name. If there is none, returns the name, so that the error message of the
+/// reader quotes it.
 std::string find_scene(const std::string& name)
 {
     std::error_code error;
@@ -46,7 +47,7 @@ std::string find_scene(const std::string& name)
     return name;
 }
 
-/// Each surface, and a third of what else there will be.
+/// Number of cells from which adaptive refinement begins: one for each surface, and a third of the others wanted.
 std::uint64_t coarse_cells(const SurfaceList& surfaces, double wanted)
 {
     const auto whole = static_cast<double>(surfaces.size());
@@ -94,7 +95,7 @@ OptionGroup scene_option_group()
 
 namespace {
 
-/// [W/m^2] Of "10" or "10,8,6".
+/// Reads a power per area [W/m^2]: "10", or "10,8,6" for red, green and blue.
 Rgb read_power(std::string_view option, const std::string& text)
 {
     Vec3 e;
@@ -112,7 +113,7 @@ Rgb read_power(std::string_view option, const std::string& text)
     return {e.x, e.y, e.z};
 }
 
-/// Of "135,45,800" or "135,45,800,780,700".
+/// Reads azimuth, elevation and power: "135,45,800" or "135,45,800,780,700".
 Sun read_sun(const std::string& text, Vec3 up)
 {
     const std::size_t first = text.find(',');
@@ -125,7 +126,7 @@ Sun read_sun(const std::string& text, Vec3 up)
     return sun_at(azimuth, elevation, up, read_power("--sun", text.substr(second + 1)));
 }
 
-/// Of "NAME=10" or "NAME=10,8,6".
+/// Reads "NAME=10" or "NAME=10,8,6".
 ObjChanges::Lamp read_lamp(const std::string& text)
 {
     const std::size_t equals = text.rfind('=');
@@ -172,7 +173,7 @@ Scene read_scene(const CommandLine& line, int threads)
 {
     if (line.has("patch-size") && line.has("patches"))
         throw UsageError("--patches and --patch-size exclude each other; expected one of them");
-    // Checked before the file is read, which may take a while.
+    // Checked before the file is read, which may take long.
     const double given_size = line.has("patch-size") ? read_positive("--patch-size", line.text("patch-size")) : 0.0;
     const std::uint64_t wanted =
         line.has("patches") ? read_count("--patches", line.text("patches"), 1, (1ull << 31) - 1) : 0;
@@ -218,7 +219,7 @@ std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfa
     if (line.has("adaptive"))
         return read_count("--adaptive", line.text("adaptive"), 1, (1ull << 31) - 1);
     constexpr std::uint64_t usual = 5000;
-    constexpr std::size_t finely_modelled = 1000000; // the surfaces are small enough, and rounds would take long
+    constexpr std::size_t finely_modelled = 1000000; // such surfaces are small enough, and refinement would take long
     if (line.has("patches") || line.has("patch-size") || surfaces.size() > finely_modelled)
         return 0;
     return (line.has("two-sided") ? 2 : 1) * (usual + surfaces.size() + surfaces.size() / 4);
@@ -239,7 +240,7 @@ int thread_count(const CommandLine& line)
 std::string bundled_scenes_folder()
 {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error); // of systems without it: empty
+    const fs::path program = fs::read_symlink("/proc/self/exe", error); // empty on systems without it
     if (error || !program.has_parent_path())
         return "";
     const fs::path folder = program.parent_path();

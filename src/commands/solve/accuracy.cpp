@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-constexpr int replicates_of_rounds = 4; ///< without the user's word: an error to stop at needs a few
+constexpr int replicates_of_rounds = 4; ///< default with --tolerance or --time, which need an estimate of the error
 constexpr std::uint64_t first_round_lines = 1u << 16;
 
 } // namespace

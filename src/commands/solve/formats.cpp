@@ -93,7 +93,7 @@ const OutputFormat& format_of(const PlannedOutput& output)
     return format_with(output.extension);
 }
 
-/// Of the radiosity or what stands for it.
+/// The mesh of a scene with a radiosity per patch, smooth or flat, and with the standard errors if there are any.
 PatchMesh mesh_of(const Scene& scene, const Solution& solution, const std::vector<Rgb>& light, Shading shading,
                   int threads)
 {
@@ -111,7 +111,7 @@ PatchMesh mesh_of(const Scene& scene, const Solution& solution, const std::vecto
     return patch_mesh(scene, corners_of(radiosity), corners_of(error), threads);
 }
 
-/// The light that makes a screen's numbers those of the colours.
+/// The linear light whose sRGB values are these colours.
 std::vector<Rgb> decoded(std::vector<Rgb> colours)
 {
     for (Rgb& colour : colours)

@@ -22,10 +22,11 @@ namespace multipath {
 
 namespace {
 
-/// Options of which a run may have other values than the one that it goes on from.
+/// Options that a run may change when it resumes from a state.
 constexpr std::array<std::string_view, 3> may_change = {"lines", "tolerance", "time"};
 
-std::vector<Option> options_that_matter()
+/// The options of `solve` that change its result.
+std::vector<Option> options_with_effect()
 {
     std::vector<Option> options;
     for (const OptionGroup& group : {solve_method_group(), accuracy_option_group(), scene_option_group()})
@@ -41,7 +42,7 @@ bool exists(const std::string& path)
     return stat(path.c_str(), &status) == 0;
 }
 
-/// "3/16" is the third of sixteen.
+/// Reads "3/16", the third of sixteen shards.
 Shard read_shard(const std::string& text)
 {
     const std::size_t slash = text.find('/');
@@ -56,8 +57,8 @@ bool is_shard(const RunDescription& description)
     return description.shard.of > 1;
 }
 
-/// "--sequence halton", "no --two-sided"
-std::string said(const Option& option, const CommandLine& line)
+/// The option as a message quotes it: "--sequence halton", "no --two-sided".
+std::string quoted_option(const Option& option, const CommandLine& line)
 {
     const std::string name = "--" + std::string(option.name);
     if (option.argument.empty())
@@ -92,7 +93,7 @@ StateOptions read_state_options(const CommandLine& line)
 {
     StateOptions options;
     options.path = line.text("state");
-    // Thirty years are as good as never, and far from the end of what a clock counts.
+    // At most thirty years, so that the clock does not overflow.
     options.save_every = std::min(read_seconds("--save-every", line.text("save-every")), 1e9);
     if (line.has("shard"))
         options.shard = read_shard(line.text("shard"));
@@ -122,7 +123,7 @@ void RunDescription::visit(Archive& archive)
 RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard)
 {
     RunDescription description;
-    for (const Option& option : options_that_matter())
+    for (const Option& option : options_with_effect())
         if (line.has(option.name))
             description.arguments.push_back("--" + std::string(option.name) +
                                             (option.argument.empty() ? "" : "=" + line.text(option.name)));
@@ -160,11 +161,11 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
     };
     if (saved.shard.number != wanted.shard.number || saved.shard.of != wanted.shard.of)
         refuse("of another share of the work");
-    for (const Option& option : options_that_matter()) {
+    for (const Option& option : options_with_effect()) {
         const bool fixed =
             is_shard(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
-        const std::string before = said(option, of_saved);
-        const std::string now = said(option, of_wanted);
+        const std::string before = quoted_option(option, of_saved);
+        const std::string now = quoted_option(option, of_wanted);
         if (fixed && before != now)
             refuse("made with " + before + ", not with " + now);
     }
@@ -258,7 +259,7 @@ bool StateKeeper::pause_now()
     keep();
     const auto interval =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every));
-    // A large state is saved less often, so that saving stays a small part of the time.
+    // A large state is saved less often, so that saving takes at most about a tenth of the time.
     next_save_ = Clock::now() + std::max(interval, 10 * (Clock::now() - start));
     return interrupted();
 }
@@ -273,7 +274,7 @@ void StateKeeper::finish_now()
 {
     if (!resumed_ || worked_)
         keep();
-    else if (keep_last_) // the file says it already
+    else if (keep_last_) // the file is up to date
         keep_in_memory();
 }
 

@@ -17,13 +17,15 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 16; ///< to reach the global lines within a second
+constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 16; ///< the trace then takes less than a second
+
+/// The patch that receives power, or Scene::no_patch.
 std::uint32_t receiver(std::uint32_t where)
 {
     return Segment::is_patch(where) ? where : Scene::no_patch;
 }
 
-std::vector<ViewerLine> told(const std::vector<GlobalLine>& global_lines)
+std::vector<ViewerLine> viewer_lines(const std::vector<GlobalLine>& global_lines)
 {
     const std::vector<DrawnLine> drawn = drawn_lines(global_lines);
     std::vector<ViewerLine> lines;
@@ -38,7 +40,7 @@ std::vector<ViewerLine> told(const std::vector<GlobalLine>& global_lines)
     return lines;
 }
 
-std::vector<ViewerLine> told(const Scene& scene, const ShotTrace& trace)
+std::vector<ViewerLine> viewer_lines(const Scene& scene, const ShotTrace& trace)
 {
     const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
     std::vector<ViewerLine> lines;
@@ -49,17 +51,17 @@ std::vector<ViewerLine> told(const Scene& scene, const ShotTrace& trace)
     return lines;
 }
 
-std::vector<ViewerLine> told(const Scene& scene, const ParticleTrace& trace)
+std::vector<ViewerLine> viewer_lines(const Scene& scene, const ParticleTrace& trace)
 {
     const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
     std::vector<ViewerLine> lines;
     for (std::size_t n = 0; n < trace.particles.size(); ++n) {
         ViewerLine line{drawn[n], {}};
-        // Between two of its steps the particle moves within a patch, which is a stretch of the drawing too.
+        // Between two steps the particle moves within a patch; the drawing has a stretch for this too.
         std::size_t stretch = 0;
-        for (const ToldStep& told : trace.particles[n].steps) {
+        for (const ToldStep& traced : trace.particles[n].steps) {
             line.transfers.push_back(
-                {stretch, told.step.from, receiver(told.step.where), {}, told.step.power, told.counted});
+                {stretch, traced.step.from, receiver(traced.step.where), {}, traced.step.power, traced.counted});
             stretch += 2;
         }
         lines.push_back(line);
@@ -74,7 +76,7 @@ ViewerChapter shots(const TracedRun& run, const TracedRange& range)
             "Rays carry the light of the sources to the patches that they see, each the same power. What a patch "
             "reflects of it is unshot until it is sent on. The first " +
                 grouped(trace.rays.size()) + " of " + grouped(trace.shot_passes.front().lines) + " rays.",
-            told(run.scene, trace)};
+            viewer_lines(run.scene, trace)};
 }
 
 ViewerChapter global_lines(const TracedRun& run, const TracedRange& range)
@@ -87,7 +89,7 @@ ViewerChapter global_lines(const TracedRun& run, const TracedRange& range)
             "sends its forecast, a share of what was unshot, and all that it has received and reflected since. The "
             "first " +
                 grouped(trace.lines.size()) + " of " + grouped(trace.lines_cast) + " lines" + before + ".",
-            told(trace.lines)};
+            viewer_lines(trace.lines)};
 }
 
 ViewerChapter bundle(const TracedRun& run, const TracedRange& range)
@@ -99,7 +101,7 @@ ViewerChapter bundle(const TracedRun& run, const TracedRange& range)
         "each by its radiosity as the last iteration found it. The first " +
             grouped(trace.lines.size()) + " of " + grouped(trace.lines_cast) + " lines along the first of " +
             grouped(trace.directions) + " directions.",
-        told(trace.lines)};
+        viewer_lines(trace.lines)};
 }
 
 ViewerChapter particles(const TracedRun& run, const TracedRange& range)
@@ -109,24 +111,24 @@ ViewerChapter particles(const TracedRun& run, const TracedRange& range)
             "Particles leave the sources and are reflected from patch to patch, until they are absorbed or leave the "
             "scene. The first " +
                 grouped(trace.particles.size()) + " of " + grouped(trace.particles_in_all) + " particles.",
-            told(run.scene, trace)};
+            viewer_lines(run.scene, trace)};
 }
 
 struct ChapterKind
 {
-    std::string_view stage; ///< see MethodInfo::told; later passes are not told
-    ViewerChapter (*tell)(const TracedRun&, const TracedRange&);
+    std::string_view stage; ///< see MethodInfo::told; there are no chapters of later passes
+    ViewerChapter (*make)(const TracedRun&, const TracedRange&);
 };
 
 constexpr std::array<ChapterKind, 4> chapter_kinds = {
     {{"first-shot", shots}, {"global", global_lines}, {"bundle", bundle}, {"local", particles}}};
 
-/// With as many lines as the stage has, up to a hundred; without a chapter if it has none.
-void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const TracedRange&)>& tell)
+/// Appends a chapter with the first 100, 10 or 1 lines of a stage, as many as it has; none if it has no lines.
+void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const TracedRange&)>& make)
 {
     for (const std::uint64_t count : {100u, 10u, 1u}) {
         try {
-            chapters.push_back(tell({0, count}));
+            chapters.push_back(make({0, count}));
             return;
         } catch (const InputError&) {
             continue; // the stage has fewer lines
@@ -134,10 +136,10 @@ void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChap
     }
 }
 
-constexpr int first_power = 8;                ///< of two: the fewest lines
-constexpr std::uint64_t most_values = 300000; ///< patches of all stages: some eleven bytes of the page each
+constexpr int first_power = 8;                ///< the first stage has 2^8 lines
+constexpr std::uint64_t most_values = 300000; ///< patches of all stages together; each takes about 11 bytes of the page
 
-/// Nothing where the method cannot work with so few lines.
+/// The radiosity with these options; empty if the method cannot work with so few lines, or no surface absorbs light.
 std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                                 const ProgressCallback& progress)
 {
@@ -157,7 +159,7 @@ std::vector<Rgb> patch_areas(const Scene& scene)
     return areas;
 }
 
-/// The quantities to choose from; the radiosity first.
+/// The quantities that the page can show, the radiosity first.
 std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solution, int threads)
 {
     std::vector<ViewerQuantity> result;
@@ -173,7 +175,7 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
     return result;
 }
 
-/// The quantity that pictures would show, or the radiosity.
+/// Index of the quantity that pictures show, or of the radiosity if the page does not have it.
 std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, const ShownQuantity& shown)
 {
     const auto found = std::find_if(quantities.begin(), quantities.end(),
@@ -191,14 +193,14 @@ std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
     options.lines = std::min(options.lines, most_lines_of_run);
     if (only_counts) {
         options.method = method_named(method->told_as);
-        options.ratio.reset(); // it means something else there
+        options.ratio.reset(); // has another meaning for that method
     }
     const TracedRun walk{run.scene, options, run.method, run.sequence};
     std::vector<ViewerChapter> chapters;
     for (const std::string_view stage : told_stages(options.method))
         for (const ChapterKind& kind : chapter_kinds)
             if (kind.stage == stage)
-                append(chapters, [&](const TracedRange& range) { return kind.tell(walk, range); });
+                append(chapters, [&](const TracedRange& range) { return kind.make(walk, range); });
     if (only_counts)
         for (ViewerChapter& chapter : chapters)
             chapter.note += " The method " + std::string(method->name) +

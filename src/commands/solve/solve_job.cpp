@@ -30,7 +30,7 @@ namespace multipath {
 
 namespace {
 
-/// Area-weighted mean over all patches [W/m^2].
+/// Area-weighted mean over all patches except those of the sky [W/m^2].
 Rgb mean_radiosity(const SolveSummary& s)
 {
     Rgb power;
@@ -40,8 +40,8 @@ Rgb mean_radiosity(const SolveSummary& s)
     return (1.0 / s.scene.own_area()) * power;
 }
 
-/// [1] Of the power of the result: what the unshot light would add if every surface saw only others of its colour, and
-/// none reflected more than all but 1e-4.
+/// [1] Power that the unshot light could still add, relative to the power of the result: every reflection is assumed to
+/// be by surfaces of the same reflectance, at most 1 - 1e-4, so that unshot power U adds U / (1 - rho).
 double growth_by_unshot_light(const SolveSummary& s)
 {
     double growth = 0.0; // [W]
@@ -57,7 +57,7 @@ double growth_by_unshot_light(const SolveSummary& s)
     return power > 0.0 ? growth / power : 0.0;
 }
 
-/// [1] Without the sky.
+/// [1] Area-weighted mean without the sky.
 double mean_reflectance(const Scene& scene)
 {
     return mean(scene.average_reflectance()) * (scene.total_area() / scene.own_area());
@@ -95,7 +95,7 @@ std::optional<double> SolveSummary::error_of_important() const
 
 namespace {
 
-/// Of a share: "0.62 %", "98 %", "150 %".
+/// A share in percent: "0.62 %", "98 %", "150 %".
 std::string percent_text(double share)
 {
     const double percent = 100.0 * share;
@@ -120,7 +120,7 @@ std::string summary_text(const SolveSummary& s)
     const PowerBalance& balance = s.solution.balance;
     const auto percent = [&](Rgb part) {
         const double share = 100.0 * mean(part) / mean(balance.emitted);
-        return std::abs(share) < 5e-4 ? 0.0 : share; // never "-0.000"
+        return std::abs(share) < 5e-4 ? 0.0 : share; // avoids "-0.000"
     };
     const Rgb b = mean_radiosity(s);
     const std::string method(s.options.method->name);
@@ -181,7 +181,7 @@ std::string summary_text(const SolveSummary& s)
                        "nearly all of it, and may make the result brighter by %s; more lines help, or "
                        "--method reuse\n",
                        percent_text(0.01 * percent(balance.unshot)).c_str(), percent_text(more).c_str());
-    if (percent(balance.behind) > 0.01 && !s.scene.file().sky_surfaces) // the sky shines on the outside, too
+    if (percent(balance.behind) > 0.01 && !s.scene.file().sky_surfaces) // the sky also shines on outer sides
         text += format(
             "warning    %.3g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
             "'multipath check' names them, --two-sided gives them backs\n",
@@ -264,7 +264,7 @@ JsonObject summary_json(const SolveSummary& s)
 
 namespace {
 
-/// True if the scene consists of lamps alone: they look right whether or not they light each other.
+/// True if every patch emits: such a scene looks right even if no lamp lights another.
 bool everything_shines(const Scene& scene)
 {
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
@@ -273,7 +273,8 @@ bool everything_shines(const Scene& scene)
     return true;
 }
 
-/// A black picture is no result.
+/// Throws SettingsError or InputError, with the reason, if no light has reached any surface: a black picture is not a
+/// result.
 void require_light(const Scene& scene, const Solution& solution, int threads)
 {
     const PowerBalance& balance = solution.balance;
@@ -281,7 +282,7 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
         throw SettingsError(
             scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
             (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "'multipath check' tells more"));
-    const double rounding = 1e-9 * mean(balance.emitted); // of what line reuse finds by its balance
+    const double rounding = 1e-9 * mean(balance.emitted); // line reuse gets some powers as differences
     if (mean(balance.absorbed) > rounding || everything_shines(scene))
         return;
     if (solution.all_lines < scene.patch_count())
@@ -305,7 +306,7 @@ void require_error_to_show(const PictureOptions& pictures, const Accuracy& accur
                          std::string(pictures.shown.name));
 }
 
-/// Refuses pictures that the memory cannot hold. Without named outputs there are pictures, except of a shard.
+/// Throws InputError if the memory cannot hold the pictures. Without --output there are pictures, except for a shard.
 void require_memory_for_pictures(const CommandLine& line, const RenderOptions& render)
 {
     const std::vector<std::string> paths = line.all("output");
@@ -319,7 +320,7 @@ double seconds_since(SolveJob::Clock::time_point start)
     return std::chrono::duration<double>(SolveJob::Clock::now() - start).count();
 }
 
-void tell_of_interruption(const SolveJob& job, const Solution& solution, const StateKeeper& keeper)
+void report_interruption(const SolveJob& job, const Solution& solution, const StateKeeper& keeper)
 {
     print_note(format("interrupted after %s of %s lines%s\n", grouped(solution.all_lines).c_str(),
                       grouped(job.options.lines).c_str(),
@@ -327,7 +328,8 @@ void tell_of_interruption(const SolveJob& job, const Solution& solution, const S
                                             : ("; --resume goes on from " + keeper.path()).c_str()));
 }
 
-int tell_of_share(const SolveJob& job, const StateKeeper& keeper)
+/// Reports the end of a shard. Returns the exit code.
+int report_shard(const SolveJob& job, const StateKeeper& keeper)
 {
     if (!job.quiet)
         print_note(format("%s; 'multipath merge' adds the shares up\n",
@@ -387,7 +389,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         const auto show = [&](double done) {
             if (seconds_to_first_lines == 0.0) {
                 seconds_to_first_lines = seconds_since(job.start);
-                watch_interrupts(); // from now on there are results as of then
+                watch_interrupts(); // from now on there are partial results
             }
             progress.show(done);
         };
@@ -396,12 +398,12 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && shard.of > 1) {
         write_results(job, scene, solution, outputs, keeper.last_bytes());
-        return tell_of_share(job, keeper);
+        return report_shard(job, keeper);
     }
     if (shard.of > 1 && job.options.method->shards == Shards::added)
         throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
     if (keeper.stopped())
-        tell_of_interruption(job, solution, keeper); // before what may be given up
+        report_interruption(job, solution, keeper); // before the outputs, which a second signal may end
     else
         require_light(scene, solution, job.options.threads);
     const SolveJob::Clock::time_point outputs_start = SolveJob::Clock::now();
