@@ -377,7 +377,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         .count("shown", content.shown)
         .count("lines", content.lines)
         .objects("stages", stages_json(scene, content))
-        .objects("story", chapters)
+        .objects("trace", chapters)
         .document();
 }
 

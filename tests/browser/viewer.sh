@@ -16,7 +16,7 @@ browse() {
 # usage: looks_at PAGE
 looks_at() {
     case $1 in
-    5cubes) echo patches_found, picture_compared, first_view, click_on_patch, stages_shown, story_told, quantities_shown, \
+    5cubes) echo patches_found, picture_compared, first_view, click_on_patch, stages_shown, lines_traced, quantities_shown, \
         keys_pressed, view_saved, names_of_controls ;;
     4chairs) echo first_view ;;
     *) echo patches_found, picture_compared ;;
@@ -123,12 +123,12 @@ check "a click shows the patch in the panel and marks it; a drag does not" click
 stages() { look 5cubes stages_shown && holds 'stages > 2 && first_error > 2 * last_error && last_error > 0 && final_error == 0'; }
 check "the slider of lines shows the noise die" stages
 
-story() {
-    look 5cubes story_told && holds 'lines == 100 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
+trace() {
+    look 5cubes lines_traced && holds 'lines == 100 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
         holds 'power_first > 0 && power_later > power_first && power_again == power_first && chapter_first > 0' &&
-        holds 'told_legend == 0 && later_legend == 1' # the story is told in light
+        holds 'trace_legend == 0 && later_legend == 1' # the trace is shown in light
 }
-check "the lines of the method can be stepped through, and power arrives" story
+check "the lines of the method can be stepped through, and power arrives" trace
 
 shown() { look 5cubes quantities_shown && holds 'direct < 0 - 5 && unlike > 20 && legend == 1 && numbers > 2 && gone == 0 && brighter > 10 && borders > 0'; }
 check "other quantities, the exposure and the borders of patches change the picture" shown

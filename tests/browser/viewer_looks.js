@@ -134,9 +134,9 @@ function stages_shown() {
   find('final_error', error(stages));
 }
 
-async function story_told() {
+async function lines_traced() {
   const power = () => multipath.arrived().reduce((sum, x) => sum + x, 0), before = multipath.statistics().mean[1];
-  by_id('story').open = true;
+  by_id('trace').open = true;
   await pause();
   find('lines', by_id('line').max);
   find('darker', multipath.statistics().mean[1] - before);
@@ -159,8 +159,8 @@ async function story_told() {
   page.querySelector('#chapters input').click();
   find('chapter_first', power());
   choose('quantity', 2, 'change');
-  find('told_legend', by_id('legend').hidden ? 0 : 1);
-  by_id('story').open = false;
+  find('trace_legend', by_id('legend').hidden ? 0 : 1);
+  by_id('trace').open = false;
   await pause();
   find('later_legend', by_id('legend').hidden ? 0 : 1);
 }

@@ -106,6 +106,6 @@ check "a sequence that ends" late_usage "ends after" --skip 2^48 --sequence hamm
 check "more replicates than lines" late_usage "expected more lines" --lines 3 --replicates 4
 check "more lines than reuse counts" late_usage "expected fewer" --lines 2^33
 check "lines too few to meet a source" late_usage "none of 1 lines left a source" --lines 1 --method global
-late_story() { ends 2 explain cube.obj --of 1000 --first 1M && says err "this stage has"; }
-check "a line that the run does not have" late_story
+late_trace() { ends 2 explain cube.obj --of 1000 --first 1M && says err "this stage has"; }
+check "a line that the run does not have" late_trace
 finish

@@ -28,7 +28,7 @@ every_method() {
         ends 0 solve scenes/5cubes.obj $small --method $method -o $method.html && says $method.html '"transfers"' || return
     done
 }
-check "every method has its page and its story" every_method
+check "every method has its page and its traces" every_method
 
 with_error() { ends 0 solve scenes/5cubes.obj $small --replicates 2 --show error -o error.html && says error.html '"title": "Standard error of the radiosity"' && says error.html '"shown": 3'; }
 check "with replicates the page knows the error, and shows it first where pictures would" with_error

@@ -254,7 +254,7 @@ TEST_CASE("a told line becomes a chain of points with the power along it")
     CHECK(
         count(
             viewer_page(scene, content),
-            "\"story\": [\n    {\"title\": \"Lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {\"label\": "
+            "\"trace\": [\n    {\"title\": \"Lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {\"label\": "
             "\"line 1\", "
             "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"bold\": \"01\", \"meetings\": [1, 0, 0], "
             "\"transfers\": [\n    {\"stretch\": 1, \"from\": 7, \"to\": 9, \"forecast\": [0.5], \"held\": [1, 2, 3], "

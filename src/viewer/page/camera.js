@@ -1,13 +1,13 @@
 'use strict';
-// A pinhole camera that can be carried about. It orbits around its target or turns on the spot; up stays up.
+// A movable pinhole camera. It orbits around its target or looks around from a fixed position; `up` never changes.
 
-// Turns a about a unit axis, counter-clockwise seen from its tip (Rodrigues).
+// Rotates a about a unit axis, counter-clockwise seen from its tip (Rodrigues' formula).
 function turned(a, axis, angle) {
   const along = times(dot(axis, a) * (1 - Math.cos(angle)), axis);
   return plus(plus(times(Math.cos(angle), a), times(Math.sin(angle), cross(axis, a))), along);
 }
 
-// A matrix of 4 x 4 numbers, column by column, times another one.
+// The product of two 4 x 4 matrices, stored column by column.
 function matrix_product(a, b) {
   const result = new Float32Array(16);
   for (let column = 0; column < 4; ++column)
@@ -17,12 +17,12 @@ function matrix_product(a, b) {
   return result;
 }
 
-const steepest = 0.996; // cosine of the view against up, so that the view never turns over
+const steepest = 0.996; // largest cosine between view and up, so that the view never turns over
 
 class Camera {
   constructor(first, size) {
     this.first = first;
-    this.size = size; // of the room, which tells how far a step is
+    this.size = size; // diagonal of the room, the unit of steps
     this.reset();
   }
 
@@ -36,14 +36,14 @@ class Camera {
   right() { return normalized(cross(this.forward(), this.up)); }
   distance() { return length(minus(this.target, this.eye)); }
 
-  // A direction turned by angles to the left and up.
+  // A direction turned by angles to the left and upwards.
   aimed(direction, left, up) {
     const level = turned(direction, this.up, left);
     const raised = turned(level, normalized(cross(level, this.up)), up);
     return Math.abs(dot(raised, this.up)) < steepest ? raised : level;
   }
 
-  // Moves on a sphere around the target, with the whole scene following the finger.
+  // Moves on a sphere around the target, so that the scene follows the pointer.
   orbit(left, up) {
     const distance = this.distance();
     this.eye = minus(this.target, times(distance, this.aimed(this.forward(), left, up)));
@@ -59,21 +59,22 @@ class Camera {
     this.target = plus(this.target, step);
   }
 
-  // In parts of the room's size; ahead is level, as feet are.
+  // Steps as fractions of the room's size; `ahead` is horizontal, whatever the direction of the view.
   walk(ahead, aside, upwards) {
     const level = normalized(cross(this.up, this.right()));
     const step = plus(times(ahead, level), plus(times(aside, this.right()), times(upwards, this.up)));
     this.move(times(this.size, step));
   }
 
-  // In parts of the picture's height, at the distance of the target.
+  // Shifts as fractions of the picture's height, at the distance of the target.
   shift(x, y) {
     const height = 2 * this.distance() * Math.tan(0.5 * this.angle(1));
     const up = cross(this.right(), this.forward());
     this.move(plus(times(-x * height, this.right()), times(y * height, up)));
   }
 
-  // Nearer by a factor below 1; a target that is reached is pushed on, so that one can go through a room.
+  // Multiplies the distance to the target; a factor below 1 moves nearer. A target that is reached moves on, so that
+  // one can go through a room.
   approach(factor) {
     const wanted = factor * this.distance(), least = 0.02 * this.size;
     const distance = clamped(wanted, least, 20 * this.size);
@@ -82,22 +83,22 @@ class Camera {
       this.move(times(least - wanted, this.forward()));
   }
 
-  // The vertical field of view [radians]. The one given is for pictures of 4 : 3; narrow ones show as much from left to
-  // right as their distortion allows.
+  // The vertical field of view [radians]. The given one is for pictures of 4 : 3. Narrower pictures get a larger one,
+  // so that they show the same width as far as the distortion allows.
   angle(aspect) {
     const half = Math.tan(this.first.field_of_view * Math.PI / 360);
     const widened = Math.min(half * Math.max(1, 4 / 3 / aspect), Math.max(half, 1));
     return 2 * Math.atan(widened);
   }
 
-  // As the program's --camera reads it: metres, and degrees of a picture of this shape.
+  // The view as --camera of the program reads it: in metres, and degrees for a picture with this aspect ratio.
   view(aspect) {
     const rounded = a => a.map(x => Number(x.toPrecision(9)));
     return { eye: rounded(this.eye), target: rounded(this.target), up: rounded(this.up),
              fov: Number((this.angle(aspect) * 180 / Math.PI).toPrecision(9)) };
   }
 
-  // The ray through a place of a picture, in pixels from its top left corner.
+  // The direction of the ray through a point of a picture, in pixels from its top left corner.
   ray(x, y, width, height) {
     const pixel = 2 * Math.tan(0.5 * this.angle(width / height)) / height;
     const forward = this.forward(), right = this.right(), up = cross(right, forward);
@@ -105,7 +106,7 @@ class Camera {
     return normalized(plus(forward, plus(aside, upwards)));
   }
 
-  // From places in the room to clip coordinates.
+  // The matrix from positions in the room to clip coordinates.
   matrix(aspect) {
     const f = this.forward(), r = this.right(), u = cross(r, f), e = this.eye;
     const view = [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0,

@@ -1,16 +1,16 @@
 'use strict';
-// Mouse, fingers and keys move the camera, pick patches and stand for buttons of the panel.
+// Mouse, fingers and keys move the camera, pick patches and act as shortcuts for buttons of the panel.
 
 const radians_per_pixel = 0.005;
-const click_distance = 5; // [pixels] a finger trembles
+const click_distance = 5; // [pixels] a click may move this far
 const walking_speed = 0.22; // of the room's size per second
 
 class Controls {
-  constructor(viewer, canvas, panel, story_panel) {
-    Object.assign(this, { viewer, canvas, panel, story_panel });
-    this.pointers = new Map(); // where each finger is
+  constructor(viewer, canvas, panel, trace_panel) {
+    Object.assign(this, { viewer, canvas, panel, trace_panel });
+    this.pointers = new Map(); // position of each pressed pointer, by its id
     this.travelled = 0;
-    this.held = new Set(); // keys of walking
+    this.held = new Set(); // walking keys that are down
     canvas.addEventListener('pointerdown', event => this.press(event));
     canvas.addEventListener('pointermove', event => this.drag(event));
     canvas.addEventListener('pointerup', event => this.release(event, true));
@@ -23,7 +23,7 @@ class Controls {
   }
 
   press(event) {
-    element('hint').hidden = true; // it has been understood
+    element('hint').hidden = true; // the user knows it now
     this.canvas.setPointerCapture(event.pointerId);
     if (this.pointers.size === 0)
       this.travelled = 0;
@@ -51,7 +51,7 @@ class Controls {
       this.viewer.change({ selected: this.viewer.patch_at(event.clientX, event.clientY) });
   }
 
-  // Two fingers: their distance brings nearer, what they do together shifts.
+  // Two fingers: a larger distance moves nearer, a common motion shifts the view.
   pinch(id, before, now) {
     const other = [...this.pointers].find(([pointer]) => pointer !== id)[1];
     const distance = a => Math.max(10, Math.hypot(a[0] - other[0], a[1] - other[1]));
@@ -95,11 +95,11 @@ class Controls {
     event.preventDefault();
   }
 
-  // Keys that stand for a button; false for others.
+  // Runs the shortcut of a key. False if it has none.
   shortcut(key) {
-    const { viewer, panel, story_panel } = this, { state, quantities } = viewer;
+    const { viewer, panel, trace_panel } = this, { state, quantities } = viewer;
     const expose = stops => viewer.change({ exposure: clamped(state.exposure + stops, -6, 6) });
-    const told = act => { story_panel.open(true); act(); };
+    const in_trace = act => { trace_panel.open(true); act(); };
     const shortcuts = {
       v: () => viewer.change({ motion: state.motion === 'orbit' ? 'walk' : 'orbit' }),
       r: () => viewer.go_home(),
@@ -110,9 +110,9 @@ class Controls {
       '+': () => expose(0.5), '=': () => expose(0.5), '-': () => expose(-0.5),
       '[': () => viewer.change({ stage: Math.max(0, state.stage - 1) }),
       ']': () => viewer.change({ stage: Math.min(quantities.last_stage, state.stage + 1) }),
-      p: () => told(() => story_panel.play(story_panel.timer === null)),
-      ',': () => told(() => story_panel.step(-1)),
-      '.': () => told(() => story_panel.step(1)),
+      p: () => in_trace(() => trace_panel.play(trace_panel.timer === null)),
+      ',': () => in_trace(() => trace_panel.step(-1)),
+      '.': () => in_trace(() => trace_panel.step(1)),
       h: () => panel.fold(!panel.folded),
       '?': () => panel.help(),
     };
@@ -122,7 +122,7 @@ class Controls {
     return true;
   }
 
-  // Walks for as long as a key is down; a first step comes at once, so that a tap moves too.
+  // Walks while a key is down. The first step comes at once, so that a short press moves too.
   hold(key) {
     const moving = this.held.size > 0;
     this.held.add(key);

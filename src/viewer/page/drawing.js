@@ -1,10 +1,11 @@
 'use strict';
-// Draws the room: one buffer of surfaces, drawn at once, whose pixels look up values in textures; and marks over it.
+// Draws the room, one buffer of surfaces whose pixels look up their values in textures, and marks on top of it.
 
-// The programs of the graphics processor (GLSL ES 3.00).
+// The shaders (GLSL ES 3.00).
 
-// Surfaces are drawn whole; every pixel looks up its patch, or the corners around it, by its place (u, v), as the
-// program itself does. So patches cost no geometry, and there are no seams between them.
+// Surfaces are drawn whole: every pixel looks up its patch, or the values at the corners of the patch, from its
+// position (u, v) on the surface, as the program itself does. So patches cost no geometry, and there are no seams
+// between them.
 const room_vertex_shader = `#version 300 es
 precision highp float;
 uniform mat4 to_clip;
@@ -28,32 +29,34 @@ precision highp int;
 precision highp sampler2D;
 uniform sampler2D patch_values;   // one texel per patch, row by row
 uniform sampler2D corner_values;  // four per patch
-uniform sampler2D arrived;        // of the story
+uniform sampler2D arrived;        // radiosity that the traced lines have brought, one texel per patch
 uniform sampler2D colour_map;
-uniform uint backs_patch;         // by how much numbers of backs are higher
+uniform uint backs_patch;         // the first patch of the backs
 uniform float patch_scale;        // from texels to the tone curve, or to the colour map
 uniform float corner_scale;
-uniform float arrived_scale;      // 0: no story
+uniform float arrived_scale;      // 0: no trace is shown
 uniform int tone;                 // 0 reinhard, 1 film curve, 2 linear
 uniform bool smooth_shading;
 uniform bool false_colours;
 uniform bool borders;
 uniform vec3 nothing;             // colour of patches without a value
-uniform sampler2D image;          // of the surfaces that are drawn now, in linear light
+uniform sampler2D image;          // texture of the current surfaces, in linear light
 uniform bool textured;
-uniform vec3 emitted;             // on the tone curve, by fronts
-uniform vec3 contrast;            // reflectance where the texture is white, over the mean
+uniform vec3 emitted;             // emittance of fronts, scaled for the tone curve
+uniform vec3 contrast;            // reflectance where the texture is white over the mean reflectance
 in vec2 place;
 in vec2 texture_place;
 flat in uvec3 surface;
 out vec4 colour;
 
-// Of rows of 2048 texels; without divisions, which take a fourth of the time where no graphics processor draws.
+// Texel n of a texture with rows of 2048 texels. Without divisions, which take a fourth of the time in software
+// renderers.
 vec3 texel(sampler2D values, uint n) { return texelFetch(values, ivec2(int(n & 2047u), int(n >> 11)), 0).rgb; }
 
 uint index_of(float x, uint cells) { return uint(clamp(floor(x), 0.0, float(cells - 1u))); }
 
-// Bilinear, or barycentric on a triangle; the four places of a patch hold its corners counter-clockwise.
+// Interpolates the values at the corners of a patch: bilinear, or barycentric on a triangle. The four texels of a patch
+// hold its corners counter-clockwise.
 vec3 between_corners(uint number, vec2 f, bool triangle, bool upper) {
   vec3 first = texel(corner_values, 4u * number), second = texel(corner_values, 4u * number + 1u);
   vec3 third = texel(corner_values, 4u * number + 2u);
@@ -77,10 +80,10 @@ vec3 encoded(vec3 linear) {
   return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, vec3(lessThanEqual(x, vec3(0.0031308))));
 }
 
-// Less than a step of the screen, so that smooth walls show no bands.
+// Dither of less than one step of the screen, so that smooth walls show no bands.
 float noise() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5; }
 
-// 1 on the border of a patch; nothing where patches are smaller than some pixels.
+// 1 on the border of a patch; fades to 0 where patches are only a few pixels wide.
 float border(vec2 p, bool triangle) {
   vec3 x = vec3(p, triangle ? p.x + p.y : 0.5);
   vec3 pixel = max(fwidth(x), 1e-6);
@@ -121,7 +124,7 @@ void main() {
   colour = vec4(shown, 1.0);
 }`;
 
-// Marks: straight pieces of lines with round ends, as wide on the screen wherever they are. A point has no length.
+// Marks: line segments with round ends and a constant width on the screen. A point is a segment of length 0.
 const mark_vertex_shader = `#version 300 es
 precision highp float;
 uniform mat4 to_clip;
@@ -138,7 +141,7 @@ void main() {
   vec4 a = to_clip * vec4(from, 1.0), b = to_clip * vec4(to, 1.0);
   float near = 1e-4 * max(abs(a.w), abs(b.w)) + 1e-9;
   if (a.w < near && b.w < near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
-  // What is behind the eye has no place on the screen.
+  // Cuts off the part behind the eye.
   if (a.w < near) a = mix(b, a, (b.w - near) / (b.w - a.w));
   if (b.w < near) b = mix(a, b, (a.w - near) / (a.w - b.w));
   vec2 begin_pixel = (0.5 + 0.5 * a.xy / a.w) * pixels, end_pixel = (0.5 + 0.5 * b.xy / b.w) * pixels;
@@ -152,7 +155,7 @@ void main() {
   colour = ink;
   middle_line = vec3(begin_pixel, half_width);
   end = end_pixel;
-  // A little nearer than the surface on which a mark may lie.
+  // A little nearer than a surface on which the mark may lie.
   gl_Position = vec4(place.xy + 2.0 * offset / pixels * place.w, place.z - 2e-5 * place.w, place.w);
 }`;
 
@@ -170,14 +173,14 @@ void main() {
   result = vec4(colour.rgb, colour.a * opacity * clamp(inside, 0.0, 1.0));
 }`;
 
-const texels_per_row = 2048; // as wide as every WebGL 2 allows; the shader counts on it
+const texels_per_row = 2048; // every WebGL 2 allows this width; the shader relies on it
 
 class Drawing {
-  // Throws an Error with a sentence for people where there is no WebGL 2.
+  // Throws an Error with a message for the user if there is no WebGL 2.
   constructor(canvas, room) {
     this.canvas = canvas;
     this.room = room;
-    this.fit(); // a picture that exists already is slow to enlarge
+    this.fit(); // before the context exists: to resize it later is slow
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: false });
     if (!this.gl)
       throw new Error('This browser cannot draw the room: it has no WebGL 2, or it is switched off.');
@@ -187,9 +190,9 @@ class Drawing {
     this.mark_array = this.gl.createVertexArray();
     this.mark_buffer = this.gl.createBuffer();
     this.mark_count = 0;
-    this.textures = new Map(); // by the values that they hold
+    this.textures = new Map(); // by their Values
     this.arrived = this.texture('colours', new Float32Array(3));
-    this.images = []; // by the number of a texture of the room, once they are decoded
+    this.images = []; // decoded textures of the room, by their index
     this.blank = this.texture('colours', new Float32Array(3));
   }
 
@@ -212,7 +215,8 @@ class Drawing {
     return { program, uniforms, attribute: name => gl.getAttribLocation(program, name) };
   }
 
-  // Decodes the textures of the room. The colours of files are sRGB, which the graphics processor makes linear.
+  // Decodes the textures of the room. The colours of the files are sRGB; the graphics processor converts them to linear
+  // light.
   async load_images(list) {
     const gl = this.gl, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     const sharp = gl.getExtension('EXT_texture_filter_anisotropic');
@@ -220,7 +224,7 @@ class Drawing {
     for (const [number, { type, data, repeats }] of list.entries()) {
       let bitmap = await createImageBitmap(new Blob([bytes_of(data)], { type }), options).catch(() => null);
       if (!bitmap)
-        continue; // its surfaces keep the mean
+        continue; // its surfaces show their mean colour
       const shrink = most / Math.max(bitmap.width, bitmap.height);
       if (shrink < 1)
         bitmap = await createImageBitmap(bitmap, { ...options, resizeQuality: 'high',
@@ -239,8 +243,8 @@ class Drawing {
     }
   }
 
-  // The corners of the pieces of all surfaces, one material with a texture after the other; the numbers for the shader
-  // stand at each of them.
+  // Makes the vertex buffer: the corners of the pieces of all surfaces, sorted by textured material, each with its
+  // numbers for the shader.
   make_surfaces() {
     const gl = this.gl, room = this.room, words = 10; // 3 + 2 numbers, 3 counts, 2 numbers
     const pieces = [], kind = s => room.shows_texture(s) ? room.material[s] : -1;
@@ -252,7 +256,7 @@ class Drawing {
     const numbers = new Float32Array(words * corner_count), counts = new Uint32Array(numbers.buffer);
     const indices = new Uint32Array(3 * (corner_count - 2 * pieces.length));
     let n = 0, used = 0;
-    this.groups = []; // { material, first, count } of indices
+    this.groups = []; // ranges of indices with the same material: { material, first, count }
     for (const [s, { corners, places, cells, patch }] of pieces) {
       const first = n;
       corners.forEach(([u, v], k) => {
@@ -289,7 +293,7 @@ class Drawing {
     gl.bindVertexArray(null);
   }
 
-  // A texture of values in rows, filled up to whole rows.
+  // A texture of values in rows; the last row is padded.
   texture(kind, list) {
     const gl = this.gl, result = gl.createTexture();
     const [channels, internal, format, type] = {
@@ -303,7 +307,7 @@ class Drawing {
     if (kind === 'means')
       for (let k = 0; k < filled.length; ++k)
         if (!Number.isFinite(filled[k]))
-          filled[k] = -1; // the shader's sign for no value
+          filled[k] = -1; // means "no value" in the shader
     gl.bindTexture(gl.TEXTURE_2D, result);
     gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, filled);
     this.nearest(gl.NEAREST);
@@ -332,13 +336,13 @@ class Drawing {
     this.nearest(gl.LINEAR);
   }
 
-  // Three numbers per patch.
+  // Sets the radiosity that the traced lines have brought: three numbers per patch.
   set_arrived(list) {
     this.gl.deleteTexture(this.arrived);
     this.arrived = this.texture('colours', list);
   }
 
-  // Marks: { from, to, width, colour }.
+  // Sets the marks, each { from, to, width, colour }.
   set_marks(marks) {
     const gl = this.gl, words = 11;
     const numbers = new Float32Array(words * marks.length);
@@ -358,7 +362,7 @@ class Drawing {
     gl.bindVertexArray(null);
   }
 
-  // Fits the picture to its place on the page.
+  // Adapts the size of the picture to that of the canvas on the page.
   fit() {
     const density = window.devicePixelRatio || 1;
     const width = Math.max(1, Math.round(this.canvas.clientWidth * density));
@@ -413,10 +417,10 @@ class Drawing {
     for (const group of this.groups)
       this.draw_group(group, look);
     gl.bindVertexArray(null);
-    gl.activeTexture(gl.TEXTURE0 + 5); // where textures are filled
+    gl.activeTexture(gl.TEXTURE0 + 5); // new textures are filled in a unit that is not drawn from
   }
 
-  // Surfaces of one material; of several, if they show no texture.
+  // Draws the surfaces of one textured material, or all that show no texture.
   draw_group({ material, first, count }, look) {
     const gl = this.gl, { uniforms } = this.room_program;
     const { texture, white, reflectance, emittance } = material < 0 ? {} : this.room.materials[material];
@@ -429,7 +433,7 @@ class Drawing {
     gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
   }
 
-  // What is hidden by the room is seen through it faintly.
+  // Draws the marks; parts hidden by the room are seen faintly through it.
   draw_marks(to_clip, width, height) {
     const gl = this.gl, { program, uniforms } = this.mark_program;
     gl.useProgram(program);
@@ -449,7 +453,7 @@ class Drawing {
     gl.bindVertexArray(null);
   }
 
-  // The picture as it is now, drawn again: bytes of red, green, blue and opacity, from the bottom row up.
+  // Draws the picture and reads it back: bytes of red, green, blue and opacity, from the bottom row up.
   pixels(camera, look) {
     this.draw(camera, look);
     const { width, height } = this.canvas, bytes = new Uint8Array(4 * width * height);

@@ -1,9 +1,9 @@
 'use strict';
-// The controls beside the room: they show the viewer's state and change it.
+// The panel of controls, which shows the viewer's state and changes it.
 
 const element = id => document.getElementById(id);
 
-// A new element with a text, in a parent.
+// Appends a new element with a text to a parent, and returns it.
 function append_element(parent, name, text) {
   const child = document.createElement(name);
   child.textContent = text;
@@ -62,7 +62,7 @@ class Panel {
 
   save(name, url) { Object.assign(document.createElement('a'), { href: url, download: name }).click(); }
 
-  // Some browsers lend the clipboard to no page that comes from a file.
+  // Some browsers do not let pages from files use the clipboard.
   async copy_view() {
     const text = this.viewer.view_options();
     try {
@@ -94,7 +94,7 @@ class Panel {
     this.show_patch(state.selected);
   }
 
-  // Light or false colours, which have a legend and no exposure.
+  // Adapts the controls to light, or to false colours, which have a legend but no exposure.
   show_kind() {
     const drawn = this.viewer.quantities.list[this.viewer.drawn_quantity];
     document.body.classList.toggle('false-colours', !drawn.light);

@@ -1,5 +1,6 @@
 'use strict';
-// What can be shown: values of patches, as light or in false colours, and the radiosity of stages with fewer lines.
+// Quantities that can be shown: values of patches, as light or in false colours, and the radiosity of stages with fewer
+// lines.
 
 // Red, green and blue of a colour with a shared exponent (RGB9_E5).
 function shared_exponent_colour(word) {
@@ -7,17 +8,17 @@ function shared_exponent_colour(word) {
   return [(word & 511) * scale, (word >>> 9 & 511) * scale, (word >>> 18 & 511) * scale];
 }
 
-// Values that a texture can be made of, unpacked when they are first needed.
+// Values for a texture, unpacked when they are first needed.
 class Values {
   constructor(kind, unit, unpack) {
-    this.kind = kind; // 'colours': three numbers each; 'light': one word each; 'means': one number each
+    this.kind = kind; // 'colours': three numbers each; 'light': one packed word each; 'means': one number each
     this.unit = unit;
     this.unpack = unpack;
   }
 
   get list() { return this.unpacked ||= this.unpack(); }
 
-  // As a list of one or three numbers.
+  // Value n as a list of one or three numbers.
   at(n) {
     if (this.kind === 'colours')
       return Array.from(this.list.subarray(3 * n, 3 * n + 3));
@@ -29,7 +30,8 @@ class Values {
 
 const light_values = data => new Values('light', data.light_unit, () => counts_of(data.light));
 
-// Light at the corners of patches: what they share, and behind it what some have of their own.
+// Packed light at the corners of patches. The list holds the shared values of grid points, then the own values of some
+// corners.
 function corner_words(data, room) {
   const words = counts_of(data.corners), places = counts_of(data.own_places), shared = words.length - places.length;
   const result = room.patch_corners(words);
@@ -37,7 +39,7 @@ function corner_words(data, room) {
   return result;
 }
 
-// Light: of patches and, smooth, of their corners.
+// Light of the patches, and of their corners for smooth shading.
 const light_of = (data, room) => ({
   light: true,
   patches: data.values ? new Values('colours', 1, () => numbers_of(data.values))
@@ -59,11 +61,11 @@ class Quantities {
 
   get last_stage() { return this.stages.length - 1; }
 
-  // What to draw for a choice of quantity and stage; stages are of the radiosity, the first quantity.
+  // The values to draw for a choice of quantity and stage. Only the radiosity, the first quantity, has stages.
   drawn(quantity, stage) { return quantity === 0 ? this.stages[stage] : this.list[quantity]; }
 }
 
-// A number as people read it, with so many digits.
+// A number as text with this many digits.
 function number_text(x, digits = 4) {
   if (!Number.isFinite(x))
     return 'none';
@@ -73,7 +75,7 @@ function number_text(x, digits = 4) {
   return text.replace('e+', 'e').replace(/-/g, '−');
 }
 
-// One number where the channels agree.
+// A colour as text: one number if the channels agree, otherwise three.
 function colour_text(c, digits) {
   const numbers = c.map(x => number_text(x, digits));
   return numbers.every(x => x === numbers[0]) ? numbers[0] : numbers.join(', ');

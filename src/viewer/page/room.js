@@ -1,5 +1,5 @@
 'use strict';
-// Points and directions: lists of three numbers.
+// Surfaces of the room and their patches. Before them, vectors: points and directions are lists of three numbers.
 
 const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -10,8 +10,9 @@ const length = a => Math.hypot(a[0], a[1], a[2]);
 const normalized = a => times(1 / length(a), a);
 const clamped = (x, low, high) => Math.min(high, Math.max(low, x));
 
-// The room: its surfaces, and how they are cut into patches. The page holds surfaces only; patches are looked up from a
-// place (u, v) on them, with the numbers that the program gives them (src/scene/tessellation.h).
+// The room: its surfaces, and their subdivision into patches. The page holds surfaces only. The patch at a position
+// (u, v) on a surface is computed by the same rule as in the program (src/scene/tessellation.h), so it has the same
+// number.
 
 // The bytes of a base64 text.
 function bytes_of(text) {
@@ -48,9 +49,9 @@ class Room {
     this.find_size();
   }
 
-  // The quadtrees of surfaces whose cells are cut further; null for others. A tree has its leaves, { i, j, upper, level }
-  // on the grid of cells that is `level` times finer by two, and a node for every cell: the number of a leaf, or the
-  // nodes of its four parts.
+  // The quadtrees of surfaces whose cells are cut further; null for other surfaces. A tree has its leaves, { i, j,
+  // upper, level } on a grid 2^level times as fine as that of the cells, and a node for every cell: the index of a
+  // leaf, or the list of the nodes of its four parts.
   trees_of(levels) {
     const trees = new Array(this.surface_count).fill(null);
     let used = 0;
@@ -77,7 +78,7 @@ class Room {
   }
   depth_of(node) { return Array.isArray(node) ? 1 + Math.max(...node.map(part => this.depth_of(part))) : 0; }
 
-  // How many patches a side of a surface has, and how many places for values at their corners.
+  // Number of patches on a side of a surface, and number of values at their corners.
   patches_on(s) {
     const [n, m] = this.cells_of(s);
     return this.trees[s] ? this.trees[s].leaves.length : n * m;
@@ -87,8 +88,7 @@ class Room {
     return this.trees[s] ? 4 * this.trees[s].leaves.length : this.triangles[s] ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1);
   }
 
-  // Patches are numbered surface by surface, and so are the points of the grids that cut them; backs come after all
-  // fronts.
+  // Patches are numbered surface by surface, like the points of their grids; backs come after all fronts.
   number_patches() {
     this.first_patch = new Uint32Array(this.surface_count + 1);
     this.first_point = new Uint32Array(this.surface_count + 1);
@@ -118,7 +118,8 @@ class Room {
   edge_v(s) { return this.vector(s, 2); }
   point(s, u, v) { return plus(this.origin(s), plus(times(u, this.edge_u(s)), times(v, this.edge_v(s)))); }
 
-  // Whether a texture is seen on it, and where a point lies on that: from the top, as images are stored.
+  // True if the surface shows a texture; and the texture coordinates of a point, counted from the top row, as images
+  // are stored.
   shows_texture(s) { return this.frames.length > 0 && Number.isFinite(this.frames[6 * s]); }
   texture_place(s, u, v) {
     const [a, b, c, d, e, f] = this.frames.subarray(6 * s, 6 * s + 6);
@@ -129,7 +130,7 @@ class Room {
   corners(s) { return this.triangles[s] ? [[0, 0], [1, 0], [0, 1]] : [[0, 0], [1, 0], [1, 1], [0, 1]]; }
   outline(s) { return this.corners(s).map(([u, v]) => this.point(s, u, v)); }
 
-  // The patch at a place of a surface; null on the back of a one-sided one.
+  // The patch at a position of a surface; null on the back of a one-sided surface.
   patch_at(s, u, v, front) {
     if (!front && !this.two_sided)
       return null;
@@ -153,7 +154,7 @@ class Room {
     return (front ? 0 : this.cell_count) + this.first_patch[s] + cell;
   }
 
-  // The leaf at a place (x, y) of a cell, in its edges.
+  // The leaf at the coordinates (x, y) of a cell, each from 0 to 1.
   leaf_at(s, node, x, y) {
     while (Array.isArray(node)) {
       x *= 2;
@@ -171,10 +172,10 @@ class Room {
     return node;
   }
 
-  // What of a surface is to be drawn: { corners, places, cells, patch }. The corners are (u, v) on the surface, the
-  // places (u, v) on a grid of cells whose first is a patch; around the first corner, if there are more than four. It
-  // is all of the surface, or, of what is cut by trees or partly under others of the same plane, one cell after
-  // another.
+  // The polygons to draw for a surface, each { corners, places, cells, patch }. The corners are (u, v) on the surface;
+  // the places are the same points as (u, v) on a grid of cells, whose first cell is the patch. A polygon with more
+  // than four corners is a fan around its first one. There is one polygon for the whole surface, or, if it is cut by
+  // quadtrees or partly covered by others in the same plane, one for each visible patch.
   pieces(s) {
     const [n, m] = this.cells_of(s), first = this.first_patch[s], count = this.patches_on(s), seen = [];
     const covered = patch => this.covered.has(patch) && (!this.two_sided || this.covered.has(patch + this.cell_count));
@@ -196,7 +197,7 @@ class Room {
     });
   }
 
-  // All corners of leaves, as i + j * 2^26 on the grid of the smallest.
+  // The corners of all leaves, as i + j * 2^26 on the grid of the smallest leaves.
   points_of_tree(s) {
     const points = new Set();
     this.trees[s].leaves.forEach((leaf, cell) =>
@@ -204,7 +205,7 @@ class Room {
     return points;
   }
 
-  // Corners of a leaf on the grid of the smallest leaves of its surface.
+  // The corners of a leaf on the grid of the smallest leaves of its surface.
   tree_corners(s, cell) {
     const { leaves, depth } = this.trees[s], { i, j, upper, level } = leaves[cell], size = 2 ** (depth - level);
     const corners = !this.triangles[s] ? [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
@@ -212,8 +213,9 @@ class Room {
     return corners.map(([a, b]) => [a * size, b * size]);
   }
 
-  // Around the middle of a leaf, if corners of smaller ones lie on its edges, so that no gaps show there: the middle,
-  // then corners all around, the first again at the end. Else its own corners.
+  // The outline of a leaf. If corners of smaller leaves lie on its edges (T-junctions), they are included, so that no
+  // gaps are seen there: a fan of the middle, then the corners all around, with the first one repeated at the end.
+  // Otherwise its own corners.
   outline_with(s, cell, points) {
     const [n, m] = this.cells_of(s), { depth, leaves } = this.trees[s], corners = this.tree_corners(s, cell), rim = [];
     const place = ([i, j]) => [i / (n * 2 ** depth), j / (m * 2 ** depth)];
@@ -268,7 +270,7 @@ class Room {
       const i = Math.floor(cell / m), j = cell % m;
       return [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
     }
-    let i = Math.max(0, Math.floor(n - Math.sqrt(n * n - cell)) - 1); // the column or one before it
+    let i = Math.max(0, Math.floor(n - Math.sqrt(n * n - cell)) - 1); // the column, or a smaller one by rounding
     while ((i + 1) * (2 * n - i - 1) <= cell)
       ++i;
     const place = cell - i * (2 * n - i), j = place >> 1;
@@ -282,8 +284,8 @@ class Room {
     return this.cell_corners(s, cell).map(([u, v]) => this.point(s, u, v));
   }
 
-  // Four places per patch for what its corners have, given what they share at the points of the grids. A triangle
-  // leaves one place empty.
+  // The values at the corners of all patches, four each, copied from the shared values at the points of the grids. A
+  // triangle leaves the fourth empty.
   patch_corners(shared) {
     const result = new Uint32Array(4 * this.patch_count);
     for (let back = 0; back < (this.two_sided ? 2 : 1); ++back)
@@ -300,7 +302,7 @@ class Room {
     return result;
   }
 
-  // Without a list for each of what may be many cells.
+  // Makes no list for each cell, since there may be many.
   copy_grid_corners(s, shared, result) {
     const [n, m] = this.cells_of(s);
     let place = 0;
@@ -323,12 +325,13 @@ class Room {
       });
   }
 
-  // "table_top (line 12)", as the program names surfaces.
+  // The surface as the program names it: "table_top (line 12)".
   surface_name(s) {
     return `${this.groups[this.group[s]] || this.materials[this.material[s]].name} (line ${this.line[s]})`;
   }
 
-  // What a ray meets first. Backs of one-sided surfaces are looked through, as in the program's pictures.
+  // The first hit of a ray; null if there is none. Rays pass through the backs of one-sided surfaces, as in the
+  // program's pictures.
   nearest_hit(origin, direction) {
     const g = this.geometry;
     let nearest = null;

@@ -1,5 +1,5 @@
 'use strict';
-// Joins the room, the camera, the drawing and the controls. Started at the end of this file.
+// Connects the room, the camera, the drawing and the controls. The page starts at the end of this file.
 
 const tone_numbers = { reinhard: 0, aces: 1, linear: 2, percentile: 2 };
 
@@ -8,7 +8,7 @@ class Viewer {
     this.canvas = canvas;
     this.room = new Room(data);
     this.quantities = new Quantities(data, this.room);
-    this.story = new Story(data.story, this.room);
+    this.trace = new Trace(data.trace, this.room);
     this.camera = new Camera(data.camera, this.room.size);
     this.drawing = new Drawing(canvas, this.room);
     this.drawing.set_colour_map(this.quantities.colour_map);
@@ -17,14 +17,14 @@ class Viewer {
       quantity: data.shown, stage: this.quantities.last_stage, shading: data.shading, mesh: false, motion: 'orbit',
       exposure: clamped(data.tone.exposure, -6, 6), tone: data.tone.first, selected: null };
     this.panel = new Panel(this, data);
-    this.story_panel = new StoryPanel(this);
-    this.controls = new Controls(this, canvas, this.panel, this.story_panel);
+    this.trace_panel = new TracePanel(this);
+    this.controls = new Controls(this, canvas, this.panel, this.trace_panel);
     new ResizeObserver(() => this.request_draw()).observe(canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.request_draw());
     this.change({});
   }
 
-  // Textures are decoded while the room is looked at already.
+  // Decodes the textures while the room is already shown.
   async load_images(list) {
     await this.drawing.load_images(list);
     this.request_draw();
@@ -46,19 +46,19 @@ class Viewer {
 
   view() { return this.camera.view(this.canvas.clientWidth / this.canvas.clientHeight); }
 
-  // The same for a command line.
+  // The same as options for a command line.
   view_options() {
     const { eye, target, up, fov } = this.view(), usual = up.join() === '0,1,0';
     return `--eye=${eye} --target=${target}${usual ? '' : ` --up=${up}`} --fov=${fov}`;
   }
 
-  // The URL of the picture as it is; the canvas keeps it until the next frame only.
+  // The picture as a URL. It is drawn again, since the canvas keeps a picture only until the next frame.
   png() {
     this.drawing.draw(this.camera, this.look());
     return this.canvas.toDataURL('image/png');
   }
 
-  // Draws before the browser shows its next frame, however often it is asked for.
+  // Requests one drawing before the browser's next frame; repeated requests have no effect.
   request_draw() {
     if (this.requested)
       return;
@@ -69,30 +69,30 @@ class Viewer {
     });
   }
 
-  // The number of the quantity that is drawn now: the story is told in light, with the solved room dim behind it.
-  get drawn_quantity() { return this.story.active ? 0 : this.state.quantity; }
+  // Index of the quantity that is drawn now. A trace is shown in light, with the solved room dimmed.
+  get drawn_quantity() { return this.trace.active ? 0 : this.state.quantity; }
 
-  // How the room is to be drawn now.
+  // The current parameters of Drawing.draw().
   look() {
-    const { state, story } = this, values = this.quantities.drawn(this.drawn_quantity, state.stage);
+    const { state, trace } = this, values = this.quantities.drawn(this.drawn_quantity, state.stage);
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
       values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth',
       scale: values.light ? this.scales[state.tone] * 2 ** state.exposure : 1 / values.legend.top,
-      arrived_scale: story.active ? story.scale * 2 ** state.exposure : 0, background };
+      arrived_scale: trace.active ? trace.scale * 2 ** state.exposure : 0, background };
   }
 
-  show_story() {
-    document.body.classList.toggle('telling', this.story.active);
-    if (this.story.active)
-      this.drawing.set_arrived(this.story.arrived());
+  show_trace() {
+    document.body.classList.toggle('tracing', this.trace.active);
+    if (this.trace.active)
+      this.drawing.set_arrived(this.trace.arrived());
     this.panel.show_kind();
     this.show_marks();
   }
 
-  // The lines of the story, and the outline of the selected patch.
+  // Sets the marks: the lines of the trace and the outline of the selected patch.
   show_marks() {
-    const marks = this.story.active ? this.story.marks() : [];
+    const marks = this.trace.active ? this.trace.marks() : [];
     if (this.state.selected !== null) {
       const corners = this.room.patch_outline(this.state.selected);
       corners.forEach((from, k) =>
@@ -102,7 +102,7 @@ class Viewer {
     this.request_draw();
   }
 
-  // What is seen at a place of the page; null where it is nothing.
+  // The hit seen at a position of the page, in pixels; null if nothing is seen there.
   hit_at(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const direction = this.camera.ray(x - box.left, y - box.top, box.width, box.height);
@@ -118,7 +118,8 @@ class Viewer {
     this.change({ selected: this.patch_at(box.left + box.width / 2, box.top + box.height / 2) });
   }
 
-  // Of the picture as it is: mean of red, green and blue (0 ... 255), and the share of pixels unlike the most frequent.
+  // Statistics of the current picture: mean of red, green and blue (0 ... 255), and the share of pixels that differ
+  // from the most frequent colour.
   statistics() {
     const { width, height, bytes } = this.drawing.pixels(this.camera, this.look());
     const sum = [0, 0, 0], counts = new Map();
@@ -133,18 +134,18 @@ class Viewer {
   }
 }
 
-// For scripts and tests, such as those of the program itself; see docs/viewer.md.
+// The interface for scripts and tests; see docs/viewer.md.
 function script_interface(viewer) {
   return {
-    ready: null, // [ms] from the opening of the page to its first picture
-    decoded: null, // a promise: all textures are seen
+    ready: null, // [ms] from the opening of the page to its first complete picture
+    decoded: null, // a promise that is fulfilled when all textures are decoded
     room: viewer.room,
-    get state() { return { ...viewer.state, line: viewer.story.line, chapter: viewer.story.chapter }; },
+    get state() { return { ...viewer.state, line: viewer.trace.line, chapter: viewer.trace.chapter }; },
     change: part => viewer.change(part),
     patch_at: (x, y) => viewer.patch_at(x, y),
     hit_at: (x, y) => viewer.hit_at(x, y),
     values: patch => Object.fromEntries(viewer.quantities.list.map(({ key, patches }) => [key, patches.at(patch)])),
-    arrived: () => viewer.story.arrived(),
+    arrived: () => viewer.trace.arrived(),
     picture: () => viewer.drawing.pixels(viewer.camera, viewer.look()),
     statistics: () => viewer.statistics(),
     view: () => viewer.view(),

@@ -79,7 +79,7 @@ TEST_CASE("each method has its chapters, the lines of reuse being those of the e
           trace(scene, Method::extended, 4096)[1].lines[7].shape.stretches[0].to);
 }
 
-TEST_CASE("a run with few lines has a shorter story")
+TEST_CASE("a run with few lines has shorter traces")
 {
     const Scene scene = lit_room();
     const std::vector<ViewerChapter> chapters = trace(scene, Method::global, 20);

@@ -1,30 +1,31 @@
 'use strict';
-// "Play the method": single lines, one after the other, what they meet, and the power that goes along them.
+// "Play the method": shows single lines one after another, the surfaces that they meet, and the power that they carry.
 
-// Colours and opacities of stretches that carry power and of those that do not, now and before.
+// Colours and opacities of stretches with and without power, of the current line and of the lines before it.
 const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.62, 0.68, 0.78, 0.9];
 const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.07];
 const seconds_per_line = 0.7;
 
-// Three channels of what is written as one number where they agree.
+// The three channels of a power, which is written as one number if they agree.
 const channels = power => power.length === 3 ? power : [power[0], power[0], power[0]];
 const mean = c => (c[0] + c[1] + c[2]) / 3;
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
-// The unit in which the power that usually goes along a line is a number above one.
+// The unit in which the median power of the transfers is a number above one.
 function usual_unit(chapter, base) {
   const usual = median(chapter.lines.flatMap(line => line.transfers.map(({ counted }) => mean(channels(counted))))) || 1;
   const units = [['', 1], ['m', 1e-3], ['µ', 1e-6], ['n', 1e-9]].map(([prefix, size]) => ({ name: prefix + base, size }));
   return units.find(({ size }) => usual >= size) || units[3];
 }
 
-class Story {
+// The traced lines in their chapters, and the lines shown so far.
+class Trace {
   constructor(chapters, room) {
     this.chapters = chapters;
     this.room = room;
     this.active = false;
     this.chapter = chapters.length > 0 ? chapters.length - 1 : 0;
-    this.line = 0; // lines that have been told; 0: none yet
+    this.line = 0; // number of lines shown; 0: none yet
     this.scales = chapters.map(chapter => this.glow_scale(chapter));
     this.units = chapters.map(chapter => usual_unit(chapter, room.power_unit));
   }
@@ -40,20 +41,20 @@ class Story {
   }
   go_to(line) { this.line = clamped(line, 0, this.lines.length); }
 
-  // [W/m^2] by which a transfer raises the radiosity of the patch where it arrives.
+  // [W/m^2] Increase of the receiving patch's radiosity by a transfer.
   gain(transfer) {
     const rho = this.room.reflectance(transfer.to), area = this.room.area(transfer.to);
     return channels(transfer.counted).map((power, k) => rho[k] * power / area);
   }
 
-  // What a usual gain is multiplied with to be seen well.
+  // The factor that makes the median gain well visible.
   glow_scale(chapter) {
     const arrivals = chapter.lines.flatMap(line => line.transfers).filter(({ to }) => to !== null);
     const gains = arrivals.map(transfer => mean(this.gain(transfer))).filter(gain => gain > 0);
     return gains.length > 0 ? 0.5 / median(gains) : 1;
   }
 
-  // [W/m^2] that the lines told so far have brought to every patch: three numbers each.
+  // [W/m^2] Radiosity that the lines shown so far have brought to every patch: three numbers each.
   arrived() {
     const radiosity = new Float32Array(3 * this.room.patch_count);
     for (const line of this.lines.slice(0, this.line))
@@ -63,7 +64,7 @@ class Story {
     return radiosity;
   }
 
-  // The lines as marks to draw: the current one in colour with its meetings, those before it faintly.
+  // The lines as marks to draw: the current one in colour with its hits, those before it faintly.
   marks() {
     const marks = [];
     this.lines.slice(0, this.line).forEach((line, n) => {
@@ -84,13 +85,13 @@ class Story {
   }
 }
 
-// Its controls. The story is on as long as its part of the panel is open.
-class StoryPanel {
+// The controls of the trace, which is shown while its part of the panel is open.
+class TracePanel {
   constructor(viewer) {
     this.viewer = viewer;
     this.timer = null;
-    const { chapters } = viewer.story;
-    element('story').hidden = chapters.length === 0;
+    const { chapters } = viewer.trace;
+    element('trace').hidden = chapters.length === 0;
     element('chapters').hidden = chapters.length < 2;
     chapters.forEach(({ title }, k) => this.add_choice(title, k));
     this.listen();
@@ -99,14 +100,14 @@ class StoryPanel {
   add_choice(title, chapter) {
     const label = append_element(element('chapters'), 'label', '');
     const input = append_element(label, 'input', '');
-    const checked = chapter === this.viewer.story.chapter;
+    const checked = chapter === this.viewer.trace.chapter;
     Object.assign(input, { type: 'radio', name: 'chapter', value: chapter, checked });
     append_element(label, 'span', title);
     input.addEventListener('change', () => this.choose(chapter));
   }
 
   listen() {
-    element('story').addEventListener('toggle', () => this.open(element('story').open));
+    element('trace').addEventListener('toggle', () => this.open(element('trace').open));
     element('next-line').addEventListener('click', () => this.step(1));
     element('previous-line').addEventListener('click', () => this.step(-1));
     element('play').addEventListener('click', () => this.play(this.timer === null));
@@ -114,37 +115,37 @@ class StoryPanel {
   }
 
   open(open) {
-    const { story } = this.viewer;
-    element('story').open = open;
-    story.active = open && story.chapters.length > 0;
+    const { trace } = this.viewer;
+    element('trace').open = open;
+    trace.active = open && trace.chapters.length > 0;
     if (!open)
       this.play(false);
-    if (open && story.line === 0)
-      story.go_to(1);
+    if (open && trace.line === 0)
+      trace.go_to(1);
     this.show();
   }
 
   choose(chapter) {
-    this.viewer.story.choose(chapter);
-    this.viewer.story.go_to(1);
+    this.viewer.trace.choose(chapter);
+    this.viewer.trace.go_to(1);
     this.show();
   }
 
-  // By hand, which ends playing.
+  // The user chooses a line, which ends playing.
   go_to(line) {
     this.play(false);
-    this.viewer.story.go_to(line);
+    this.viewer.trace.go_to(line);
     this.show();
   }
-  step(lines) { this.go_to(this.viewer.story.line + lines); }
+  step(lines) { this.go_to(this.viewer.trace.line + lines); }
 
   play(on) {
-    const { story } = this.viewer;
+    const { trace } = this.viewer;
     window.clearInterval(this.timer);
     this.timer = null;
     if (on) {
-      if (story.line === story.lines.length)
-        story.go_to(0);
+      if (trace.line === trace.lines.length)
+        trace.go_to(0);
       this.timer = window.setInterval(() => this.advance(), 1000 * seconds_per_line);
       this.advance();
     }
@@ -153,24 +154,24 @@ class StoryPanel {
   }
 
   advance() {
-    const { story } = this.viewer;
-    story.go_to(story.line + 1);
-    if (story.line === story.lines.length)
+    const { trace } = this.viewer;
+    trace.go_to(trace.line + 1);
+    if (trace.line === trace.lines.length)
       this.play(false);
     this.show();
   }
 
   show() {
-    const { viewer } = this, { story } = viewer;
-    if (story.chapters.length > 0) {
-      element('story-note').textContent = story.chapters[story.chapter].note;
-      element('line').max = story.lines.length;
-      element('line').value = story.line;
-      element('line-text').textContent = `${story.line} of ${story.lines.length}`;
+    const { viewer } = this, { trace } = viewer;
+    if (trace.chapters.length > 0) {
+      element('trace-note').textContent = trace.chapters[trace.chapter].note;
+      element('line').max = trace.lines.length;
+      element('line').value = trace.line;
+      element('line-text').textContent = `${trace.line} of ${trace.lines.length}`;
       element('line').setAttribute('aria-valuetext', `line ${element('line-text').textContent}`);
-      this.show_transfers(story.current);
+      this.show_transfers(trace.current);
     }
-    viewer.show_story();
+    viewer.show_trace();
   }
 
   show_transfers(line) {
@@ -179,7 +180,7 @@ class StoryPanel {
     const meets = line && line.meetings.length > 0;
     element('transfer-none').textContent = !line || transfers.length > 0 ? ''
       : meets ? 'This line joins no patches: it carries no power.' : 'This line meets nothing.';
-    const unit = this.viewer.story.unit;
+    const unit = this.viewer.trace.unit;
     element('power-unit').textContent = unit.name;
     element('transfer-rows').replaceChildren();
     for (const transfer of transfers) {
@@ -192,7 +193,7 @@ class StoryPanel {
     }
   }
 
-  // A patch that can be looked at, or where power is lost.
+  // Appends a cell with a button that selects the patch, or the word 'lost'.
   add_patch(row, patch) {
     const cell = append_element(row, 'td', patch === null ? 'lost' : '');
     if (patch === null)
