@@ -19,7 +19,7 @@ constexpr std::array<NamedValue<When>, 3> when_choices = {
 
 Option progress_option()
 {
-    return {"progress", 0, "WHEN", "auto", "Show progress on stderr.", false, names_of(when_choices)};
+    return {"progress", 0, "WHEN", "auto", "When to show progress on stderr.", false, names_of(when_choices)};
 }
 
 ProgressStyle progress_style(const CommandLine& line)

@@ -21,15 +21,17 @@ namespace {
 CommandTable check_table()
 {
     return {"check",
-            "what a scene holds, the paper's numbers for it, and what is wrong with it",
+            "report the content of a scene, the paper's figures for it, and its faults",
             {{"SCENE.obj", false, false, {".obj"}}},
             {{"Report",
               {{"json", 0, "", "", "Print the report as JSON on standard output."},
-               {"lines", 'n', "N", "2^20", "Lines for each measured figure; fewer where they meet very many surfaces."},
+               {"lines", 'n', "N", "2^20",
+                "Number of lines for each measured figure; fewer are cast if they meet very many surfaces."},
                threads_option()}},
              scene_option_group()},
-            "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area. Less\n"
-            "is a note, like all that does not make the result wrong. The heaviest findings come first.\n"
+            "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area.\n"
+            "Smaller ones are notes, and so are findings that do not make the result wrong. The most severe\n"
+            "findings come first.\n"
             "\n"
             "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"};
 }
@@ -117,10 +119,10 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
                    r.intersections_per_sphere_line, r.intersections_per_sphere_line_measured);
     text += format("  f      share of the area lit     %.4f visible, %.4f effective\n", r.direct.lit_fraction,
                    r.direct.effective_fraction);
-    text += format("  R_s'   reflectance of the lit    %.4f\n", r.direct.secondary_reflectance);
+    text += format("  R_s'   reflectance of lit area   %.4f\n", r.direct.secondary_reflectance);
     text += "  (3)    N_l / N_g                 " + ratio_text(r.ratio_first_shot) + " first shot, " +
             ratio_text(r.ratio_extended) + " extended" +
-            (r.ratio_first_shot ? "\n" : " (no light falls on what reflects: any ratio does)\n");
+            (r.ratio_first_shot ? "\n" : " (no light falls on reflecting surfaces: any ratio will do)\n");
     text += format("  (4)    threshold                 %.6g %s\n", r.threshold_radiosity,
                    light_units(scene.file()).per_area);
     if (!r.trapped)
@@ -214,7 +216,7 @@ std::string power_text(double power, const SceneFile& scene)
 /// The options that would give light to a scene without emitters, each with the power that would arrive.
 std::string dark_text(const DarkScene& dark)
 {
-    std::string text = dark.scene->path + ": no emitter; about what would arrive on fronts, with\n";
+    std::string text = dark.scene->path + ": no emitter; approximate power that would arrive on fronts with\n";
     for (const LightYield& yield : light_yields(dark.candidates, *dark.scene))
         text += format(" %-39s %12s%s\n", yield.option.c_str(), power_text(yield.arriving, *dark.scene).c_str(),
                        std::isfinite(yield.emitted) ? (" of " + power_text(yield.emitted, *dark.scene)).c_str() : "");

@@ -164,12 +164,12 @@ std::string expected_text(std::optional<double> relative_square)
 std::string verdict(const Comparison& c, double ratio)
 {
     if (ratio < 0.5)
-        return "less than independent results would differ";
+        return "independent results would differ more";
     if (c.expected_a && c.expected_b)
         return ratio <= 2.0 ? "they explain it" : "they do not explain it";
     const std::string one = c.expected_a ? "A" : "B";
     const std::string other = c.expected_a ? "B" : "A";
-    return ratio <= 2.0 ? "that of " + one + " alone explains it" : "the rest is the unknown one of " + other;
+    return ratio <= 2.0 ? "the error of " + one + " alone explains it" : "the rest is the unknown error of " + other;
 }
 
 std::string errors_text(const Comparison& c)
@@ -181,8 +181,8 @@ std::string errors_text(const Comparison& c)
     const std::optional<double> ratio = c.measured_over_expected();
     if (!ratio)
         return text + "explained  all standard errors are 0 and explain nothing\n";
-    return text + format("explained  the MSE is %.3g times what these errors let expect: ", *ratio) +
-           verdict(c, *ratio) + "\n";
+    return text + format("explained  the MSE is %.3g times what these errors predict: ", *ratio) + verdict(c, *ratio) +
+           "\n";
 }
 
 std::string worst_text(const Comparison& c)
@@ -300,27 +300,28 @@ JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError
 CommandTable compare_table()
 {
     return {"compare",
-            "how far one result is from another of the same scene",
+            "measure the error of a result against another one of the same scene",
             {{"A", false, false, {".csv", ".state"}}, {"B", false, true, {".csv", ".state"}}},
             {{"Report",
-              {{"worst", 0, "N", "5", "Name the N patches with the largest shares of the mean square error."},
+              {{"worst", 0, "N", "5", "List the N patches with the largest shares of the mean square error."},
                {"points", 0, "N", "10000",
-                "At how many points what A shows is compared: without B, or where B has other patches."},
+                "Number of points at which the shown light is compared, without B or if B has other patches."},
                {"tolerance", 0, "SHARE", "",
-                "End with exit code 1 when the root of the relative mean square error exceeds this, such as 1%."},
+                "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
                {"json", 0, "", "", "Print the report as JSON on standard output."},
                threads_option()}}},
             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
-            "wrote, or states of finished runs, of the same patches. Where they have standard errors\n"
-            "(solve --replicates), the report tells whether these explain the difference. Of another\n"
-            "program's result A needs only the columns patch, counted from 0 in the order of B, and\n"
+            "wrote, or states of finished runs, with the same patches. If they have standard errors\n"
+            "(solve --replicates), the report shows whether these explain the difference. A table of\n"
+            "another program, as A, needs only the columns patch, counted from 0 in the order of B, and\n"
             "radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
-            "States of the same surfaces with other patches, B with many more than A, are compared by what\n"
+            "States of the same surfaces with other patches, many more in B than in A, are compared by what\n"
             "A shows: at points, with smooth shading, against light gathered from B. Without B the light is\n"
-            "gathered from A itself: an estimate of its whole error, of patches and noise together, except\n"
-            "for what is common to all that a point sees, such as noise of few lines in bright rooms.\n\n"
-            "Exit code 0, whatever the difference, unless --tolerance says otherwise; 1 where the tables\n"
-            "cannot be compared.\n"};
+            "gathered from A itself. This estimates the whole error of A, of patches and noise together,\n"
+            "except for errors common to everything that a point sees, such as the noise of few lines in\n"
+            "bright rooms.\n\n"
+            "Exit code 0, whatever the difference, unless it exceeds --tolerance; 1 if the results cannot be\n"
+            "compared.\n"};
 }
 
 void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
@@ -328,7 +329,7 @@ void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
     const std::optional<std::string> scene_a = comment_value(a.comments, "scene");
     const std::optional<std::string> scene_b = comment_value(b.comments, "scene");
     if (scene_a && scene_b && *scene_a != *scene_b)
-        print_note(format("warning: %s is of scene %s and %s of scene %s, though their patches have the same areas\n",
+        print_note(format("warning: %s is of scene %s and %s of scene %s, although their patches have the same areas\n",
                           a.path.c_str(), scene_a->c_str(), b.path.c_str(), scene_b->c_str()));
 }
 
@@ -367,8 +368,8 @@ int run_compare(const CommandLine& line)
     }
     if (!tolerance || root <= *tolerance)
         return 0;
-    print_note(format("multipath: %s is %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(), 100.0 * root,
-                      b.path.c_str(), 100.0 * *tolerance));
+    print_note(format("multipath: %s differs by %.4g %% from %s, expected at most %.4g %%\n", a.path.c_str(),
+                      100.0 * root, b.path.c_str(), 100.0 * *tolerance));
     return 1;
 }
 

@@ -22,30 +22,28 @@ constexpr std::uint64_t most_traced_lines = 1000;
 
 CommandTable explain_table()
 {
-    return {
-        "explain",
-        "what single lines of a run do, one by one, in words and as a drawing",
-        {{"SCENE.obj", false, false, {".obj"}}},
-        {{"Lines",
-          {{"lines", 'n', "K", "3", "How many lines to tell, at most 1000; particles with the stage local."},
-           {"first", 0, "N", "1",
-            "Number of the first line told, counted from 1 in its stage. Those before it are followed too."},
-           {"stage", 0, "STAGE", "",
-            "Which lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended first shot, "
-            "counted from 1; global, lines through the scene; bundle, parallel lines of one direction; local, "
-            "particles. "
-            "Without it, the last stage of the method."},
-           {"output", 'o', "FILE", "",
-            "Also draw the lines in the scene, from above and from the side; the extension is .svg. '-' writes the "
-            "drawing to standard output instead of the text.",
-            true},
-           {"up", 0, "X,Y,Z", "0,1,0", "Which way is up in the drawing."}}},
-         method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run to which the told ones belong."},
-                             false),
-         scene_option_group()},
-        "  multipath explain scenes/5cubes.obj --lines 3 -o lines.svg\n"
-        "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2\n"
-        "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
+    return {"explain",
+            "explain single lines of a run, one by one, in words and as a drawing",
+            {{"SCENE.obj", false, false, {".obj"}}},
+            {{"Lines",
+              {{"lines", 'n', "K", "3", "Number of lines to explain, at most 1000; of particles in the stage local."},
+               {"first", 0, "N", "1",
+                "First line to explain, counted from 1 in its stage. The lines before it are traced too."},
+               {"stage", 0, "STAGE", "",
+                "Stage of the lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended "
+                "first shot, counted from 1; global, lines through the scene; bundle, parallel lines of one direction; "
+                "local, particles. By default the last stage of the method."},
+               {"output", 'o', "FILE", "",
+                "Also draw the lines in the scene, from above and from the side, as .svg. '-' writes the drawing to "
+                "standard output instead of the text.",
+                true},
+               {"up", 0, "X,Y,Z", "0,1,0", "Upward direction of the drawing."}}},
+             method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run whose lines are explained."},
+                                 false),
+             scene_option_group()},
+            "  multipath explain scenes/5cubes.obj --lines 3 -o lines.svg\n"
+            "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2\n"
+            "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
 }
 
 enum class StageKind { shot, global, bundle, local };

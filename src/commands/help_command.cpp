@@ -23,101 +23,104 @@ constexpr const char* scenes_text = R"(A scene is a Wavefront OBJ file; mtllib n
   Kd r g b   diffuse reflectance, 0 to 1; one number is grey
   Ke r g b   emittance in W/m^2: power emitted per area
   Ka r g b   ambient light, ignored; the emittance with --emission-from Ka
-  map_Kd F   texture: PNG, JPEG, TGA, BMP or PPM, times Kd; with -s, -o, -clamp
-  map_Ke F   likewise times Ke; a lamp emits the mean of its surfaces
-Everything else (Ks, Ns, d, illum, ...) is ignored, and said once. A material
-that faces use and no file defines becomes grey 0.5, with a warning. A scene
-that emits nothing is refused.
+  map_Kd F   texture (PNG, JPEG, TGA, BMP or PPM), times Kd; -s, -o, -clamp
+  map_Ke F   the same, times Ke; its surfaces emit the mean over all of them
+Everything else (Ks, Ns, d, illum, ...) is ignored, and reported once. A
+material that faces use but no file defines becomes grey with reflectance 0.5,
+with a warning. A scene that emits nothing is refused.
 
 The front of a face is the side from which its corners run counter-clockwise.
-Only fronts reflect, emit and receive, unless --two-sided gives every surface a
-back, which does not emit. So solids look outward and the room looks inward;
-light that meets a surface from behind is lost, and counted. --flip turns all
-faces over, for a room that was modelled to be seen from outside.
+Only fronts reflect, emit and receive light, unless --two-sided gives every
+surface a back, which does not emit. So the faces of solids must look outward
+and those of a room inward; light that meets the back of a surface is lost, and
+the loss is reported. --flip turns all faces over, for a room that was modelled
+to be seen from outside.
 
 A quad that is a parallelogram is one surface, and so are two triangles that
-form one. Other polygons are cut into triangles. Faces without an area are
-dropped, and counted. Of two faces in one place that look the same way the
-smaller hides the larger.
+form one. Other polygons are cut into triangles. Faces without area are dropped,
+and their number is reported. Where two faces that look the same way overlap in
+one plane, the smaller one hides the larger one.
 
-Surfaces are cut into patches of constant radiosity: --patch-size is the longest
-edge of one in metres, --patches how many there may be. Without either,
-'solve' cuts them where the light changes, 5,000 and five for every four
-surfaces, and other commands take some thousand equal ones.
+Surfaces are cut into patches of constant radiosity. --patch-size sets the
+longest edge of a patch in metres, --patches the largest number of patches.
+Without either, 'solve' cuts them where the light changes, into 5,000 patches
+and five more for every four surfaces; other commands make a few thousand
+patches of equal size.
 
-'multipath check SCENE.obj' tells what was read and what is suspicious about it:
-WRONG is what concerns half a percent of the power, or of the area, and more.
+'multipath check SCENE.obj' reports what was read and what looks suspicious. A
+finding is WRONG if it concerns at least 0.5 % of the power, or of the area.
 
-A bare name that is no file here, such as 5cubes, is a scene that came with the
-program: of share/multipath/scenes beside the folder of the installed program,
-or of the folder 'scenes' beside one that was built from sources.
+A bare name that is not a file here, such as 5cubes, is a bundled scene: one in
+share/multipath/scenes beside the folder of the installed program, or in the
+folder 'scenes' beside a program that was built from sources.
 )";
 
 constexpr const char* numbers_text = R"(Counts are written 1000000, 1e6, 1M or 2^20 (k, M, G are powers of 1000), exact
-up to 2^63. Decimals have a point, in every locale: 0.5, .5, 5e-1.
+up to 2^63. The decimal separator is a point in every locale: 0.5, .5, 5e-1.
 
   count           --lines 2^22        a whole number
   share           --tolerance 1%      or 0.01; a bare 1 is refused, since it
-                                      could be 1 % or everything
+                                      could mean 1 % or 100 %
   time            --time 90s          250ms, 90s, 5m, 2h; without unit: seconds
   size of memory  --memory 2GB        512MB, 2GB, 1GiB; without unit: bytes
-  point           --eye 1,2.5,-3      x,y,z in metres, without blanks
+  point           --eye 1,2.5,-3      x,y,z in metres, without spaces
   picture         --size 800x600      width and height in pixels
-  part            --shard 3/16        the third of sixteen
+  shard           --shard 3/16        the third of sixteen shards
 
 Anything else is refused: nan, inf, decimal commas, trailing text, negative
 numbers where they make no sense.
 )";
 
-constexpr const char* states_text = R"(A state is one file that holds the whole run: scene, options, how far it is and
-what it has found. Ctrl-C leaves it complete; a later run goes on from it with
-the same bytes as a run that was never interrupted.
+constexpr const char* states_text = R"(A state is one file that holds a whole run: the scene, the options, the progress
+and the results so far. Ctrl-C leaves it complete. A later run resumes from it,
+and writes the same bytes as a run that was never interrupted.
 
-Go on after an interruption, or to more lines:
+Resume after an interruption, or with more lines:
   multipath solve room.obj --lines 2^28 --state room.state
   multipath solve room.obj --lines 2^28 --state room.state --resume
   multipath solve room.obj --lines 2^30 --state room.state --resume
 
-Other pictures, meshes and tables of a finished run, without the OBJ file:
+Make other pictures, meshes and tables of a finished run, without the OBJ file:
   multipath render room.state --eye 1,1,5 --target 2,1,0 -o door.png
   multipath compare room.state other.csv
 
-Share a run among machines, which need not know each other:
+Split a run among computers, which need no connection to each other:
   multipath solve room.obj --shard 1/2 --state 1.state
   multipath solve room.obj --shard 2/2 --state 2.state
   multipath merge 1.state 2.state -o room.png -o room.csv
 
-A state is replaced only with --resume, and only by a later one of the same run.
---save-every says how often it is saved; --from-state reads one without touching
-it. With --method reuse shards give the bytes of one run; those of the other
-methods are averaged.
+An existing state is replaced only with --resume, and only by a later state of
+the same run. --save-every sets how often it is saved; --from-state reads a
+state without changing it. With --method reuse, the merged shards give the same
+bytes as a single run; the shards of other methods are averaged.
 )";
 
-constexpr const char* exit_codes_text = R"(  0    done: all that was asked for is written
-  1    the input or the work failed: a scene that cannot be read, a full disk;
-       also what check, selftest and compare --tolerance find wrong
+constexpr const char* exit_codes_text = R"(  0    success: everything that was asked for has been written
+  1    the input or the work failed, as with a scene that cannot be read or a
+       full disk; or check, selftest or compare --tolerance found a fault
   2    wrong usage: an unknown command, option, value or extension of an output
-  130  interrupted (Ctrl-C); what solve and merge found until then is written
-       as far as two seconds suffice, of anything else nothing
+  130  interrupted (Ctrl-C): solve and merge write their results so far, if two
+       seconds suffice; other commands write nothing
 
-Errors are one line on standard error, which says what was expected. Results go
-to files and standard output, everything else to standard error. An output is
-complete or not there: of several none is put into place before all are on the
+An error is one line on standard error, which says what was expected. Results go
+to files and standard output, everything else to standard error. An output file
+is complete or absent: of several, none gets its name before all are on the
 disk.
 )";
 
 std::string methods_text()
 {
-    std::string text = "How the light of the scene is found, --method NAME:\n\n";
+    std::string text = "Methods to compute the light of a scene, --method NAME:\n\n";
     for (const Method method : all_methods())
         text += two_columns("  " + std::string(method->name), std::string(method->summary), 21, topic_width);
-    return text + "\nWhat they cost is counted in lines, --lines: rays from patches and global lines\n"
-                  "together. 'multipath study' measures the error of each against lines.\n";
+    return text + "\nTheir cost is counted in lines (--lines), rays from patches and global lines\n"
+                  "together. 'multipath study' measures the error of each against the number of\n"
+                  "lines.\n";
 }
 
 std::string sequences_text()
 {
-    std::string text = "Where the lines come from: items of four numbers in [0, 1), --sequence NAME:\n\n";
+    std::string text = "Sequences of items, four numbers in [0, 1) for each line, --sequence NAME:\n\n";
     std::vector<std::string> best_at_powers;
     for (const SequenceKind& kind : sequence_kinds()) {
         const std::string name = std::string(kind.name) + std::string(kind.arguments);
@@ -127,36 +130,36 @@ std::string sequences_text()
     }
     return text +
            "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
-           "count, as in hammersley:2^16. --seed chooses among the random and randomised\n"
-           "ones (shifted, scrambled, permuted, from a random start); --skip K leaves out\n"
-           "the first K items. --replicates takes the randomised form of a sequence.\n" +
-           wrapped_text("Numbers of lines that are a power of two suit " + join(best_at_powers) + ".", 0, 0,
+           "count, as in hammersley:2^16. --seed is the seed of random and randomised\n"
+           "sequences (shifted, scrambled, permuted, from a random start); --skip K leaves\n"
+           "out the first K items. --replicates takes the randomised form of a sequence.\n" +
+           wrapped_text("The number of lines should be a power of two for " + join(best_at_powers) + ".", 0, 0,
                         topic_width) +
            "\n"
-           "'multipath points' draws them and measures how evenly they fill space.\n";
+           "'multipath points' draws sequences and measures how evenly they fill space.\n";
 }
 
 std::string outputs_text()
 {
-    std::string text = "-o FILE, any number of times; the extension says what is written:\n\n";
+    std::string text = "-o FILE may be repeated; the extension of the file determines its format:\n\n";
     const auto row = [](std::string_view extension, std::string_view summary) {
         return two_columns("  " + std::string(extension), summary, 10, topic_width);
     };
     for (const OutputFormat& format : output_formats())
         text += row(format.extension, format.summary);
     return text +
-           "\nThese are what solve, render and merge write. selftest writes a .csv, study and\n"
-           "points a .csv or what explain writes:\n\n" +
+           "\nsolve, render and merge write these formats. selftest writes .csv files, study\n"
+           "and points .csv and .svg files, explain .svg files:\n\n" +
            row(".svg", "plot or drawing") +
-           "\n'-' is standard output. A file takes its name when it is complete; until then an\n"
-           "old one stays as it is. Formats with a place for text hold the command that made\n"
-           "them: run it again and compare the files with 'cmp'.\n";
+           "\n'-' is standard output. A file gets its name when it is complete; until then an\n"
+           "old file of this name is unchanged. Formats that can hold text record the\n"
+           "command that made them: run it again and compare the files with 'cmp'.\n";
 }
 
 CommandTable help_table(const std::vector<CommandTable>& others)
 {
     CommandTable table = {"help",
-                          "a command or a topic in words; the manual and the completion for bash",
+                          "explain a command or a topic; print the manual or the completion for bash",
                           {{"TOPIC", false, true}},
                           {{"For installation",
                             {{"man", 0, "", "", "Print the manual page, for 'man'."},
@@ -164,7 +167,7 @@ CommandTable help_table(const std::vector<CommandTable>& others)
                               0,
                               "SHELL",
                               "",
-                              "Print the script that lets a shell complete commands, options, their values and files.",
+                              "Print a script for a shell to complete commands, options, their values and files.",
                               false,
                               {"bash"}}}}},
                           "  multipath help scenes\n"
@@ -211,11 +214,11 @@ int run_help(const CommandLine& line)
 std::vector<HelpTopic> help_topics()
 {
     return {{"scenes", "what is read from OBJ and MTL files", scenes_text},
-            {"methods", "how the light is found", methods_text()},
-            {"sequences", "where the lines come from", sequences_text()},
+            {"methods", "methods to compute the light", methods_text()},
+            {"sequences", "sequences that generate the lines", sequences_text()},
             {"numbers", "how numbers, sizes and times are written", numbers_text},
             {"outputs", "formats of files by their extension", outputs_text()},
-            {"states", "going on, sharing a run among machines, other pictures", states_text},
+            {"states", "resume a run, split it among computers, make other pictures", states_text},
             {"exit-codes", "what the program returns", exit_codes_text}};
 }
 

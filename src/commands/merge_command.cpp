@@ -17,14 +17,14 @@ namespace {
 CommandTable merge_table()
 {
     return {"merge",
-            "add up the shares of one run (solve --shard)",
+            "add up the shards of one run (solve --shard)",
             {{"STATE", true, false, {".state"}}},
             {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
-            "Shares of the method 'reuse' give the same bytes as one run alone. Their first round counts\n"
-            "lines; for the second, which looks closer at some pairs of patches, write the sum as a state\n"
-            "and go on from it in shares again (solve --from-state), or let 'merge' do it: it does whatever\n"
-            "is left before it writes anything but a state. Shares of the other methods are runs of their\n"
-            "own; they are averaged by their lines.\n"
+            "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts\n"
+            "lines. For the second round, which refines some pairs of patches, write the sum as a state and\n"
+            "continue from it in shards again (solve --from-state), or let 'merge' do it: it does all work\n"
+            "that is left before it writes any output but a state. Shards of the other methods are\n"
+            "independent runs; they are averaged by their lines.\n"
             "\n"
             "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
             "  multipath merge 1.state 2.state -o room.png -o room.csv\n"};
@@ -44,13 +44,13 @@ void require_all_shards(std::vector<SavedRun>& runs)
         require_same_run(runs[0].description, runs[0].name(), same_shard);
         const std::uint64_t number = runs[k].description.shard.number;
         if (k > 0 && number == runs[k - 1].description.shard.number)
-            throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both share " + shard_text(number) +
-                             "; expected each share once");
+            throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both shard " + shard_text(number) +
+                             "; expected each shard once");
         if (number != k)
-            throw InputError("share " + shard_text(k) + " is missing; expected all " + std::to_string(of) + " of them");
+            throw InputError("shard " + shard_text(k) + " is missing; expected all " + std::to_string(of) + " of them");
     }
     if (runs.size() != of)
-        throw InputError("share " + shard_text(runs.size()) + " is missing; expected all " + std::to_string(of) +
+        throw InputError("shard " + shard_text(runs.size()) + " is missing; expected all " + std::to_string(of) +
                          " of them");
 }
 
@@ -60,10 +60,10 @@ void require_same_stage(const std::vector<SavedRun>& runs)
     for (const SavedRun& run : runs) {
         if (run.parts != runs[0].parts)
             throw InputError(run.name() + " is not as far as " + runs[0].name() +
-                             "; expected shares that are finished: --resume goes on with one");
+                             "; expected finished shards: --resume continues one");
         if (!run.arrays->has_same(*runs[0].arrays, "run/incident"))
-            throw InputError(run.name() + " has found other direct light than " + runs[0].name() +
-                             "; expected shares by the same version of multipath");
+            throw InputError(run.name() + " has other direct light than " + runs[0].name() +
+                             "; expected shards by the same version of multipath");
     }
 }
 
@@ -77,7 +77,7 @@ void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t line
         RunRecord one;
         one.visit(*run.arrays, scene.patch_count());
         if (one.goal != 0 || one.pieces == 0)
-            throw InputError(run.name() + ": this share is not finished; expected it after --resume");
+            throw InputError(run.name() + ": this shard is not finished; expected --resume first");
         parts.push_back(std::move(one.solution));
     }
     record.pieces = 1;
@@ -117,7 +117,7 @@ int run_merge(const CommandLine& line)
         runs.push_back(read_saved_run(path));
     if (runs.size() == 1 && runs[0].description.shard.of == 1)
         throw InputError(runs[0].name() +
-                         ": of a whole run, not a share of one; 'multipath render' makes outputs of it");
+                         ": the state of a whole run, not of a shard; 'multipath render' makes outputs from it");
     require_all_shards(runs);
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
     std::vector<std::string> inputs = line.operands();
@@ -128,7 +128,7 @@ int run_merge(const CommandLine& line)
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =
-        read_saved_run(std::make_unique<StateReader>("the sum of the shares", FileBytes(merged(runs, job, scene))));
+        read_saved_run(std::make_unique<StateReader>("the sum of the shards", FileBytes(merged(runs, job, scene))));
     const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
     if (std::all_of(paths.begin(), paths.end(), is_state)) {
         for (PlannedOutput& output : outputs)

@@ -28,18 +28,18 @@ CommandTable paper_table()
 {
     return {
         "paper",
-        "every table and figure of the paper from the bundled scenes, as one report",
+        "compute every table and figure of the paper from the bundled scenes, as one report",
         {},
         {{"Output",
           {{"output", 'o', "FOLDER", "paper",
-            "Where to write: index.html with everything in it, results.md, and the figures and tables by themselves. "
-            "Finished runs are kept in its folder 'cache', so that the command goes on where it was interrupted."},
-           {"quiet", 'q', "", "", "Print nothing but errors."}}},
+            "Folder for the report: index.html with everything in it, results.md, and the figures and tables as files. "
+            "Finished runs are kept in its folder 'cache', so that the command resumes where it was interrupted."},
+           {"quiet", 'q', "", "", "Print only errors."}}},
          {"Work",
           {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
            {"scenes", 0, "FOLDER", "scenes",
-            "Where 5cubes.obj and the other bundled scenes are; without such a folder, those that came with the "
-            "program."},
+            "Folder with 5cubes.obj and the other scenes of the paper. If the default does not exist, the bundled "
+            "scenes are used."},
            threads_option()}}},
         "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
 }
@@ -144,7 +144,7 @@ int run_paper(const CommandLine& line)
     const auto start = std::chrono::steady_clock::now();
     const std::string scenes = scenes_folder(line);
     const std::vector<PaperStep> steps = paper_steps(line.has("quick"), scenes, folder);
-    always_end_at_interrupts("the same command goes on from the runs that were finished");
+    always_end_at_interrupts("the same command resumes from the finished runs");
     make_folder(folder);
     const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {

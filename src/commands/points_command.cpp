@@ -32,33 +32,35 @@ CommandTable points_table()
 {
     return {
         "points",
-        "points of a sequence as a table or drawing, and how evenly they fill space",
+        "write or draw points of a sequence, and measure how evenly they fill space",
         {},
         {{"Output",
           {{"output", 'o', "FILE", "",
-            "Where to write; by extension .csv (one row per point, or per number of points with --discrepancy) or .svg "
-            "(scatter plots). '-', or nothing, is standard output: a CSV, an SVG with --figure.",
+            "Output file, .csv (one row per point, or per number of points with --discrepancy) or .svg (scatter "
+            "plots). '-' is standard output. By default it gets a CSV, an SVG with --figure, a text with "
+            "--discrepancy.",
             true}}},
          {"Sequence",
           {{"sequence", 's', "NAME", "sobol",
-            "Such as random, sobol, sobol-owen, halton or halton:2,3; 'multipath help sequences' lists them all."},
+            "Sequence, such as random, sobol, sobol-owen, halton or halton:2,3; 'multipath help sequences' lists "
+            "them all."},
            {"dims", 'd', "D", "2", "Number of dimensions."},
            {"count", 'n', "N", "1000", "Number of points."},
-           {"skip", 0, "K", "0", "Leave out the first points of the sequence."},
-           {"seed", 0, "N", "1", "Chooses among random sequences."}}},
+           {"skip", 0, "K", "0", "Leave out the first K points of the sequence."},
+           {"seed", 0, "N", "1", "Seed of random and randomised sequences."}}},
          {"Drawing",
           {{"pairs", 0, "I,J", "",
-            "Draw dimension J against dimension I, counted from 0. Without it, every pair is drawn.", true},
+            "Draw dimension J against dimension I, counted from 0. By default every pair is drawn.", true},
            {"order", 0, "", "",
             "Draw arrows from each of the first points to the next, and every point's coordinates against those of the "
             "next."}}},
-         {"Instead",
+         {"Instead of points",
           {{"discrepancy", 0, "", "",
             "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
             "is "
             "computed in one and two dimensions."},
            {"figure", 0, "WHICH", "",
-            "A figure of the paper: 1, random beside quasi-random points; 2, why a line should take one 4-D item.",
+            "Draw a figure of the paper: 1, random and quasi-random points; 2, why a line should take one 4-D item.",
             false, names_of(paper_figures)}}}},
         "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"
         "  multipath points --sequence halton:2,3 --order -o order.svg\n"

@@ -12,7 +12,7 @@ namespace {
 CommandTable render_table()
 {
     return {"render",
-            "other pictures, meshes and tables of a run whose state was kept, without solving again",
+            "make other pictures, meshes and tables from the state of a run, without solving again",
             {{"STATE", false, false, {".state"}}},
             {without_options(solution_output_group(), {"json", "verbose"}),
              picture_option_group(),

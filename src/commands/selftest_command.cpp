@@ -21,14 +21,14 @@ CommandTable selftest_table()
             "check every method against known answers, or against each other in a scene",
             {{"SCENE.obj", false, true, {".obj"}}},
             {{"Selftest",
-              {{"output", 'o', "FILE", "", "Write the table as CSV too.", true},
+              {{"output", 'o', "FILE", "", "Also write the table as CSV.", true},
                {"case", 0, "NAME", "", "Check only this known scene, such as furnace.", true},
                {"quiet", 'q', "", "", "Show only the checks that did not pass, and the last line."},
                progress_option(),
-               {"seed", 0, "N", "1", "Chooses the random numbers; a correct program passes with any."},
+               {"seed", 0, "N", "1", "Seed of the random numbers; a correct program passes with any seed."},
                threads_option()}},
              scene_option_group()},
-            "Exit code 0: every check passed; 1: a check failed, which is WRONG or INCONCLUSIVE.\n"};
+            "Exit code 0: every check passed; 1: a check failed, as WRONG or INCONCLUSIVE.\n"};
 }
 
 /// Throws UsageError for options without effect: scene options without SCENE.obj, --case with it.

@@ -59,7 +59,7 @@ void require_valid_shard(const CommandLine& line, const SolveJob& job, const Sta
     if (state.shard.of == 1)
         return;
     if (job.accuracy.replicates > 1)
-        throw UsageError("--shard: shares of replicates cannot be added up; expected no --replicates, --tolerance or "
+        throw UsageError("--shard: shards of replicates cannot be added up; expected no --replicates, --tolerance or "
                          "--time with it");
     if (job.options.lines < state.shard.of)
         throw UsageError("--shard: more shards than lines; expected at most " + std::to_string(job.options.lines));
@@ -68,8 +68,7 @@ void require_valid_shard(const CommandLine& line, const SolveJob& job, const Sta
     if (state.path.empty() && std::none_of(outputs.begin(), outputs.end(), is_state))
         throw UsageError("--shard: nothing would be left to merge; expected --state FILE with it");
     if (job.options.method->shards == Shards::added && !std::all_of(outputs.begin(), outputs.end(), is_state))
-        throw UsageError(
-            "--shard: a share of the lines of 'reuse' shows nothing alone; expected no outputs but states");
+        throw UsageError("--shard: a shard of 'reuse' has no result of its own; expected no outputs but states");
 }
 
 std::vector<std::string> output_paths(const CommandLine& line, const StateOptions& state)
@@ -88,8 +87,8 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
         saved.description.shard = wanted.shard;
     require_same_run(saved.description, state.from, wanted);
     if (!job.quiet)
-        print_note(format(is_finished(saved) ? "%s is of a finished run; more --lines go on from there\n"
-                                             : "goes on from %s\n",
+        print_note(format(is_finished(saved) ? "the run of %s is finished; it continues only with more --lines\n"
+                                             : "resuming from %s\n",
                           state.from.c_str()));
     keeper.resume(std::move(saved));
 }
@@ -97,7 +96,7 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
 CommandTable solve_table()
 {
     return {"solve",
-            "radiosity of every patch of a scene, as pictures, meshes and tables",
+            "compute the radiosity of a scene, and write pictures, meshes and tables",
             {{"SCENE.obj", false, false, {".obj"}}},
             {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
              scene_option_group(), picture_option_group()},
@@ -175,7 +174,7 @@ void add_view(const Scene& scene, const Camera& camera, double aspect, std::vect
 std::vector<double> weight_of_views(const Scene& scene, const PictureOptions& pictures)
 {
     if (!pictures.eye || !pictures.target)
-        throw UsageError("--important view: the view must be known before the light; expected --eye and --target, or "
+        throw UsageError("--important view: the view must be known before the run; expected --eye and --target, or "
                          "--camera");
     std::vector<double> weight(scene.patch_count());
     const double aspect = static_cast<double>(pictures.render.width) / pictures.render.height;

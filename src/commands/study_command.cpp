@@ -114,12 +114,13 @@ OptionGroup study_curve_options()
 {
     return {"Curves, one for each combination",
             {{"methods", 'm', "LIST", "first-shot,extended,reuse",
-              "Any that solve knows, or all; see 'multipath help methods'."},
+              "Methods of solve, or all; see 'multipath help methods'."},
              {"sequences", 's', "LIST", "random,sobol",
-              "Any that solve knows, or all; those with bases too, as in random,sobol,halton:2,7,3,5."},
-             {"pairings", 0, "LIST", "4d", "Of " + listed(names_of(pairing_choices)) + "."},
-             {"line-orders", 0, "LIST", "shuffled", "Of " + listed(names_of(line_order_choices)) + "."},
-             {"chords", 0, "LIST", "", "Of " + listed(names_of(chords_choices)) + ". Without it, each method's own."}}};
+              "Sequences of solve, or all; also with bases, as in random,sobol,halton:2,7,3,5."},
+             {"pairings", 0, "LIST", "4d", "Any of " + listed(names_of(pairing_choices)) + "."},
+             {"line-orders", 0, "LIST", "shuffled", "Any of " + listed(names_of(line_order_choices)) + "."},
+             {"chords", 0, "LIST", "",
+              "Any of " + listed(names_of(chords_choices)) + ". By default those that each method takes in solve."}}};
 }
 
 /// One curve for each combination of the lists, without duplicates: for a method without global lines, for example, all
@@ -158,39 +159,37 @@ CommandTable study_table()
     const OptionGroup settings = without_options(
         method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
     return {"study",
-            "error against number of lines, for methods and sequences, with fitted slopes",
+            "measure the error against the number of lines, for methods and sequences, and fit slopes",
             {{"SCENE.obj", false, false, {".obj"}}},
             {{"Output",
               {{"output", 'o', "FILE", "",
-                "Where to write besides the table on standard output; by extension .csv (one row per point) or .svg (a "
-                "plot).",
-                true},
-               {"against", 0, "WHAT", "lines", "What the plot has across.", false, names_of(against_choices)},
+                "Output file besides the table on standard output, .csv (one row per point) or .svg (a plot).", true},
+               {"against", 0, "WHAT", "lines", "Horizontal axis of the plot.", false, names_of(against_choices)},
                {"with", 0, "FILE.csv", "",
-                "Another program's curve beside these, called as the file: a table with the columns lines and "
-                "relative_mse, and seconds, if it has them.",
+                "Add the curve of another program, which is named after the file: a table with the columns lines and "
+                "relative_mse, and optionally standard_error and seconds.",
                 true},
                {"cache", 0, "FOLDER", "",
-                "Where to keep finished runs and the reference, so that the same study goes on where it was "
-                "interrupted; a program from other sources begins anew. Without it, the first output's name with "
-                ".cache for its extension; without an output, "
-                "nothing is kept."},
-               {"quiet", 'q', "", "", "Print nothing but errors on stderr, and no table when there is an output."},
+                "Folder for finished runs and the reference, so that the same study resumes where it was interrupted; "
+                "a program from other sources begins anew. By default the name of the first output with the extension "
+                ".cache; without an output, nothing is kept."},
+               {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."},
                progress_option()}},
              study_curve_options(),
              {"Points",
               {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
-               {"to", 0, "N", "2^20", "No point has more lines."},
+               {"to", 0, "N", "2^20", "Largest number of lines of a point."},
                {"replicates", 0, "R", "4",
-                "Runs of which each point is the mean: of other seeds, or of other stretches of a sequence that has no "
-                "seed."},
+                "Number of runs of which each point is the mean. They have different seeds, or take different parts "
+                "of a sequence that has no seed."},
                {"reference", 0, "FILE", "",
-                "Measure the error against this table of patches, as solve writes it. Without it, one is computed "
-                "with 16 times the lines of the last point, and its own error estimated. Against a state with other, "
-                "much smaller patches it is the total error of what smooth shading shows, as compare tells it."}}},
+                "Measure the error against this result, a table of patches or a state as solve writes them. By "
+                "default a reference is computed with 16 times the lines of the last point, and its own error "
+                "estimated. Against a state with other, much smaller patches the error is the total error of what "
+                "smooth shading shows, as 'multipath compare' measures it."}}},
              {"Every run", settings.options},
              scene_option_group()},
-            "The seconds are processor time of one thread; --threads runs go on at a time.\n"
+            "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
             "\n"
             "  multipath study scenes/5cubes.obj --methods first-shot,reuse --sequences random,sobol -o study.svg\n"
             "  multipath study scenes/5cubes.obj --methods first-shot --sequences sobol,halton:2,7,3,5\n"};
@@ -455,7 +454,7 @@ int run_study_command(const CommandLine& line)
     require_no_input(outputs, scene.file().material_files);
     const std::vector<std::string> comments = provenance(study_table(), line, scene);
     const std::string cache = cache_folder(line, paths);
-    always_end_at_interrupts(cache.empty() ? "" : "the same command goes on from the runs that were finished");
+    always_end_at_interrupts(cache.empty() ? "" : "the same command resumes from the finished runs");
     const Reference reference = study_reference(line, scene, plan, cache);
     Study study;
     {

@@ -48,8 +48,9 @@ std::string limit_text(const std::vector<Check>& checks, const SignificanceTest&
         most = std::max(most, test.most_sigmas(check.degrees));
     return most == 0.0
                ? ""
-               : format("a check fails beyond %.2f sigmas: a correct program fails any with a probability of %g\n",
-                        most, SignificanceTest::risk);
+               : format(
+                     "a check fails beyond %.2f sigmas; a correct program fails any of them with a probability of %g\n",
+                     most, SignificanceTest::risk);
 }
 
 } // namespace

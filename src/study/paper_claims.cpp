@@ -165,7 +165,7 @@ Claim pairs_fail(const PaperFindings& f)
     };
     const double lines = static_cast<double>(curve_of(f.study("pairs"), "first-shot", "sobol").points.back().lines) /
                          static_cast<double>(curve_of(f.study("pairs"), "first-shot", "sobol").points.front().lines);
-    return {"Two 2-D items a line do not converge, one 4-D item does", "error “enormous”",
+    return {"With two 2-D items for a line the error does not converge, with one 4-D item it does", "error “enormous”",
             "with " + fixed(lines, 0) + " times the lines the error falls by " + fixed(fall("2d").value, 1) +
                 " with pairs, by " + fixed(fall("4d").value, 0) + " without",
             worse(between(fall("2d"), 0.0, 4.0), between(fall("4d"), 0.7 * lines, infinity)), ""};
@@ -202,7 +202,7 @@ Claim floor_lit(const PaperFindings& f)
             worse(between(first, 0.0, 1.0), between(extended, 0.0, 1.0)),
             "First shot over local is " + words(error_ratio(f.study("figure9-coarse"), "first-shot", "local"), 2) +
                 " with patches of 0.5 and " + words(error_ratio(f.study("figure9-fine"), "first-shot", "local"), 2) +
-                " with patches of 0.15. How far they are apart depends on what the paper does not tell of its scene"};
+                " with patches of 0.15. Their distance depends on details of the scene that the paper does not give"};
 }
 
 Claim floor_lit_extended(const PaperFindings& f)

@@ -17,13 +17,13 @@ public:
 
     void opening()
     {
-        heading(1, "Quasi-Monte Carlo lines and the extended first shot, computed again");
+        heading(1, "Quasi-Monte Carlo lines and the extended first shot, reproduced");
         text("Every table and figure of F. Castro, R. Martínez, M. Sbert: *Quasi Monte-Carlo and extended first shot "
              "improvements to the multi-path method for radiosity* (1998), and what `multipath` adds to them. Each "
              "figure names the command that makes it.");
         text("The paper's scenes were never published. The bundled ones match what it states of them: the number and "
              "kind of things in the room, and the figures that formula (3) takes. So orderings, slopes and ratios can "
-             "be compared; errors as such cannot.");
+             "be compared; absolute errors cannot.");
         ReportTable facts{{"this run", ""}, {}};
         facts.rows.push_back({"set", f_.quick ? "quick: few lines, 3 executions for every point"
                                               : "full: the paper's numbers of lines, 6 executions for every point"});
@@ -41,11 +41,10 @@ public:
                                   claim.found + (claim.remark.empty() ? "" : ". " + claim.remark),
                                   claim.verdict == Verdict::differs ? "*differs*" : verdict_word(claim.verdict)});
         report.emplace_back(table);
-        text(
-            "Slopes stand with the half width of their 95 % interval (Student's t over the scatter of the points about "
-            "the line), ratios with their standard error over the executions. A statement is undecided while the 95 % "
-            "interval has room for it and for its contrary, which more executions make narrower. Errors are relative "
-            "mean square errors, (1) over the square of the mean radiosity.");
+        text("Slopes are given with half the width of their 95 % interval (Student's t over the scatter of the points "
+             "about the line), ratios with their standard error over the executions. A statement is undecided if the "
+             "95 % interval contains values for and against it; more executions make it narrower. Errors are relative "
+             "mean square errors, (1) over the square of the mean radiosity.");
     }
 
     void scenes()
@@ -71,12 +70,11 @@ public:
              {"figure2", "Figure 2. Successive points joined. (a) Halton, two 2-D items for a line: the next point "
                          "is always far away. (b) Random. (c), (d) one 4-D item of Halton's or Sobol's sequence for "
                          "each line: the correlation is gone."}});
-        heading(2, "Two items a line: why it fails");
+        heading(2, "Two items for a line: why it fails");
         figures({{"pairs", "First shot on 5CUBES with one 4-D item or two successive 2-D items for a line."}});
-        text(
-            "With pairs the two ends of a line are never close to each other, so the lines are not uniform, and their "
-            "error stays where it is however many there are: a bias, not noise. The paper calls it “enormous” and goes "
-            "on with 4-D items.");
+        text("With pairs the two ends of a line are never close to each other, so the lines are not uniform, and the "
+             "error remains however many lines there are: a bias, not noise. The paper calls it “enormous” and goes "
+             "on with 4-D items.");
     }
 
     void table_1()
@@ -94,9 +92,9 @@ public:
             "the slopes −1 and −1.25; the second is what well-spread points reach on a function with jumps, such as "
             "visibility, in four dimensions. Bars are one standard error of the mean over the executions; a hollow "
             "mark is too close to the error of the reference to count.");
-        text("*Where it differs.* The paper says neither how many patches its scenes have nor how many executions "
-             "stand behind a slope, and prints no intervals. Executions of a sequence without a seed take successive "
-             "stretches of it here.");
+        text("*Where it differs.* The paper says neither how many patches its scenes have nor how many executions a "
+             "slope is based on, and prints no intervals. Here, executions of a sequence without a seed take "
+             "successive parts of it.");
         order();
     }
 
@@ -115,7 +113,7 @@ public:
                  {"figure6b", "(b) extended first shot"},
                  {"figure6c", "(c) local Monte Carlo"}});
         text("The lamp shines at the ceiling; 1.5 million lines each. After the first shot all power sits on the "
-             "ceiling, which few global lines meet, and the picture is blotched. The extended first shot spreads it "
+             "ceiling, which few global lines meet, and the picture is blotchy. The extended first shot spreads it "
              "first.");
     }
 
@@ -151,7 +149,8 @@ public:
             table.rows.push_back(reuse_row(file, name));
         report.emplace_back(table);
         text("The paper's methods forget a line once it has carried power. Line reuse counts which patches the lines "
-             "join and solves for the light (docs/beyond.md). Its curves fall more steeply than the limit of −1.25 "
+             "join and then solves a linear system (docs/beyond.md). Its curves fall more steeply than the limit of "
+             "−1.25 "
              "where "
              "not only the visibility of each pair but also what is known of its neighbours improves with the lines.");
         text(

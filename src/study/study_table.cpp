@@ -159,7 +159,7 @@ Curve read_curve(const std::string& path, const std::string& name)
         curve.points.push_back(point);
     }
     if (curve.points.empty())
-        refuse(table.place(table.header), "no row behind the header, expected one per point");
+        refuse(table.place(table.header), "no row after the header, expected one per point");
     curve.law = fit(curve.points); // (2)
     return curve;
 }

@@ -60,12 +60,12 @@ explained() {
     ends 0 compare "$@" && says out "by its own standard errors: $expected" && says out "$verdict"
 }
 check "standard errors of both explain the MSE" \
-    explained "0.0111 (10.5 %)" "0.04 (20 %)" "is 1.4 times what these errors let expect: they explain it" a-half.csv b-one.csv
+    explained "0.0111 (10.5 %)" "0.04 (20 %)" "is 1.4 times what these errors predict: they explain it" a-half.csv b-one.csv
 check "or they do not" \
-    explained "0.0111 (10.5 %)" "0.0004 (2 %)" "is 6.73 times what these errors let expect: they do not" a-half.csv b-tenth.csv
-check "those of the reference may do alone" explained unknown "0.04 (20 %)" "is 1.75 times what these errors let expect: that of B alone" a.csv b-one.csv
-check "or leave the rest to the other" explained unknown "0.0004 (2 %)" "the rest is the unknown one of A" a.csv b-tenth.csv
-check "results that differ less than their errors are noticed" explained unknown "4 (200 %)" "less than independent results" a.csv b-ten.csv
+    explained "0.0111 (10.5 %)" "0.0004 (2 %)" "is 6.73 times what these errors predict: they do not" a-half.csv b-tenth.csv
+check "those of the reference may do alone" explained unknown "0.04 (20 %)" "is 1.75 times what these errors predict: the error of B alone" a.csv b-one.csv
+check "or leave the rest to the other" explained unknown "0.0004 (2 %)" "the rest is the unknown error of A" a.csv b-tenth.csv
+check "results that differ less than their errors are noticed" explained unknown "4 (200 %)" "independent results would differ more" a.csv b-ten.csv
 check "errors of 0 explain nothing" explained unknown "0 (0 %)" "explain nothing" a.csv b-none.csv
 
 identical() {
@@ -120,7 +120,7 @@ check "--worst chooses how many patches are named, largest share first" worst
 tolerance() {
     ends 0 compare a.csv b.csv --tolerance 27% && silent err && ends 0 compare a.csv b.csv --tolerance 0.2646 &&
         ends 1 compare a.csv b.csv --tolerance 26% && says out "MSE" && lines_are err 1 &&
-        says err "a.csv is 26.46 % from b.csv, expected at most 26 %" &&
+        says err "a.csv differs by 26.46 % from b.csv, expected at most 26 %" &&
         ends 1 compare a.csv b.csv --tolerance 0 --json && says out '"mean_square_error": 1.75'
 }
 check "--tolerance decides the exit code, and nothing else does" tolerance

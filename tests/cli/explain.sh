@@ -40,10 +40,10 @@ particles() {
 check "particles of the local method are told until they end" particles
 
 no_length() {
-    ends 0 explain "$scene" --method global --line-order sequence --lines 2 && says out "no length" &&
+    ends 0 explain "$scene" --method global --line-order sequence --lines 2 && says out "length 0" &&
         ends 0 explain "$root/scenes/squares.obj" --method global --line-order sequence --lines 3 && says out "meets nothing:"
 }
-check "chords of no length and lines that meet nothing are told as such" no_length
+check "chords of length 0 and lines that meet nothing are explained as such" no_length
 
 from_the_box() {
     ends 0 explain "$scene" --lines 2 --of 2^14 --chords box && silent err && narrow && says out "bounding box" &&

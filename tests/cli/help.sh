@@ -57,7 +57,7 @@ manual_is_complete() {
 }
 check "the manual has every option of every command, and every topic" manual_is_complete
 
-manual_is_valid() { groff -man -ww -Tascii multipath.1 >manual.txt 2>groff.log && silent groff.log && says manual.txt 'done: all that was asked for'; }
+manual_is_valid() { groff -man -ww -Tascii multipath.1 >manual.txt 2>groff.log && silent groff.log && says manual.txt 'success: everything that was asked for'; }
 command -v groff >/dev/null && check "groff has nothing to say about the manual" manual_is_valid
 
 script() {

@@ -1,4 +1,4 @@
-# States of runs: kept, interrupted, resumed, rendered again, compared; shared and merged.
+# States of runs: kept, interrupted, resumed, rendered again, compared; split into shards and merged.
 . "$2/tests/cli/check.sh"
 scene=$root/scenes/5cubes.obj
 quick="--patch-size 0.4 --quiet"
@@ -19,7 +19,7 @@ interrupted() {
 }
 
 interrupt() {
-    interrupted TERM -o then.csv -o then.png --size 32x32 && says err "interrupted after" && says err "--resume goes on" &&
+    interrupted TERM -o then.csv -o then.png --size 32x32 && says err "interrupted after" && says err "--resume continues" &&
         [ -s then.csv ] && [ -s then.png ] && [ -z "$(find . -name '*.part*')" ]
 }
 check "SIGTERM ends a run in good order: outputs as of then, exit status 130" in_three_tries interrupt
@@ -49,7 +49,7 @@ finished() {
     rm -f done.state
     ends 0 solve "$scene" $quick --lines 20000 --state done.state -o first.csv && cp done.state before.state || return
     ends 0 solve "$scene" --patch-size 0.4 --lines 20000 --state done.state --resume -o again.csv &&
-        says err "done.state is of a finished run" && cmp first.csv again.csv && cmp done.state before.state
+        says err "the run of done.state is finished" && cmp first.csv again.csv && cmp done.state before.state
 }
 check "a finished run that is resumed writes the same outputs and leaves the state alone" finished
 
@@ -118,36 +118,36 @@ adaptive() {
     ends 0 solve "$scene" $quick --adaptive 700 --lines 8000 -o fine.csv -o fine.state -o fine.png --size 60x40 &&
         ends 0 render fine.state -o again.csv -o again.png --size 60x40 --quiet && cmp fine.csv again.csv &&
         cmp fine.png again.png || return
-    ends 0 solve "$scene" $quick --adaptive 700 --lines 8000 -o whole.csv && in_shares part --adaptive 700 --lines 8000 &&
+    ends 0 solve "$scene" $quick --adaptive 700 --lines 8000 -o whole.csv && in_shards part --adaptive 700 --lines 8000 &&
         ends 0 merge part-1.state part-2.state part-3.state -o sum.csv && cmp whole.csv sum.csv &&
         refused "made with --adaptive 700" fine.state --adaptive 600 --lines 8000 --resume
 }
 
-# usage: in_shares STATES OPTIONS...     of three shares
-in_shares() {
+# usage: in_shards STATES OPTIONS...     of three shards
+in_shards() {
     name=$1
     shift
     for i in 1 2 3; do ends 0 solve "$scene" $quick "$@" --shard $i/3 --state $name-$i.state || return; done
 }
-check "adaptive patches come back from states, and from those of shares" adaptive
+check "adaptive patches come back from states, and from those of shards" adaptive
 
 merged() {
-    ends 0 solve "$scene" $quick "$@" -o whole.csv && in_shares count "$@" &&
+    ends 0 solve "$scene" $quick "$@" -o whole.csv && in_shards count "$@" &&
         ends 0 merge count-3.state count-1.state count-2.state --quiet -o sum.csv && cmp whole.csv sum.csv
 }
 fresh() { rm -f count-*.state ray-*.state counted.state; }
 merge_reuse() { fresh; merged --lines 1000 && fresh && merged --lines 50000 && fresh && merged --lines 50001 --memory 2MB --sequence random; }
-check "merged shares of reuse give the bytes of one run" merge_reuse
+check "merged shards of reuse give the bytes of one run" merge_reuse
 
 rounds() {
     fresh
-    ends 0 solve "$scene" $quick --lines 50000 -o whole.csv && in_shares count --lines 50000 &&
-        ends 0 merge count-?.state -o counted.state && in_shares ray --lines 50000 --from-state counted.state &&
+    ends 0 solve "$scene" $quick --lines 50000 -o whole.csv && in_shards count --lines 50000 &&
+        ends 0 merge count-?.state -o counted.state && in_shards ray --lines 50000 --from-state counted.state &&
         ends 0 merge ray-?.state --quiet -o sum.csv -o sum.state && cmp whole.csv sum.csv || return
     ends 0 render sum.state --quiet -o sum2.csv && cmp sum.csv sum2.csv || return
     ends 0 solve "$scene" $quick --lines 50000 --from-state counted.state -o rest.csv && cmp whole.csv rest.csv
 }
-check "so do shares of both rounds" rounds
+check "so do shards of both rounds" rounds
 
 average() {
     for method in $(methods | grep -v reuse); do
@@ -160,12 +160,12 @@ average() {
             exit !(s["mean.csv"] > 0.999 * m && s["mean.csv"] < 1.001 * m) }' walk-1.csv walk-2.csv mean.csv || { echo "$method"; return 1; }
     done
 }
-check "shares of all methods but reuse are averaged" average
+check "shards of all methods but reuse are averaged" average
 
 refused_merges() {
-    ends 1 merge count-1.state count-3.state -o x.csv && says err "share 2/3 is missing" &&
-        ends 1 merge count-1.state count-1.state count-2.state -o x.csv && says err "both share 1/3" &&
-        ends 1 merge count-1.state count-2.state -o x.csv && says err "share 3/3 is missing" || return
+    ends 1 merge count-1.state count-3.state -o x.csv && says err "shard 2/3 is missing" &&
+        ends 1 merge count-1.state count-1.state count-2.state -o x.csv && says err "both shard 1/3" &&
+        ends 1 merge count-1.state count-2.state -o x.csv && says err "shard 3/3 is missing" || return
     ends 0 solve "$scene" $quick --lines 50000 --seed 2 --sequence random --shard 2/3 --state seed.state &&
         ends 1 merge count-1.state seed.state count-3.state -o x.csv && says err "sequence" || return
     ends 1 merge count-1.state ray-2.state count-3.state -o x.csv && says err "not as far" && [ ! -e x.csv ]
@@ -174,18 +174,18 @@ check "merge refuses what is missing, there twice, or of other runs" refused_mer
 
 unfinished_merge() {
     for i in 1 2; do
-        interrupted TERM --shard $i/2 && says err "--resume goes on" && mv run.state half-$i.state || return
+        interrupted TERM --shard $i/2 && says err "--resume continues" && mv run.state half-$i.state || return
     done
-    ends 1 merge half-1.state half-2.state -o x.csv && lines_are err 1 && says err "half-1.state: this share is not finished" &&
+    ends 1 merge half-1.state half-2.state -o x.csv && lines_are err 1 && says err "half-1.state: this shard is not finished" &&
         [ ! -e x.csv ]
 }
-check "and shares that were interrupted" unfinished_merge
+check "and shards that were interrupted" unfinished_merge
 
 shard_options() {
     ends 2 solve "$scene" --shard 4/3 --state x.state && ends 2 solve "$scene" --shard 0/3 --state x.state &&
         ends 2 solve "$scene" --shard 1/3 --lines 2 --state x.state && says err "more shards than lines" &&
         ends 2 solve "$scene" --shard 1 --state x.state && says err "3/16" && ends 2 solve "$scene" --shard 1/3 &&
-        says err "--state" && ends 2 solve "$scene" --shard 1/3 --state x.state -o x.png && says err "nothing alone" &&
+        says err "--state" && ends 2 solve "$scene" --shard 1/3 --state x.state -o x.png && says err "no result of its own" &&
         ends 2 solve "$scene" --shard 1/3 --replicates 2 --state x.state && says err "replicates" && [ ! -e x.state ]
 }
 check "--shard says what it needs" shard_options

@@ -73,7 +73,7 @@ check "a value that is missing is asked for" refused "--lines needs a value" --l
 check "an option given twice is refused" refused "--lines is given twice" --lines 5 --lines 6
 check "an error to show needs more than one run" refused "expected --replicates" --show error
 check "and the refusal names the other way to have it" refused "--tolerance" --show error --replicates 1
-check "an error to stop at needs more than one run" refused "--replicates: the error to stop at needs at least 2" --tolerance 1% --replicates 1
+check "an error to stop at needs more than one run" refused "--replicates: --tolerance and --time need at least 2" --tolerance 1% --replicates 1
 check "replicates of a sequence without a random form are refused" refused "--sequence: hammersley has no randomised form" \
     --sequence hammersley:5000 --replicates 2
 check "a quantity that is none is answered with the right one" refused "did you mean error" --show eror

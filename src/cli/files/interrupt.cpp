@@ -84,7 +84,7 @@ extern "C" void end_with_what_is_complete(int)
 extern "C" void end_failed(int)
 {
     remove_unfinished();
-    last_line.begin("multipath: a file cannot be read to its end: it has become shorter meanwhile, or its disk fails");
+    last_line.begin("multipath: a file cannot be read to its end: it was truncated meanwhile, or its disk fails");
     last_line.end_program(exit_failed);
 }
 

@@ -88,7 +88,7 @@ std::string help_hint(std::string_view command)
 std::string help_text(const CommandTable& table)
 {
     std::vector<OptionGroup> groups = table.groups;
-    groups.push_back({"Help", {{"help", 'h', "", "", "print this help"}}});
+    groups.push_back({"Help", {{"help", 'h', "", "", "Print this help."}}});
     const std::size_t indent = left_width(groups);
 
     std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped_text(table.summary, 0, 0, page_width);
@@ -116,8 +116,9 @@ std::string command_list(const std::vector<CommandTable>& tables)
 std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics)
 {
     return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + command_list(tables) +
-           "\n'multipath COMMAND --help' explains a command; 'multipath --version' tells the version.\n" +
-           wrapped_text("'multipath help TOPIC' explains " + listed(names_of(topics)) + ".", 0, 0, page_width) +
+           "\n'multipath COMMAND --help' explains a command; 'multipath --version' prints the version.\n" +
+           wrapped_text("'multipath help TOPIC' explains a topic: " + listed(names_of(topics)) + ".", 0, 0,
+                        page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";
 }
 
@@ -206,8 +207,7 @@ std::string man_page(const std::vector<CommandTable>& tables, const std::vector<
                        italic("ARGUMENTS") + "\n.SH DESCRIPTION\n" + escaped(program_summary) +
                        "\nFor a first picture:" + as_it_is("  multipath solve scenes/5cubes.obj").insert(0, "\n") +
                        ".SH COMMANDS\n";
-    text +=
-        "Every command has the option " + bold("--help") + ", or " + bold("-h") + ", which prints what stands here.\n";
+    text += "Every command has the option " + bold("--help") + ", or " + bold("-h") + ", which prints its help.\n";
     for (const CommandTable& table : tables)
         text += command_section(table);
     for (const HelpTopic& topic : topics)
@@ -248,7 +248,7 @@ std::vector<Option> with_help(const CommandTable& table)
     std::vector<Option> options;
     for (const OptionGroup& group : table.groups)
         options.insert(options.end(), group.options.begin(), group.options.end());
-    options.push_back({"help", 'h', "", "", "Print the help."});
+    options.push_back({"help", 'h', "", "", "Print this help."});
     return options;
 }
 

@@ -82,7 +82,8 @@ constexpr std::size_t indent = 15;      // of the lines below, about the power t
 std::string heading(const TracedRun& run, const std::string& stage)
 {
     return wrapped(stage + " of a run with --method " + run.method + ", sequence " + run.sequence + ", " +
-                       grouped(run.options.lines) + " lines in all, " + grouped(run.scene.patch_count()) + " patches.",
+                       grouped(run.options.lines) + " lines in total, " + grouped(run.scene.patch_count()) +
+                       " patches.",
                    0, 0) +
            "\n";
 }
@@ -109,10 +110,10 @@ std::string before_the_pass(const GlobalTrace& trace)
 {
     const std::string unshot = watts(trace.unshot) + " on " + counted(trace.unshot_patches, "patch", "patches") + ". ";
     if (trace.shot_passes.empty())
-        return "No rays are shot first: all that the sources emit is unshot when the global lines begin, " + unshot;
+        return "No rays are shot first: all power of the sources is unshot when the global lines begin, " + unshot;
     return "Before it, " + counted(trace.shot_passes.size(), "pass", "passes") + " of shots took " +
            grouped(trace.local_lines) +
-           " of the lines. What patches reflected of them and what the sources kept is unshot: " + unshot;
+           " of the lines. The power that patches reflected from them and that the sources kept is unshot: " + unshot;
 }
 
 /// Explains how the lines are generated, and how many are cast (N1).
@@ -141,9 +142,10 @@ std::string global_context(const TracedRun& run, const GlobalTrace& trace)
                        format("%.4g times, and ", crossings) +
                        (both ? "each crossing leaves its front in one of the line's two directions (M2)"
                              : "half of the lines leave its front") +
-                       ": so it can send " + per_patch + " times in all. That is known before any line is cast, so " +
-                       "each time it sends what was unshot divided by " + per_patch + ", its forecast (G3), " +
-                       "and with it all that it holds: what it has received and reflected since it sent last (M1).",
+                       ": so it can send " + per_patch + " times in total. That is known before any line is cast, so " +
+                       "each time it sends its unshot power divided by " + per_patch + ", the forecast (G3), " +
+                       "and with it all power that it holds: what it has received and reflected since it last sent "
+                       "(M1).",
                    0, 0) +
            wrapped("Power flows where a line leaves one patch and arrives at another, which the columns 'leaves' and "
                    "'arrives at' of two successive rows show.",
@@ -180,7 +182,7 @@ std::string stretch_text(const TracedRun& run, const GlobalLine& line, const Str
     std::string text = "  " + begin + " - " + end;
     text.resize(std::max<std::size_t>(text.size() + 1, name_column), ' ');
     if (stretch.transfers.empty())
-        return text + "begins where no patch is: nothing is sent along it\n";
+        return text + "begins on a side without patches: nothing is sent along it\n";
     for (std::size_t k = 0; k < stretch.transfers.size(); ++k)
         text += (k == 0 ? "" : std::string(name_column, ' ')) + transfer_text(scene, stretch.transfers[k], stretch);
     if (!run.options.bidirectional && stretch.segment.joins_patches())
@@ -195,12 +197,12 @@ std::string line_text(const TracedRun& run, const GlobalLine& line, std::uint64_
     std::string text = title("line", line.origin, of) + "  from " + point_text(line.from) + " to " +
                        point_text(line.to) + (box ? ", both just outside the box\n" : " on the sphere\n");
     if (line.from == line.to)
-        return text + "  the two points are one: a chord of no length, which is counted as cast and meets nothing\n";
+        return text + "  the two points are equal: a chord of length 0, which is counted as cast and meets nothing\n";
     if (line.meetings.empty())
         return text + "  meets nothing: it is cast, as (G1) counts it, but carries no power\n";
     text += meetings_table(run.scene, line.meetings);
     if (line.stretches.empty())
-        return text + "  no patch is on any side that the line meets: it carries no power\n";
+        return text + "  the line meets only sides without patches: it carries no power\n";
     for (const Stretch& stretch : line.stretches)
         text += stretch_text(run, line, stretch);
     return text;
@@ -298,9 +300,10 @@ std::string trace_text(const TracedRun& run, const BundleTrace& trace)
     std::string text = heading(run, "First direction");
     text +=
         wrapped("Before it the first shot took " + counted(trace.shot_lines, "ray", "rays") +
-                    ". What patches reflected of them is unshot, and " + counted(trace.rays, "ray", "rays") +
-                    " from patch to patch gave a first estimate of all light that it brings. The iterations make it "
-                    "better: in the first one " +
+                    ". The power that patches reflected from them is unshot, and " +
+                    counted(trace.rays, "ray", "rays") +
+                    " from patch to patch gave a first estimate of all light that it brings. The iterations improve "
+                    "it: in the first one " +
                     counted(trace.lines_to_meet, "parallel line meets", "parallel lines meet") +
                     " the scene's box along each of " + counted(trace.directions, "direction", "directions") + ".",
                 0, 0) +
@@ -343,9 +346,9 @@ std::string trace_text(const TracedRun& run, const ParticleTrace& trace)
     text += wrapped(
         "The sources, " + counted(trace.sources, "patch", "patches") + ", send " +
             counted(trace.particles_in_all, "particle", "particles") +
-            " of equal power, as many as take the lines of the run in expectation: every segment of a path counts as a "
-            "line. At every patch that it meets a particle draws a number. If that is below the patch's reflectance, "
-            "it is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
+            " of equal power, as many as use up the lines of the run in expectation: every segment of a path counts as "
+            "a line. At every patch that it meets a particle draws a number. If it is below the patch's reflectance, "
+            "the particle is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
             (collision ? "Wherever it arrives, its power is scored as arrived (L1)."
                        : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1)."),
         0, 0);

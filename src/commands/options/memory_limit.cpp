@@ -66,8 +66,9 @@ void require(const CommandLine& line, double bytes, const std::string& what, con
 Option memory_option()
 {
     return {"memory", 0, "SIZE", "",
-            "Most memory to use, such as 8GB: a run that needs more is refused before it starts. Without it, what the "
-            "machine has. The method reuse keeps its table of patch pairs within it too, without it within 2GB."};
+            "Memory limit, such as 8GB: a run that needs more is refused before it starts. By default the memory of "
+            "the machine. The method reuse also keeps its table of patch pairs within the limit, by default within "
+            "2GB."};
 }
 
 void require_memory_for_file(const CommandLine& line, const std::string& path)

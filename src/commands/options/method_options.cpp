@@ -18,7 +18,7 @@ namespace {
 Option method_option(bool with_reuse)
 {
     Option option = {"method", 'm', "NAME", with_reuse ? "reuse" : "first-shot",
-                     "How the light is found; 'multipath help methods' describes them."};
+                     "Method to compute the light; 'multipath help methods' describes them."};
     for (const Method method : all_methods())
         if (with_reuse || !method->told.empty())
             option.choices.push_back(method->name);
@@ -48,8 +48,8 @@ Option direct_option()
             0,
             "HOW",
             "gather",
-            "Of reuse: find the light that comes straight from the sources by rays between pairs of patches, or shoot "
-            "it like the extended first shot.",
+            "For reuse: gather the direct light of the sources by rays between pairs of patches, or shoot it like the "
+            "extended first shot.",
             false,
             names_of(direct_choices)};
 }
@@ -60,8 +60,8 @@ Option denoise_option()
             0,
             "WHETHER",
             "yes",
-            "Of reuse without a table of pairs: replace neighbouring patches by a polynomial where their noise hides "
-            "any difference from it.",
+            "For reuse without a table of pairs: replace the light of neighbouring patches by a polynomial where their "
+            "noise hides any difference from it.",
             false,
             names_of(yes_or_no)};
 }
@@ -75,37 +75,36 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
         {method_option(with_reuse),
          line_count,
          {"ratio", 0, "R", "auto",
-          "Local lines per global line; auto takes the paper's optimum for the scene, for reuse 1."},
-         {"power-per-line", 0, "W", "",
-          "Instead of the ratio: the power of one ray of the (extended) first shot, in watts."},
+          "Number of local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse."},
+         {"power-per-line", 0, "W", "", "Power of one ray of the (extended) first shot in watts, instead of --ratio."},
          {"threshold", 0, "B", "auto",
-          "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's; "
-          "with 0 extended is progressive ray refinement."},
-         {"steps", 0, "K", "1000", "Most passes of the extended first shot."},
+          "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's. "
+          "With 0, the method extended is progressive ray refinement."},
+         {"steps", 0, "K", "1000", "Largest number of passes of the extended first shot."},
          {"estimator", 0, "WHICH", "collision",
-          "Of the local method: count a particle wherever it arrives, or only where it is absorbed.", false,
-          names_of(estimator_choices)},
-         {"bidirectional", 0, "WHETHER", "yes", "Let a global line, or a ray of jacobi, carry power both ways at once.",
-          false, names_of(yes_or_no)},
+          "For local: score a particle wherever it arrives (collision), or only where it is absorbed (absorption).",
+          false, names_of(estimator_choices)},
+         {"bidirectional", 0, "WHETHER", "yes",
+          "Whether a global line, or a ray of jacobi, carries power in both directions at once.", false,
+          names_of(yes_or_no)},
          {"bundle", 0, "N", "256",
-          "Of transillumination: parallel lines along each direction, at most a sixteenth of all."},
+          "For transillumination: number of parallel lines for each direction, at most a sixteenth of all lines."},
          {"chords", 0, "FROM", "",
-          "Draw global lines between points of the sphere around the scene, as the paper does, or from points of its "
-          "bounding box into it, so that none misses it. Without the option the methods of the paper take the sphere.",
+          "Draw global lines between two points of the sphere around the scene, as in the paper, or from points of "
+          "its bounding box into the box, so that none misses it. By default the methods of the paper take the sphere.",
           false, names_of(chords_choices)},
          {"sequence", 's', "NAME", "sobol",
-          "Where the lines come from, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath help "
-          "sequences' lists them all."},
+          "Sequence that generates the lines, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath "
+          "help sequences' lists them all."},
          {"line-order", 0, "HOW", "shuffled",
-          "In which order the walk takes its global lines: shuffled in blocks, or that of the sequence, as in the "
-          "paper, "
-          "which with quasi-random sequences and few patches converges to something slightly wrong.",
+          "Order in which the walk takes its global lines: shuffled in blocks, or that of the sequence, as in the "
+          "paper. The latter makes the result slightly wrong with quasi-random sequences and few patches.",
           false, names_of(line_order_choices)},
          {"pairing", 0, "HOW", "4d",
-          "One 4-D item per line, or two successive 2-D items: the arrangement that fails for quasi-random sequences.",
+          "Take one 4-D item for each line, or two successive 2-D items, which fails with quasi-random sequences.",
           false, names_of(pairing_choices)},
          {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
-         {"seed", 0, "N", "1", "Chooses among random and randomised sequences."},
+         {"seed", 0, "N", "1", "Seed of random and randomised sequences."},
          threads_option()}};
     if (with_reuse) {
         group.options.push_back(direct_option());
@@ -118,12 +117,12 @@ OptionGroup solve_method_group()
 {
     OptionGroup group = method_option_group(
         {"lines", 'n', "N", "auto",
-         "Total number of lines, local and global; auto takes 2^20, or the power of two that gives each patch 24. "
-         "Global lines that miss the scene's bounding box are free."},
+         "Total number of lines, local and global; auto takes 2^20, or a larger power of two that gives each patch 24 "
+         "or more. Global lines that miss the scene's bounding box are not counted."},
         true);
     group.options.push_back({"important", 0, "WHAT", "",
-                             "Of jacobi: send rays for the sake of an object or a material of this name, or of what "
-                             "the user's cameras see (view). The rest gets fewer."});
+                             "For jacobi: send more rays that matter for an object or a material of this name, or for "
+                             "what the given cameras see (view). The rest of the scene gets fewer."});
     return group;
 }
 

@@ -25,20 +25,21 @@ constexpr std::array<NamedValue<Shading>, 3> shading_choices = {
 constexpr std::array known_quantities = {
     ShownQuantity{"radiosity", "the room as an eye would see it", ShownAs::room, "radiosity", true, false, false,
                   [](const Scene&, const Solution& solution, int) { return solution.radiosity; }},
-    ShownQuantity{"direct", "the same with light that was reflected once only", ShownAs::directly_lit_room,
+    ShownQuantity{"direct", "the same with light that was reflected only once", ShownAs::directly_lit_room,
                   "direct radiosity", true, false, false,
                   [](const Scene& scene, const Solution&, int threads) { return direct_radiosity(scene, threads); }},
     ShownQuantity{
         "irradiance", "in false colours with a legend and lines of equal values", ShownAs::false_colours, "irradiance",
         true, false, true,
         [](const Scene& scene, const Solution& solution, int) { return irradiance(scene, solution.radiosity); }},
-    ShownQuantity{"error", "likewise, the standard error of the radiosity, which needs --replicates or --tolerance",
+    ShownQuantity{"error",
+                  "in false colours, the standard error of the radiosity, which needs --replicates or --tolerance",
                   ShownAs::false_colours, "standard error of the radiosity", true, true, false,
                   [](const Scene&, const Solution& solution, int) { return solution.standard_error; }},
-    ShownQuantity{"unshot", "likewise, what the run has left unsent", ShownAs::false_colours, "unshot radiosity", false,
-                  false, false,
+    ShownQuantity{"unshot", "in false colours, the radiosity that has not been sent on", ShownAs::false_colours,
+                  "unshot radiosity", false, false, false,
                   [](const Scene&, const Solution& solution, int) { return magnitudes(solution.unshot); }},
-    ShownQuantity{"patches", "each in a colour of its own", ShownAs::light_of_screen, "patches", false, false, false,
+    ShownQuantity{"patches", "each in its own colour", ShownAs::light_of_screen, "patches", false, false, false,
                   [](const Scene& scene, const Solution&, int) { return patch_colours(scene.patch_count()); }},
     ShownQuantity{"normals", "0.5 + 0.5 n as red, green and blue", ShownAs::numbers_of_screen, "normals", false, false,
                   false, [](const Scene& scene, const Solution&, int) { return normal_colours(scene); }}};
@@ -47,8 +48,8 @@ std::string help_of_shown()
 {
     std::string text;
     for (const ShownQuantity& shown : known_quantities)
-        text.append(text.empty() ? "What pictures show: " : "; ").append(shown.name).append(", ").append(shown.help);
-    return text + ". A PFM holds the values. Meshes hold the radiosity in any case.";
+        text.append(text.empty() ? "Content of pictures: " : "; ").append(shown.name).append(", ").append(shown.help);
+    return text + ". A PFM holds the values. Meshes always hold the radiosity.";
 }
 
 Camera chosen_camera(const Scene& scene, const PictureOptions& options, const std::vector<Rgb>& radiosity)
@@ -133,28 +134,30 @@ OptionGroup picture_option_group()
         "Picture",
         {{"show", 0, "WHAT", known_quantities.front().name, help_of_shown(), false, names_of(known_quantities)},
          {"size", 0, "WxH", "800x600", "Width and height in pixels."},
-         {"samples", 0, "N", "9", "Rays per pixel against jagged edges, rounded up to a square number."},
+         {"samples", 0, "N", "9", "Rays per pixel for smooth edges, rounded up to a square number."},
          {"shading", 0, "HOW", "smooth",
-          "Interpolate between patches; show each in one colour (flat); or, slowly, compute the last reflection for "
-          "every pixel (gather): shadows as sharp as they are, and no trace of patches.",
+          "Interpolate between patches (smooth); show each in one colour (flat); or compute the last reflection for "
+          "every pixel (gather), which is slow but gives sharp shadows and no visible patches.",
           false, names_of(shading_choices)},
          {"gather-rays", 0, "N", "64",
-          "Of --shading gather: rays per pixel in all directions, and twice as many to sources that something may "
-          "hide."},
+          "For --shading gather: rays per pixel in all directions; twice as many are sent to sources that may be "
+          "occluded."},
          {"camera", 0, "FILE.json", "",
-          "A view as the page saves it, instead of --eye, --target, --up and --fov. Several times: several pictures, "
-          "room-door.png of door.json.",
+          "View that the page has saved, instead of --eye, --target, --up and --fov. Several views give several "
+          "pictures: room-door.png for door.json.",
           true},
          {"eye", 0, "X,Y,Z", "",
-          "Where the camera stands. Without it, chosen to show most of the room where light is."},
-         {"target", 0, "X,Y,Z", "", "What the camera looks at. Without it, the middle of the scene."},
-         {"up", 0, "X,Y,Z", "0,1,0", "Which way is up."},
-         {"fov", 0, "DEGREES", "", "Vertical field of view. Without it, 60 or what the chosen camera needs."},
+          "Position of the camera. By default it is chosen so that it shows most of the lit parts of the room."},
+         {"target", 0, "X,Y,Z", "",
+          "Point that the camera looks at. By default the centre of the scene, or chosen together with the position."},
+         {"up", 0, "X,Y,Z", "0,1,0", "Upward direction."},
+         {"fov", 0, "DEGREES", "", "Vertical field of view. By default 60, or chosen together with the position."},
          {"grid", 0, "HEIGHT,STEP", "",
-          "Write into .csv files not the patches but the irradiance from above on a horizontal grid: its height above "
-          "the lowest point of the scene and the distance of its points, in metres. Tells mean, least and uniformity."},
+          "Write into .csv files not the patches but the irradiance from above on a horizontal grid, given its height "
+          "above the lowest point of the scene and the distance between its points, in metres. Also prints mean, "
+          "least, most and uniformity."},
          {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
-         {"tone-map", 0, "HOW", "reinhard", "How radiosity becomes screen brightness.", false,
+         {"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,
           names_of(tone_operators)}}};
 }
 

@@ -61,35 +61,39 @@ OptionGroup scene_option_group()
     return {
         "Scene",
         {{"patch-size", 'p', "SIZE", "",
-          "Longest edge of a patch in metres. Without it, 'solve' chooses adaptive patches, and other commands a "
-          "size for some thousand."},
-         {"patches", 0, "N", "", "Instead of the size, how many patches to have at most; never fewer than surfaces."},
+          "Longest edge of a patch in metres. By default 'solve' chooses adaptive patches, and other commands a size "
+          "that gives a few thousand."},
+         {"patches", 0, "N", "",
+          "Largest number of patches, instead of --patch-size; there are never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
          {"flip", 0, "", "",
-          "Turn every face over, for a scene that was modelled to be seen from outside. The walls of a closed room "
-          "that look away from its lamps are turned without it."},
+          "Turn every face over, for a scene that was modelled to be seen from outside. Without this option, only the "
+          "walls of a closed room that look away from its lamps are turned."},
          {"unit", 0, "UNIT", "m",
-          "Length of 1 in the file's coordinates. All that is told, written or asked for, such as --eye, is in metres.",
+          "Unit of the coordinates in the file. Everything printed, written or given as an option, such as --eye, is "
+          "in metres.",
           false, names_of(unit_choices)},
          memory_option(),
          {"lamp", 0, "NAME=E", "",
-          "Let a material, or else an object or group, emit E in W/m^2, one number or three for red, green and blue, "
-          "in the place of what the file says.",
+          "Let a material, or else an object or group, emit E in W/m^2 instead of what the file says. E is one number, "
+          "or three for red, green and blue.",
           true},
          {"sky", 0, "E", "",
-          "Light from all directions outside: a surface that sees nothing else receives E in W/m^2, one number or "
-          "three for red, green and blue."},
+          "Uniform light from all directions outside: a surface that sees nothing else receives E in W/m^2, one number "
+          "or three for red, green and blue."},
          {"sun", 0, "AZIMUTH,ELEVATION,E", "",
-          "Parallel light from an azimuth, clockwise from north in degrees, and an elevation above the horizon: E in "
-          "W/m^2, or three of them, on a surface that faces it. East is +x; north is -z, or +y where z is up (--up)."},
+          "Parallel light from an azimuth (degrees clockwise from north) and an elevation (degrees above the horizon). "
+          "A surface that faces the sun receives E in W/m^2, one number or three. East is +x; north is -z, or +y where "
+          "z is up (--up)."},
          {"unit-light", 0, "UNIT", "watt",
-          "What emittances and powers are in: W/m^2, or lux, with which results are photometric: lm and lx.", false,
+          "Unit of emittances and powers: watt for W/m^2 and W, or lux for photometric results in lx and lm.", false,
           names_of(light_choices)},
          {"ignore", 0, "NAME", "",
-          "Leave out the faces of a material, or else of an object or group, such as the glass before a lamp.", true},
+          "Leave out the faces of a material, or else of an object or group, such as the glass in front of a lamp.",
+          true},
          {"reflectance-limit", 0, "X", "1",
-          "Lower reflectances above X to it, from 0 to 1, for files whose white is 1 or more."},
-         {"emission-from", 0, "KEY", "Ke", "Which material line says what a surface emits.", false,
+          "Reduce reflectances above X (from 0 to 1) to X, for files whose white is 1 or more."},
+         {"emission-from", 0, "KEY", "Ke", "Key in the material file that gives the emittance.", false,
           names_of(emission_choices)}}};
 }
 
@@ -227,7 +231,8 @@ std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfa
 
 Option threads_option()
 {
-    return {"threads", 't', "N", "", "Threads to use; the result does not depend on it. Without it, all processors."};
+    return {"threads", 't', "N", "",
+            "Number of threads, on which the result does not depend. By default as many as processors."};
 }
 
 int thread_count(const CommandLine& line)

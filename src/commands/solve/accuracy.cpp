@@ -41,16 +41,18 @@ OptionGroup accuracy_option_group()
     return {
         "Accuracy",
         {{"adaptive", 0, "N", "",
-          "Cut patches where the light changes most into four, and these again, until there are N. Without "
-          "--patch-size and --patches this is the default, with 5,000 and five for every four surfaces."},
+          "Cut patches where the light changes most into four, and these again, until there are N. This is the default "
+          "without --patch-size and --patches, with 5,000 patches and five for every four surfaces."},
          {"replicates", 0, "R", "1",
-          "Solve R times with independent randomisations of the sequence, which share the lines; tells the standard "
-          "error of every patch and of the whole."},
+          "Solve R times with independent randomisations of the sequence, each with its part of the lines; estimates "
+          "the standard error of every patch and of the whole."},
          {"tolerance", 0, "SHARE", "",
           "Cut patches and double the lines until the root of the relative mean square error, of patches and noise "
-          "together, is below this, such as 1%. Takes 4 replicates unless told otherwise; --lines, if given, bounds "
-          "the last round; --adaptive, --patches and --patch-size fix the patches."},
-         {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s; otherwise the same."}}};
+          "together, is at most this, such as 1%. Takes 4 replicates by default; --lines, if given, limits the last "
+          "round; --adaptive, --patches and --patch-size fix the patches."},
+         {"time", 0, "TIME", "",
+          "Double the lines for as long as this allows, such as 30s, with replicates and --lines as for "
+          "--tolerance."}}};
 }
 
 Accuracy read_accuracy(const CommandLine& line)
@@ -69,7 +71,7 @@ Accuracy read_accuracy(const CommandLine& line)
                               ? replicates_of_rounds
                               : static_cast<int>(read_count("--replicates", line.text("replicates"), 1, 10000));
     if (accuracy.in_rounds() && accuracy.replicates < 2)
-        throw UsageError("--replicates: the error to stop at needs at least 2; expected more");
+        throw UsageError("--replicates: --tolerance and --time need at least 2 to estimate the error; expected more");
     if (accuracy.replicates > 1) {
         try {
             (void)randomised_name(line.text("sequence"));

@@ -28,11 +28,11 @@ namespace {
 constexpr std::array known_formats = {
     OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
                  [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
-    OutputFormat{".pfm", FormatKind::picture, "picture as numbers, W/m^2, not tone-mapped", false,
+    OutputFormat{".pfm", FormatKind::picture, "picture as numbers in W/m^2, not tone-mapped", false,
                  [](SolvedScene& s) { return pfm_bytes(s.light()); }},
     OutputFormat{".png", FormatKind::picture, "picture", true,
                  [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
-    OutputFormat{".csv", FormatKind::table, "table; of a solved scene one row per patch", false,
+    OutputFormat{".csv", FormatKind::table, "table; for a solved scene one row per patch", false,
                  [](SolvedScene& s) {
                      if (s.options.grid) {
                          std::vector<std::string> comments = s.comments;
@@ -52,12 +52,12 @@ constexpr std::array known_formats = {
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
-    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces, the light in one texture", false,
+    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
                  [](SolvedScene& s) {
                      return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
                                          s.mesh_cameras(), {}, s.comments);
                  }},
-    OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, with the two that follow", false,
+    OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, which needs the next two files", false,
                  [](SolvedScene& s) {
                      const std::string stem = s.file_name.substr(0, s.file_name.size() - 4);
                      return lightmap_obj(s.scene, s.lightmap(), stem + ".mtl", s.comments);
@@ -69,7 +69,7 @@ constexpr std::array known_formats = {
                  [](SolvedScene& s) { return s.lightmap_png(); }},
     OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
                  [](SolvedScene& s) { return s.page(); }},
-    OutputFormat{".state", FormatKind::state, "all of the run, to go on, merge or render again", false,
+    OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it", false,
                  [](SolvedScene& s) { return s.state(); }}};
 
 /// The extensions of all formats, or of those that are written by default.
@@ -328,14 +328,15 @@ OptionGroup solution_output_group()
 {
     return {"Output",
             {{"output", 'o', "FILE", "",
-              "Where to write; the extension says what: " + listed(extensions_of_formats(), " or ") +
+              "Output file, whose extension determines the format: " + listed(extensions_of_formats(), " or ") +
                   " ('multipath help outputs' describes them). '-' writes the first of these to standard output. "
-                  "Without it, a " +
-                  listed(extensions_of_formats(true), " and a ") + " with the name of the input are written here.",
+                  "By default a " +
+                  listed(extensions_of_formats(true), " and a ") +
+                  " with the name of the input are written to the working directory.",
               true},
              {"json", 0, "", "", "Print a machine-readable summary on standard output."},
-             {"quiet", 'q', "", "", "Print nothing on stderr but errors."},
-             {"verbose", 'v', "", "", "Also show where the power is after every stage."},
+             {"quiet", 'q', "", "", "Print only errors on stderr."},
+             {"verbose", 'v', "", "", "Also show the balance of power after every stage."},
              progress_option()}};
 }
 

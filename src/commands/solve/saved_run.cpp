@@ -1,3 +1,8 @@
+// A state file begins with the description of its run: the options that change the result, as words of a command line,
+// the scene, and the shard. The names of the parts of the run that are in progress follow, and then the arrays of these
+// parts (parallel/checkpoint.h). A resumed run must have the same description; only lines, tolerance and time may
+// differ. To resume, the program starts the run again, and every part restores what it finds under its name.
+
 #include "commands/solve/saved_run.h"
 
 #include "cli/files/interrupt.h"
@@ -47,7 +52,7 @@ Shard read_shard(const std::string& text)
 {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos)
-        throw UsageError("--shard: '" + text + "' is no part of a whole; expected I/N, such as 3/16");
+        throw UsageError("--shard: expected I/N, such as 3/16, got '" + text + "'");
     const std::uint64_t of = read_count("--shard", text.substr(slash + 1), 1, 1000000);
     return {read_count("--shard", text.substr(0, slash), 1, of) - 1, of};
 }
@@ -79,14 +84,14 @@ OptionGroup state_option_group()
 {
     return {"State",
             {{"state", 0, "FILE", "",
-              "Keep the state of the run there, saved now and then and at the end: enough to go on after an "
-              "interruption, to merge shards, or to make other pictures."},
-             {"save-every", 0, "TIME", "60s", "How often to save the state."},
+              "Save the state of the run in this file, regularly and at the end. It serves to resume the run after an "
+              "interruption, to merge shards, and to make other pictures."},
+             {"save-every", 0, "TIME", "60s", "Interval between saves of the state."},
              {"resume", 0, "", "",
-              "Go on from the --state file if there is one, with the same result as without the interruption; also to "
-              "more --lines than it was made with."},
-             {"from-state", 0, "FILE", "", "Go on from the state in this file, which stays as it is."},
-             {"shard", 0, "I/N", "", "Do part I of N of the work, 1/N ... N/N, for 'multipath merge' to add up."}}};
+              "Resume from the --state file if it exists, with the same result as without the interruption. --lines "
+              "may be larger than before."},
+             {"from-state", 0, "FILE", "", "Resume from the state in this file, which remains unchanged."},
+             {"shard", 0, "I/N", "", "Do shard I of N of the work, 1/N ... N/N; 'multipath merge' adds them up."}}};
 }
 
 StateOptions read_state_options(const CommandLine& line)
@@ -105,7 +110,7 @@ StateOptions read_state_options(const CommandLine& line)
     const bool left = !options.path.empty() && exists(options.path);
     if (left && !line.has("resume"))
         throw InputError(options.path +
-                         " exists; expected --resume with it to go on from there, or the name of a new file");
+                         " exists; expected --resume with it to continue from there, or the name of a new file");
     options.from = left ? options.path : line.text("from-state");
     return options;
 }
@@ -115,7 +120,7 @@ void RunDescription::visit(Archive& archive)
     archive.texts("arguments", arguments);
     archive.value<std::uint64_t>("share", shard);
     if (shard.of == 0 || shard.number >= shard.of)
-        throw ArchiveError("the state is damaged: no such share");
+        throw ArchiveError("the state is damaged: no such shard");
     const Archive::Inner inner(archive, "scene");
     scene.visit(archive);
 }
@@ -160,7 +165,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
                          "; expected the same options, or another file");
     };
     if (saved.shard.number != wanted.shard.number || saved.shard.of != wanted.shard.of)
-        refuse("of another share of the work");
+        refuse("of another shard of the work");
     for (const Option& option : options_with_effect()) {
         const bool fixed =
             is_shard(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
@@ -173,7 +178,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
         return;
     if (saved.scene.patches != wanted.scene.patches && saved.scene.file->surfaces == wanted.scene.file->surfaces)
         refuse("of " + grouped(saved.scene.patches) + " patches, not " + grouped(wanted.scene.patches));
-    refuse("of the scene " + saved.scene.file->path + " as it was then, which is not the one given now");
+    refuse("made with the scene " + saved.scene.file->path + " as it was then, not with the one given now");
 }
 
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays)

@@ -73,7 +73,7 @@ ViewerChapter shots(const TracedRun& run, const TracedRange& range)
 {
     const ShotTrace trace = trace_shot_pass(run.scene, run.options, 0, range);
     return {"First shot",
-            "Rays carry the light of the sources to the patches that they see, each the same power. What a patch "
+            "Rays carry the light of the sources to the patches that they see, all with the same power. What a patch "
             "reflects of it is unshot until it is sent on. The first " +
                 grouped(trace.rays.size()) + " of " + grouped(trace.shot_passes.front().lines) + " rays.",
             viewer_lines(run.scene, trace)};
@@ -95,13 +95,12 @@ ViewerChapter global_lines(const TracedRun& run, const TracedRange& range)
 ViewerChapter bundle(const TracedRun& run, const TracedRange& range)
 {
     const BundleTrace trace = trace_bundle(run.scene, run.options, range);
-    return {
-        "Parallel lines",
-        "Lines in parallel cross the whole scene. Where one leaves a patch and meets another, the two exchange power, "
-        "each by its radiosity as the last iteration found it. The first " +
-            grouped(trace.lines.size()) + " of " + grouped(trace.lines_cast) + " lines along the first of " +
-            grouped(trace.directions) + " directions.",
-        viewer_lines(trace.lines)};
+    return {"Parallel lines",
+            "Parallel lines cross the whole scene. Where one leaves a patch and meets another, the two exchange power "
+            "according to their radiosities after the last iteration. The first " +
+                grouped(trace.lines.size()) + " of " + grouped(trace.lines_cast) + " lines along the first of " +
+                grouped(trace.directions) + " directions.",
+            viewer_lines(trace.lines)};
 }
 
 ViewerChapter particles(const TracedRun& run, const TracedRange& range)
@@ -204,7 +203,7 @@ std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
     if (only_counts)
         for (ViewerChapter& chapter : chapters)
             chapter.note += " The method " + std::string(method->name) +
-                            " only counts such lines and solves for the light afterwards: these are the lines of "
+                            " only counts such lines and afterwards solves a linear system: these are the lines of "
                             "--method " +
                             std::string(method->told_as) + ".";
     return chapters;

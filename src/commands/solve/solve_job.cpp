@@ -1,3 +1,8 @@
+// The course of `solve` and `merge` after the scene has been read: solve (once, in replicates or in rounds), write the
+// outputs, print the summary. A run that the user interrupts still writes its partial results; a shard writes only its
+// state, or the results of its own lines. The summary warns of results that are wrong or noisy: too few lines, unshot
+// or lost power, sequences that do not sample the sources uniformly.
+
 #include "commands/solve/solve_job.h"
 
 #include "check/scene_check.h"
@@ -110,7 +115,7 @@ std::string important_text(const SolveSummary& s)
     const std::optional<double> error = s.error_of_important();
     return format("important  %s patches%s\n", grouped(patches).c_str(),
                   error ? (": noise " + percent_text(*error) + " of their mean").c_str()
-                        : "; --replicates tells their error");
+                        : "; --replicates estimates their error");
 }
 
 } // namespace
@@ -142,8 +147,8 @@ std::string summary_text(const SolveSummary& s)
     if (s.accuracy.tolerance && s.error() > *s.accuracy.tolerance)
         text += format("warning    that is above the tolerance of %.3g %%: %s\n", 100.0 * *s.accuracy.tolerance,
                        *s.accuracy.patch_error > std::sqrt(0.5) * *s.accuracy.tolerance
-                           ? "the patches are too few; up to a million are chosen where no option fixes them"
-                           : "the lines or the time came to their end");
+                           ? "there are too few patches; up to a million are chosen if no option fixes them"
+                           : "the limit of lines or time was reached");
     const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
     if (s.solution.relative_standard_error && lines < lines_for_error(s.scene, s.options.method, s.solution.replicates))
         text += format("warning    with fewer than %d lines per patch in each replicate the error may be several times "
@@ -158,19 +163,19 @@ std::string summary_text(const SolveSummary& s)
     if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 &&
         lines < fewest_balanced_rays(s.scene))
         text +=
-            format("warning    so few lines per patch are not reused: particles carried the light, with more noise; "
+            format("warning    too few lines per patch for line reuse: particles carried the light, with more noise; "
                    "reuse begins at %s lines\n",
                    grouped(fewest_balanced_rays(s.scene)).c_str());
     else if (constexpr std::uint64_t few = 16; lines < few * s.scene.patch_count())
         text +=
-            format("warning    %.2g lines per patch are few, and neighbours differ by chance; --lines %s gives each "
+            format("warning    only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each patch "
                    "24 or more\n",
                    static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str());
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=
-            format("warning    the lines sent %.4g %s, but the sources emit %.4g, and chance alone explains %.2g of "
-                   "difference: these lines are not uniform, and the result is as wrong\n",
+            format("warning    the lines sent %.4g %s, but the sources emit %.4g, and noise explains a difference of "
+                   "only %.2g: these lines are not uniform, and the result is wrong to the same degree\n",
                    mean(balance.emitted), units.power, mean(balance.source), balance.emitted_error);
     if (percent(balance.unshot) > 5.0)
         text += format("warning    %s of the power is not distributed yet, which makes the result too dark; more "
@@ -281,7 +286,7 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
     if (!(mean(balance.absorbed + balance.escaped + balance.behind) > 0.0))
         throw SettingsError(
             scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
-            (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "'multipath check' tells more"));
+            (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "see 'multipath check'"));
     const double rounding = 1e-9 * mean(balance.emitted); // line reuse gets some powers as differences
     if (mean(balance.absorbed) > rounding || everything_shines(scene))
         return;
@@ -295,13 +300,13 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
         throw InputError(dark + "it meets all of them from behind; " +
                          (inside_out ? "--flip turns all faces over, " : "") + "--two-sided gives them backs");
     throw InputError(dark + (inside_out ? "the scene is inside out; --flip turns all its faces over"
-                                        : "the emitters face away from everything; 'multipath check' tells more"));
+                                        : "the emitters face away from everything; see 'multipath check'"));
 }
 
 void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
 {
     if (pictures.shown.needs_replicates && accuracy.replicates < 2)
-        throw UsageError("--show: a single run does not tell its error; expected --replicates, such as 4, or "
+        throw UsageError("--show: a single run cannot estimate its error; expected --replicates, such as 4, or "
                          "--tolerance with --show " +
                          std::string(pictures.shown.name));
 }
@@ -324,16 +329,16 @@ void report_interruption(const SolveJob& job, const Solution& solution, const St
 {
     print_note(format("interrupted after %s of %s lines%s\n", grouped(solution.all_lines).c_str(),
                       grouped(job.options.lines).c_str(),
-                      keeper.path().empty() ? "; --state FILE would let it go on from there"
-                                            : ("; --resume goes on from " + keeper.path()).c_str()));
+                      keeper.path().empty() ? "; with --state FILE it could be resumed"
+                                            : ("; --resume continues from " + keeper.path()).c_str()));
 }
 
 /// Reports the end of a shard. Returns the exit code.
 int report_shard(const SolveJob& job, const StateKeeper& keeper)
 {
     if (!job.quiet)
-        print_note(format("%s; 'multipath merge' adds the shares up\n",
-                          keeper.handed_in() ? "this share is done" : "interrupted; --resume goes on with this share"));
+        print_note(format("%s; 'multipath merge' adds the shards up\n",
+                          keeper.handed_in() ? "this shard is done" : "interrupted; --resume continues this shard"));
     return keeper.handed_in() ? 0 : exit_interrupted;
 }
 
@@ -401,7 +406,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         return report_shard(job, keeper);
     }
     if (shard.of > 1 && job.options.method->shards == Shards::added)
-        throw InputError("nothing is left to be shared; expected the same without --shard, which does the rest");
+        throw InputError("no work is left for shards; expected the same command without --shard, which does the rest");
     if (keeper.stopped())
         report_interruption(job, solution, keeper); // before the outputs, which a second signal may end
     else

@@ -53,19 +53,18 @@ TEST_CASE("a run goes on with other lines, tolerance or time, and with nothing e
     CHECK(says(difference(saved, run_of({"--lines", "1000", "--seed", "2"})), "made with --seed 1, not with --seed 2"));
     CHECK(says(difference(saved, run_of({"--lines", "1000", "--seed", "1", "--two-sided"})),
                "made with no --two-sided, not with --two-sided"));
-    CHECK(
-        says(difference(saved, run_of({"--lines", "1000", "--seed", "1"}, {}, 0.6)), "which is not the one given now"));
+    CHECK(says(difference(saved, run_of({"--lines", "1000", "--seed", "1"}, {}, 0.6)), "not with the one given now"));
 }
 
 // Which lines are those of a share depends on how many there are in all.
-TEST_CASE("a share goes on with its own lines alone")
+TEST_CASE("a shard goes on with its own lines alone")
 {
     const RunDescription saved = run_of({"--lines", "1000"}, {0, 2});
     CHECK(difference(saved, run_of({"--lines", "1000"}, {0, 2})).empty());
     CHECK(
         says(difference(saved, run_of({"--lines", "2000"}, {0, 2})), "made with --lines 1000, not with --lines 2000"));
-    CHECK(says(difference(saved, run_of({"--lines", "1000"}, {1, 2})), "of another share"));
-    CHECK(says(difference(saved, run_of({"--lines", "1000"}, {0, 3})), "of another share"));
+    CHECK(says(difference(saved, run_of({"--lines", "1000"}, {1, 2})), "of another shard"));
+    CHECK(says(difference(saved, run_of({"--lines", "1000"}, {0, 3})), "of another shard"));
 }
 
 } // namespace saved_run_test
