@@ -82,7 +82,7 @@ TEST_CASE("the help shows usage, groups, both forms, choices, defaults and notes
           "  -q, --quiet        no progress\n"
           "\n"
           "Help:\n"
-          "  -h, --help         print this help\n"
+          "  -h, --help         Print this help.\n"
           "\n"
           "Example:\n"
           "  multipath solve room.obj\n");
