@@ -22,7 +22,7 @@ std::vector<Method> methods_of_walks()
 {
     std::vector<Method> methods;
     for (const Method method : all_methods())
-        if (!method->told.empty())
+        if (!method->traced.empty())
             methods.push_back(method);
     return methods;
 }

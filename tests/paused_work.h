@@ -43,7 +43,7 @@ private:
         keep();
         return true;
     }
-    void hand_in_now() override { keep(); }
+    void publish_shard_now() override { keep(); }
     void finish_now() override
     {
         keep();

@@ -50,7 +50,7 @@ enum class StageKind { shot, global, bundle, local };
 
 struct NamedStage
 {
-    std::string_view name; ///< see MethodInfo::told
+    std::string_view name; ///< see MethodInfo::traced
     StageKind kind;
 };
 
@@ -70,14 +70,14 @@ struct Stage
 
 bool has_stage(Method method, std::string_view name)
 {
-    const std::vector<std::string_view> stages = told_stages(method);
+    const std::vector<std::string_view> stages = traced_stages(method);
     return std::find(stages.begin(), stages.end(), name) != stages.end();
 }
 
 /// "first-shot or global, or --method extended": the stages of the method, and the methods with the stage.
 std::string expected_stages(Method method, std::string_view name)
 {
-    const std::vector<std::string_view> stages = told_stages(method);
+    const std::vector<std::string_view> stages = traced_stages(method);
     std::string text;
     for (std::size_t k = 0; k < stages.size(); ++k)
         text += (k == 0 ? "" : k + 1 < stages.size() ? ", " : " or ") + std::string(stages[k]);
@@ -93,7 +93,7 @@ std::string expected_stages(Method method, std::string_view name)
 Stage read_stage(const CommandLine& line)
 {
     const Method method = method_named(line.text("method"));
-    const std::string text = line.has("stage") ? line.text("stage") : std::string(told_stages(method).back());
+    const std::string text = line.has("stage") ? line.text("stage") : std::string(traced_stages(method).back());
     const std::string_view before_pass = later_pass.substr(0, later_pass.find(':') + 1);
     const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
     const std::string_view name = pass_named ? later_pass : std::string_view(text);

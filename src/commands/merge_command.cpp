@@ -2,7 +2,7 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "radiosity/runs/share_sum.h"
+#include "radiosity/runs/shard_sum.h"
 #include "radiosity/solution.h"
 #include "scene/input_error.h"
 
@@ -101,7 +101,7 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
         std::vector<Archive*> shards;
         for (SavedRun& run : runs)
             shards.push_back(run.arrays.get());
-        add_up_shares(shards, runs[0].parts, scene.patch_count(), job.options.threads, sum);
+        add_up_shards(shards, runs[0].parts, scene.patch_count(), job.options.threads, sum);
     } else {
         average(runs, scene, job.options.lines, sum);
     }

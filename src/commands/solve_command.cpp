@@ -121,7 +121,8 @@ Scene with_adaptive_patches(SolveJob& job, Scene coarse)
     require_memory_for_reuse(job.line, job.options, coarse);
     require_memory_for_patches(job.line, coarse.file(), static_cast<double>(most));
     Progress progress("choosing patches", progress_style(job.line));
-    return adapted(coarse, most, job.options.memory, job.options.threads, [&](double done) { progress.show(done); });
+    return adaptively_refined(coarse, most, job.options.memory, job.options.threads,
+                              [&](double done) { progress.show(done); });
 }
 
 /// With replicates, estimates the error that the patches cause, which is reported beside the noise. With a tolerance,
@@ -139,7 +140,8 @@ Scene with_patches_for_tolerance(SolveJob& job, Scene scene)
     Progress progress("choosing patches", progress_style(job.line));
     const auto show = [&](double done) { progress.show(done); };
     for (;;) {
-        const double error = patch_error(scene, wanted, job.options.memory, job.options.threads, show).root_at_most();
+        const double error =
+            patch_error(scene, wanted, job.options.memory, job.options.threads, show).root_upper_bound();
         job.accuracy.patch_error = error;
         const double room = most / scene.patch_count();
         if (fixed || error <= wanted || room < least)
@@ -147,7 +149,7 @@ Scene with_patches_for_tolerance(SolveJob& job, Scene scene)
         const double growth = std::clamp(elementary::pow(error / wanted, 2.0 / order), least, std::min(step, room));
         const auto patches = static_cast<std::uint64_t>(growth * scene.patch_count());
         require_memory_for_patches(job.line, scene.file(), static_cast<double>(patches));
-        Scene finer = adapted(scene, patches, job.options.memory, job.options.threads, show);
+        Scene finer = adaptively_refined(scene, patches, job.options.memory, job.options.threads, show);
         if (finer.patch_count() == scene.patch_count()) // no patch can be cut further
             return scene;
         scene = std::move(finer);

@@ -356,8 +356,8 @@ Reference total_reference(ResultFile finer, const Scene& scene, int threads)
     constexpr std::uint64_t points = 10000;
     constexpr int rays = 256; // for each of two estimates at a point
     const std::vector<Rgb> guide = averaged(*finer.scene, finer.table.radiosity, scene);
-    const Truth truth =
-        remembered(scene, guide, gathered_truth(*finer.scene, finer.table.radiosity, rays, threads), points, threads);
+    const Truth truth = precomputed_truth(
+        scene, guide, gathered_truth(*finer.scene, finer.table.radiosity, rays, threads), points, threads);
     Reference reference;
     reference.radiosity = std::move(finer.table.radiosity);
     reference.measure = [&scene, truth, guide](const std::vector<Rgb>& radiosity) -> ErrorMeasure {

@@ -19,7 +19,7 @@
 
 namespace multipath {
 
-Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit)
+Crossing crossing_at(const Scene& scene, const Line& line, const Hit& hit)
 {
     return {hit, line.at(hit.t), passage_at(scene, hit)};
 }
@@ -34,11 +34,11 @@ void require_in_stage(const TracedRange& range, std::uint64_t lines, const char*
 namespace {
 
 /// Lets the walk follow one segment and records what its patches held before and hold afterwards.
-Stretch trace_segment(const Segment& segment, bool bidirectional, PowerWalk& walk)
+TracedSegment trace_segment(const Segment& segment, bool bidirectional, PowerWalk& walk)
 {
-    Stretch stretch{0, segment, {}, {}, {}};
+    TracedSegment traced{0, segment, {}, {}, {}};
     const auto sends = [&](std::uint32_t from, std::uint32_t to) {
-        stretch.transfers.push_back({from, to, walk.at(from).forecast, walk.at(from).held});
+        traced.transfers.push_back({from, to, walk.at(from).forecast, walk.at(from).held});
     };
     if (Segment::is_patch(segment.from))
         sends(segment.from, segment.to);
@@ -46,35 +46,35 @@ Stretch trace_segment(const Segment& segment, bool bidirectional, PowerWalk& wal
         sends(segment.to, segment.from);
     walk.follow(segment);
     if (Segment::is_patch(segment.from))
-        stretch.from_holds = walk.at(segment.from).held;
+        traced.from_holds = walk.at(segment.from).held;
     if (Segment::is_patch(segment.to))
-        stretch.to_holds = walk.at(segment.to).held;
-    return stretch;
+        traced.to_holds = walk.at(segment.to).held;
+    return traced;
 }
 
-/// For each segment, in order, the number of meetings before it. append_segments leaves out segments without a patch.
-std::vector<std::size_t> meetings_before(const std::vector<Meeting>& meetings)
+/// For each segment, in order, the number of crossings before it. append_segments leaves out segments without a patch.
+std::vector<std::size_t> crossings_before(const std::vector<Crossing>& crossings)
 {
     std::vector<std::size_t> before;
-    for (std::size_t after = 0; after <= meetings.size(); ++after)
-        if ((after > 0 && Segment::is_patch(meetings[after - 1].patches.leaves)) ||
-            (after < meetings.size() && Segment::is_patch(meetings[after].patches.arrives_at)))
+    for (std::size_t after = 0; after <= crossings.size(); ++after)
+        if ((after > 0 && Segment::is_patch(crossings[after - 1].patches.leaves)) ||
+            (after < crossings.size() && Segment::is_patch(crossings[after].patches.arrives_at)))
             before.push_back(after);
     return before;
 }
 
-/// The trace of a line, given its hits in order. follow(segment) returns the Stretch of each segment.
+/// The trace of a line, given its hits in order. follow(segment) returns the TracedSegment of each segment.
 template <class Follow>
 GlobalLine trace_line(const Scene& scene, const LineOrigin& origin, const Line& line, const std::vector<Hit>& hits,
                       const std::vector<Segment>& segments, const Follow& follow)
 {
     GlobalLine trace{origin, line.origin, line.at(1.0), {}, {}};
     for (const Hit& hit : hits)
-        trace.meetings.push_back(meeting_at(scene, line, hit));
-    const std::vector<std::size_t> before = meetings_before(trace.meetings);
+        trace.crossings.push_back(crossing_at(scene, line, hit));
+    const std::vector<std::size_t> before = crossings_before(trace.crossings);
     for (std::size_t k = 0; k < segments.size(); ++k) {
-        trace.stretches.push_back(follow(segments[k]));
-        trace.stretches.back().after = before.at(k);
+        trace.segments.push_back(follow(segments[k]));
+        trace.segments.back().after = before.at(k);
     }
     return trace;
 }
@@ -179,12 +179,12 @@ BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const 
     };
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n)
         trace.lines.push_back(trace_line(scene, {n, item, numbers}, bundle.line(n), [&](const Segment& segment) {
-            Stretch stretch{0, segment, {}, {}, {}};
+            TracedSegment traced{0, segment, {}, {}, {}};
             if (Segment::is_patch(segment.from))
-                stretch.transfers.push_back(sent(segment.from, segment.to));
+                traced.transfers.push_back(sent(segment.from, segment.to));
             if (Segment::is_patch(segment.to))
-                stretch.transfers.push_back(sent(segment.to, segment.from));
-            return stretch;
+                traced.transfers.push_back(sent(segment.to, segment.from));
+            return traced;
         }));
     return trace;
 }
@@ -198,7 +198,7 @@ ShotRay trace_ray(const Scene& scene, const Shot& shot, const LineOrigin& origin
     const Line ray = local_line(patch, origin.numbers);
     ShotRay trace{origin, shot.patch, ray, {}, receiver(scene, patch.surface, ray), shot.power_per_ray, {}};
     if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, ray))
-        trace.meeting = meeting_at(scene, ray, *hit);
+        trace.crossing = crossing_at(scene, ray, *hit);
     if (Segment::is_patch(trace.where)) {
         state.unshot[trace.where] += scene.reflectance(trace.where) * trace.power; // (S1)
         trace.unshot = state.unshot[trace.where];
@@ -260,14 +260,14 @@ ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::
 namespace {
 
 /// The trace of one segment of a particle's path.
-ToldStep trace_step(const Scene& scene, const ParticleStep& step, Estimator estimator)
+TracedStep trace_step(const Scene& scene, const ParticleStep& step, Estimator estimator)
 {
     const Patch patch = scene.patch(step.from);
-    ToldStep trace{step, local_line(patch, step.item), {}, {}};
+    TracedStep trace{step, local_line(patch, step.item), {}, {}};
     if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, trace.ray))
-        trace.meeting = meeting_at(scene, trace.ray, *hit);
+        trace.crossing = crossing_at(scene, trace.ray, *hit);
     if (Segment::is_patch(step.where))
-        trace.counted = counted_power(scene, step, estimator);
+        trace.counted = scored_power(scene, step, estimator);
     return trace;
 }
 
@@ -283,7 +283,7 @@ ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, c
 
     ParticleTrace trace{particles.count(), particles.shots().size(), {}};
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
-        ToldParticle particle{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
+        TracedParticle particle{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
         ParticlePaths paths;
         particles.follow(n, {particle.origin.numbers}, paths);
         for (const ParticleStep& step : paths.steps)

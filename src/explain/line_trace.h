@@ -35,7 +35,7 @@ struct LineOrigin
 };
 
 /// An intersection of a line with a surface.
-struct Meeting
+struct Crossing
 {
     Hit hit;
     Vec3 point;
@@ -43,7 +43,7 @@ struct Meeting
 };
 
 /// The intersection at a hit of the line.
-Meeting meeting_at(const Scene& scene, const Line& line, const Hit& hit);
+Crossing crossing_at(const Scene& scene, const Line& line, const Hit& hit);
 
 /// Throws SettingsError unless all lines of the range are among the `lines` of the stage. `what` names them in the
 /// message, as in "global lines".
@@ -62,7 +62,7 @@ struct Transfer
 
 /// A segment of a line, between two successive intersections or before the first or after the last one, with the power
 /// that is sent along it.
-struct Stretch
+struct TracedSegment
 {
     std::size_t after; ///< number of intersections of the line before the segment
     Segment segment;
@@ -77,8 +77,8 @@ struct GlobalLine
     LineOrigin origin;
     Vec3 from;
     Vec3 to;
-    std::vector<Meeting> meetings;  ///< all intersections, in order
-    std::vector<Stretch> stretches; ///< the segments that touch a patch, in order
+    std::vector<Crossing> crossings;     ///< all intersections, in order
+    std::vector<TracedSegment> segments; ///< the segments that touch a patch, in order
 };
 
 /// The traces of some lines of the global pass, with figures of the run up to that pass.
@@ -121,10 +121,10 @@ struct ShotRay
     LineOrigin origin;
     std::uint32_t shooter; ///< patch that the ray leaves
     Line ray;
-    std::optional<Meeting> meeting; ///< its first intersection; empty if it leaves the scene
-    std::uint32_t where;            ///< where it arrives: a patch, Segment::behind or Segment::outside
-    Rgb power;                      ///< [W] that the ray carries
-    Rgb unshot;                     ///< [W] of the receiving patch afterwards; black if there is none
+    std::optional<Crossing> crossing; ///< its first intersection; empty if it leaves the scene
+    std::uint32_t where;              ///< where it arrives: a patch, Segment::behind or Segment::outside
+    Rgb power;                        ///< [W] that the ray carries
+    Rgb unshot;                       ///< [W] of the receiving patch afterwards; black if there is none
 };
 
 /// The traces of some rays of one pass of the first shot.
@@ -142,27 +142,27 @@ struct ShotTrace
 ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range);
 
 /// The trace of one segment of a particle's path.
-struct ToldStep
+struct TracedStep
 {
     ParticleStep step;
     Line ray;
-    std::optional<Meeting> meeting; ///< where the ray arrives; empty if it leaves the scene
-    Rgb counted;                    ///< [W] that the estimator adds to the incident power of the receiving patch
+    std::optional<Crossing> crossing; ///< where the ray arrives; empty if it leaves the scene
+    Rgb counted;                      ///< [W] that the estimator adds to the incident power of the receiving patch
 };
 
 /// The trace of a particle of local Monte Carlo from its source to its end (L1).
-struct ToldParticle
+struct TracedParticle
 {
     LineOrigin origin; ///< of its first segment
-    std::vector<ToldStep> steps;
+    std::vector<TracedStep> steps;
 };
 
 /// The traces of some particles of a run.
 struct ParticleTrace
 {
-    std::uint64_t particles_in_all = 0; ///< total number of particles of the run
-    std::size_t sources = 0;            ///< number of patches that emit
-    std::vector<ToldParticle> particles;
+    std::uint64_t particle_count = 0; ///< total number of particles of the run
+    std::size_t sources = 0;          ///< number of patches that emit
+    std::vector<TracedParticle> particles;
 };
 
 /// Traces the particles of the range, each from its source to its end. Throws SettingsError for particles that the run

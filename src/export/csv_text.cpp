@@ -40,7 +40,7 @@ private:
     bool ended() const { return next_ == text_.size(); }
     bool at(char c) const { return !ended() && text_[next_] == c; }
     bool at_line_end() const { return at('\n') || (at('\r') && text_.substr(next_ + 1, 1) == "\n"); }
-    TextPlace place() const { return {path_, line_}; }
+    TextLocation place() const { return {path_, line_}; }
 
     const std::string_view text_;
     const std::string& path_;
@@ -124,7 +124,7 @@ std::string CsvParser::plain_field()
 
 std::string CsvParser::quoted_field()
 {
-    const TextPlace opening = place();
+    const TextLocation opening = place();
     std::string field;
     do {
         ++next_; // the opening quote, or the second of a doubled quote

@@ -47,7 +47,7 @@ struct CsvTable
     /// none.
     double number(const CsvRow& row, std::size_t column) const;
 
-    TextPlace place(const CsvRow& row) const { return {path, row.line}; }
+    TextLocation place(const CsvRow& row) const { return {path, row.line}; }
 };
 
 /// Parses CSV according to RFC 4180: fields are quoted entirely or not at all, and lines end in LF or CRLF. In

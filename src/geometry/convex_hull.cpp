@@ -305,7 +305,7 @@ bool ConvexHull::holds(Vec3 point) const
     });
 }
 
-bool ConvexHull::is_beside(const std::vector<Vec3>& points, double overlap) const
+bool ConvexHull::is_separated_from(const std::vector<Vec3>& points, double overlap) const
 {
     return std::any_of(sides_.begin(), sides_.end(), [&](const HalfSpace& side) {
         return std::all_of(points.begin(), points.end(),

@@ -27,7 +27,7 @@ public:
     /// True if the plane of one side has all points on its outer side, or at most `overlap` [scene units] inside. Then
     /// the convex hull of the points reaches no deeper than `overlap` into this hull. The test is sufficient, not
     /// necessary: disjoint sets may give false. Always false for a flat hull.
-    bool is_beside(const std::vector<Vec3>& points, double overlap) const;
+    bool is_separated_from(const std::vector<Vec3>& points, double overlap) const;
 
 private:
     struct HalfSpace ///< points p with dot(normal, p) <= offset

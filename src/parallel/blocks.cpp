@@ -218,39 +218,39 @@ void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
     });
 }
 
-void SharedRange::visit(Archive& archive)
+void ShardRange::visit(Archive& archive)
 {
     archive.value<std::uint64_t>("pieces of all", all);
     archive.value<std::uint64_t>("first piece", first);
     archive.value<std::uint64_t>("next piece", next);
     archive.value<std::uint64_t>("end piece", end);
-    archive.value<std::uint64_t>("shares", shares);
+    archive.value<std::uint64_t>("shares", shard_count);
     if (first > next || next > end || end > all)
         throw ArchiveError("the state is damaged: no such pieces of work");
 }
 
-SharedRange united(std::vector<SharedRange> ranges)
+ShardRange union_of(std::vector<ShardRange> ranges)
 {
-    std::sort(ranges.begin(), ranges.end(), [](const SharedRange& a, const SharedRange& b) {
+    std::sort(ranges.begin(), ranges.end(), [](const ShardRange& a, const ShardRange& b) {
         return a.first < b.first || (a.first == b.first && a.end < b.end);
     });
     std::uint64_t done = 0;
-    for (const SharedRange& range : ranges) {
+    for (const ShardRange& range : ranges) {
         if (range.first != done || range.next != range.end || range.all != ranges[0].all)
-            throw ArchiveError("the shares do not fit together; expected all shares of one run, each of them finished");
+            throw ArchiveError("the shards do not fit together; expected all shards of one run, each of them finished");
         done = range.end;
     }
     if (done != ranges[0].all)
-        throw ArchiveError("the shares are not all there; expected each share of the run");
+        throw ArchiveError("some shards are missing; expected all shards of the run");
     return {done, 0, done, done, 1};
 }
 
-void shared_blocks(SharedRange& range, const RunControl& run, const std::function<void(std::uint64_t, int)>& produce,
-                   const std::function<void(std::uint64_t, int)>& consume)
+void shard_blocks(ShardRange& range, const RunControl& run, const std::function<void(std::uint64_t, int)>& produce,
+                  const std::function<void(std::uint64_t, int)>& consume)
 {
     resumable_blocks(range.next, range.end, run, produce, consume);
     if (range.is_shard() && !run.stopped())
-        run.checkpoint->hand_in();
+        run.checkpoint->publish_shard();
 }
 
 } // namespace multipath

@@ -80,21 +80,21 @@ void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& 
 int slot_count(int threads);
 
 /// The units of work (blocks or rows of a stage) that one shard does, and its progress.
-struct SharedRange
+struct ShardRange
 {
     std::uint64_t all = 0; ///< units of all shards together
     std::uint64_t first = 0;
     std::uint64_t next = 0; ///< first ... next - 1 are done, next ... end - 1 are left
     std::uint64_t end = 0;
-    std::uint64_t shares = 1; ///< number of shards; 1 again after they were united
+    std::uint64_t shard_count = 1; ///< 1 again after the shards were united
 
     /// The part of `all` units that this shard does; nothing is done yet.
-    static SharedRange of(std::uint64_t all, Shard shard)
+    static ShardRange of(std::uint64_t all, Shard shard)
     {
         return {all, shard.begin(all), shard.begin(all), shard.end(all), shard.of};
     }
     /// True if there is more than one shard. Even then one of them may have all units, if they are few.
-    bool is_shard() const { return shares > 1; }
+    bool is_shard() const { return shard_count > 1; }
 
     /// Saves or restores the range. Throws ArchiveError for an impossible range.
     void visit(Archive& archive);
@@ -102,15 +102,15 @@ struct SharedRange
 
 /// The union of the ranges of at least one shard, in any order. Throws ArchiveError unless each is finished and
 /// together they cover all units exactly once.
-SharedRange united(std::vector<SharedRange> ranges);
+ShardRange union_of(std::vector<ShardRange> ranges);
 
 /// Like resumable_blocks for the units `range` of a stage whose results can be added. One of several shards hands its
-/// results in when it is done (see Checkpoint::hand_in), which stops the run.
-void shared_blocks(SharedRange& range, const RunControl& run,
-                   const std::function<void(std::uint64_t block, int slot)>& produce,
-                   const std::function<void(std::uint64_t block, int slot)>& consume);
+/// results in when it is done (see Checkpoint::publish_shard), which stops the run.
+void shard_blocks(ShardRange& range, const RunControl& run,
+                  const std::function<void(std::uint64_t block, int slot)>& produce,
+                  const std::function<void(std::uint64_t block, int slot)>& consume);
 
-/// One buffer for each slot of ordered_blocks, resumable_blocks or shared_blocks.
+/// One buffer for each slot of ordered_blocks, resumable_blocks or shard_blocks.
 template <class Buffer>
 class BlockBuffers
 {

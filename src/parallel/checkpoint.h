@@ -53,9 +53,9 @@ public:
     bool stopped() const { return stopped_; }
 
     /// Ends the run of a shard that is done: saves its results, which `merge` adds to those of the other shards.
-    void hand_in()
+    void publish_shard()
     {
-        hand_in_now();
+        publish_shard_now();
         stopped_ = true;
     }
 
@@ -67,7 +67,7 @@ public:
 
 protected:
     virtual bool pause_now() = 0;
-    virtual void hand_in_now() = 0;
+    virtual void publish_shard_now() = 0;
     virtual void finish_now() = 0;
 
     /// Writes the state of all active parts.

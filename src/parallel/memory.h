@@ -110,7 +110,7 @@ using ZeroedVector = std::vector<Value, LargeAllocator<Value, NewElements::zero>
 
 /// Empty vector with capacity for `count` elements in huge pages: for large results whose type is std::vector.
 template <class Value>
-std::vector<Value> with_room(std::size_t count)
+std::vector<Value> vector_with_capacity(std::size_t count)
 {
     std::vector<Value> room;
     room.reserve(count);
@@ -122,7 +122,7 @@ std::vector<Value> with_room(std::size_t count)
 template <class Value>
 std::vector<Value> large_vector(std::size_t count)
 {
-    std::vector<Value> elements = with_room<Value>(count);
+    std::vector<Value> elements = vector_with_capacity<Value>(count);
     elements.resize(count);
     return elements;
 }

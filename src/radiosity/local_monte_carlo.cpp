@@ -152,7 +152,7 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
     return plan_particles(scene, from_sources, lines, seed, threads);
 }
 
-Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator)
+Rgb scored_power(const Scene& scene, const ParticleStep& step, Estimator estimator)
 {
     const double absorption = 1.0 - mean(scene.reflectance(step.where));
     if (estimator == Estimator::collision || !(absorption > 0.0)) // on perfect white no path ever ends
@@ -168,7 +168,7 @@ void deposit(const Scene& scene, const ParticleStep& step, Estimator estimator, 
         (step.where == Segment::behind ? state.behind : state.escaped) += step.power;
         return;
     }
-    const Rgb counted = counted_power(scene, step, estimator);
+    const Rgb counted = scored_power(scene, step, estimator);
     const Rgb absorbed = (Rgb{1.0, 1.0, 1.0} - scene.reflectance(step.where)) * counted;
     state.incident[step.where] += counted;
     state.surplus += absorbed - (step.power - step.goes_on);

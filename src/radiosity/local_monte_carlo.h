@@ -102,7 +102,7 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
                          int threads);
 
 /// [W] Power that the estimator scores as incident at the end of a step, which must be a patch.
-Rgb counted_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
+Rgb scored_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
 
 struct LocalOptions
 {

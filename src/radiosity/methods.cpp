@@ -73,7 +73,7 @@ void reuse_pairs(Run& run)
 void reuse_rays(Run& run)
 {
     const std::uint64_t left = run.lines_left();
-    if (left < fewest_balanced_rays(run.scene)) {
+    if (left < min_balanced_rays(run.scene)) {
         if (run.shard.of > 1)
             throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
                                                    "expected more --lines, or no --shard");
@@ -327,9 +327,9 @@ bool has_option(Method method, std::string_view name)
                        [&](const MethodOption& option) { return option.name == name && option.with.empty(); });
 }
 
-std::vector<std::string_view> told_stages(Method method)
+std::vector<std::string_view> traced_stages(Method method)
 {
-    return words_of(method->told);
+    return words_of(method->traced);
 }
 
 } // namespace multipath

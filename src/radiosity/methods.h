@@ -42,9 +42,9 @@ struct MethodInfo
     void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr; ///< may be null
     FirstShot (*first_shot)(const SolveOptions&) = nullptr;                     ///< null: none
     /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`.
-    std::string_view told = {};
+    std::string_view traced = {};
     /// For a method without such stages: name of the method whose lines the page shows instead.
-    std::string_view told_as = {};
+    std::string_view traced_as = {};
 };
 
 /// A handle to one row of the table.
@@ -81,7 +81,7 @@ std::vector<MethodOption> options_of(Method method);
 /// True if the option, such as "chords", has an effect with this method, whatever the other options are.
 bool has_option(Method method, std::string_view option);
 
-/// The names in MethodInfo::told as a list.
-std::vector<std::string_view> told_stages(Method method);
+/// The names in MethodInfo::traced as a list.
+std::vector<std::string_view> traced_stages(Method method);
 
 } // namespace multipath

@@ -20,7 +20,7 @@ double PowerBalance::relative_error() const
 }
 
 PowerState::PowerState(const Scene& scene)
-    : incident(with_room<Rgb>(scene.patch_count())), unshot(with_room<Rgb>(scene.patch_count()))
+    : incident(vector_with_capacity<Rgb>(scene.patch_count())), unshot(vector_with_capacity<Rgb>(scene.patch_count()))
 {
     incident.resize(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -92,7 +92,7 @@ PowerBalance power_balance(const Scene& scene, const PowerState& state)
 
 std::vector<Rgb> radiosity(const Scene& scene, const PowerState& state)
 {
-    std::vector<Rgb> result = with_room<Rgb>(scene.patch_count());
+    std::vector<Rgb> result = vector_with_capacity<Rgb>(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         result.push_back(scene.emittance(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * state.incident[i]));
     return result;

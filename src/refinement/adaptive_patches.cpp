@@ -71,7 +71,8 @@ Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wa
 
 } // namespace
 
-Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads, const ProgressCallback& progress)
+Scene adaptively_refined(const Scene& coarse, std::uint64_t most, double memory, int threads,
+                         const ProgressCallback& progress)
 {
     // A round splits a patch at most once. If few patches are added, fewer rounds suffice.
     constexpr int most_rounds = 4;

@@ -13,6 +13,7 @@ namespace multipath {
 /// difference between the corner values of smooth shading and the patch's own linear function. Sources are not split.
 /// `memory`: [bytes] for solving. The result is the same for any number of threads. Throws InputError if the scene has
 /// no solution.
-Scene adapted(const Scene& coarse, std::uint64_t most, double memory, int threads, const ProgressCallback& progress);
+Scene adaptively_refined(const Scene& coarse, std::uint64_t most, double memory, int threads,
+                         const ProgressCallback& progress);
 
 } // namespace multipath

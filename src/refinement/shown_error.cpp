@@ -5,8 +5,8 @@
 
 #include "refinement/shown_error.h"
 
+#include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
-#include "image/gather/place.h"
 #include "image/gather/source_light.h"
 #include "image/shading/smooth_shading.h"
 #include "image/shading/texture_detail.h"
@@ -217,15 +217,15 @@ public:
     /// the items of one sequence are not independent.
     Rgb at(const Hit& hit, std::uint64_t number, RandomStream stream) const
     {
-        const Place place = place_of(scene_, hit);
+        const GatherPoint receiver = gather_point(scene_, hit);
         const std::uint64_t bits = random_bits(random_key(stream), number);
         const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
         const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
         RayFan fan;
         const auto count = static_cast<std::size_t>(rays_);
-        Rgb irradiance = sources_.irradiance(place, {*to_sources, 0, count}, bits_to_unit(bits), fan);
-        irradiance += indirect_.at(place, *around, 0, fan).irradiance;
-        irradiance += scene_.sunlight(place.surface, place.point, place.normal);
+        Rgb irradiance = sources_.irradiance(receiver, {*to_sources, 0, count}, bits_to_unit(bits), fan);
+        irradiance += indirect_.at(receiver, *around, 0, fan).irradiance;
+        irradiance += scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
         return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
                scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
     }
@@ -256,13 +256,13 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
 {
     const auto light = std::make_shared<const PointRadiosity>(finer, radiosity, rays, threads);
     return [light](const Hit& hit, std::uint64_t number) {
-        return TruthAtPoint{light->at(hit, number, RandomStream::first_truth),
-                            light->at(hit, number, RandomStream::second_truth)};
+        return TruthAtPoint{light->at(hit, number, RandomStream::first_estimate_of_truth),
+                            light->at(hit, number, RandomStream::second_estimate_of_truth)};
     };
 }
 
-Truth remembered(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
-                 int threads)
+Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
+                        int threads)
 {
     const auto known = std::make_shared<std::vector<TruthAtPoint>>(static_cast<std::size_t>(points));
     const Truth keep = [&](const Hit& hit, std::uint64_t number) { return (*known)[number] = truth(hit, number); };
@@ -303,13 +303,13 @@ ShownError patch_error(const Scene& scene, double enough, double memory, int thr
     const auto deviations = [&](const Hit& hit, std::uint64_t number) {
         const Rgb shown = one.shading.at(hit);
         const Rgb shown_by_other = other.shading.at(hit);
-        return Deviations{shown - one.light.at(hit, number, RandomStream::first_truth),
-                          shown_by_other - other.light.at(hit, number, RandomStream::second_truth),
+        return Deviations{shown - one.light.at(hit, number, RandomStream::first_estimate_of_truth),
+                          shown_by_other - other.light.at(hit, number, RandomStream::second_estimate_of_truth),
                           0.5 * (shown + shown_by_other)};
     };
     for (std::uint64_t points = few_points;; points *= 4) {
         const ShownError error = mean_product(scene, one.radiosity, deviations, points, threads);
-        const bool undecided = error.root() < enough && enough < error.root_at_most();
+        const bool undecided = error.root() < enough && enough < error.root_upper_bound();
         if (!undecided || points >= many_points)
             return error;
     }

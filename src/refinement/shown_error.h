@@ -27,7 +27,7 @@ struct ShownError
     double root() const { return std::sqrt(std::max(0.0, relative_mean_square)); }
 
     /// [1] Upper 90 % confidence bound of the root, if the mean over the points is normally distributed.
-    double root_at_most() const
+    double root_upper_bound() const
     {
         constexpr double nine_of_ten = 1.2816;
         return std::sqrt(std::max(0.0, relative_mean_square + nine_of_ten * standard_error));
@@ -58,8 +58,8 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
 
 /// A table of the truth at the sample points of shown_error() for this scene, guide and number of points, to compare
 /// many results of one scene.
-Truth remembered(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
-                 int threads);
+Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
+                        int threads);
 
 /// Discretisation error, the part of the error that more lines do not reduce. Two independent solutions by line reuse
 /// are each compared with light gathered from themselves; in the product of the deviations the noise of the lines has

@@ -67,7 +67,7 @@ double WaterFilling::level(double rays) const
 }
 
 Allotment::Allotment(const std::vector<double>& expected, double offset)
-    : first_ray_(with_room<std::uint64_t>(expected.size() + 1))
+    : first_ray_(vector_with_capacity<std::uint64_t>(expected.size() + 1))
 {
     first_ray_.push_back(0);
     SystematicRounding rounding(offset);

@@ -32,11 +32,12 @@ enum class RandomStream : std::uint64_t {
     replicates = 0x452821e638d01377u,
     stretches = 0xbe5466cf34e90c6cu, ///< seeds of the parts of a run that is solved in several parts
     trapped_light = 0x3f84d5b5b5470917u,
-    light_grid = 0x2e1b21385c26c926u,   ///< rays from the points of a grid
-    chosen_patches = 0x6c69676874,      ///< sample of patches that are examined for direct light
-    first_truth = 0xa4093822299f31d0u,  ///< rays of the first of two independent estimates at a point (shown_error.h)
-    second_truth = 0x082efa98ec4e6c89u, ///< rays of the second
-    patch_error = 0xc0ac29b7c97c50ddu,  ///< seeds of the two independent solutions that estimate it
+    light_grid = 0x2e1b21385c26c926u, ///< rays from the points of a grid
+    chosen_patches = 0x6c69676874,    ///< sample of patches that are examined for direct light
+    first_estimate_of_truth =
+        0xa4093822299f31d0u, ///< rays of the first of two independent estimates at a point (shown_error.h)
+    second_estimate_of_truth = 0x082efa98ec4e6c89u, ///< rays of the second
+    patch_error = 0xc0ac29b7c97c50ddu,              ///< seeds of the two independent solutions that estimate it
 };
 
 /// Key of a stream that does not depend on a seed.

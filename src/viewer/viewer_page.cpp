@@ -97,7 +97,7 @@ std::vector<double> power_channels(Rgb power)
 JsonObject transfer_json(const ViewerTransfer& transfer)
 {
     JsonObject json;
-    json.count("stretch", transfer.stretch);
+    json.count("segment", transfer.segment);
     json.count("from", transfer.from);
     if (transfer.to == Scene::no_patch)
         json.null("to");
@@ -113,15 +113,15 @@ JsonObject line_json(const ViewerLine& line)
 {
     std::vector<double> points;
     std::string bold;
-    for (const DrawnStretch& stretch : line.shape.stretches) {
+    for (const DrawnSegment& segment : line.shape.segments) {
         if (points.empty())
-            append_point(points, stretch.from);
-        append_point(points, stretch.to);
-        bold += stretch.bold ? '1' : '0';
+            append_point(points, segment.from);
+        append_point(points, segment.to);
+        bold += segment.bold ? '1' : '0';
     }
-    std::vector<double> meetings;
-    for (const Vec3& meeting : line.shape.meetings)
-        append_point(meetings, meeting);
+    std::vector<double> crossings;
+    for (const Vec3& crossing : line.shape.crossings)
+        append_point(crossings, crossing);
     std::vector<JsonObject> transfers;
     for (const ViewerTransfer& transfer : line.transfers)
         transfers.push_back(transfer_json(transfer));
@@ -129,12 +129,12 @@ JsonObject line_json(const ViewerLine& line)
         .text("label", line.shape.label)
         .numbers("points", points)
         .text("bold", bold)
-        .numbers("meetings", meetings)
+        .numbers("crossings", crossings)
         .objects("transfers", transfers);
 }
 
 /// A chapter of traced lines as the page reads it: every line is a polyline with the transfers of power along its
-/// stretches. Numbers have six digits: they are shown, not computed with.
+/// segments. Numbers have six digits: they are shown, not computed with.
 JsonObject chapter_json(const ViewerChapter& chapter)
 {
     std::vector<JsonObject> lines;

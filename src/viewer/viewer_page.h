@@ -38,10 +38,10 @@ struct ViewerStage
     std::vector<Rgb> radiosity; ///< [W/m^2] per patch
 };
 
-/// Power that is sent along one stretch of a traced line, between two successive hits.
+/// Power that is sent along one segment of a traced line, between two successive hits.
 struct ViewerTransfer
 {
-    std::size_t stretch; ///< index among the stretches of the line
+    std::size_t segment; ///< index among the segments of the line
     std::uint32_t from;  ///< patch
     std::uint32_t to;    ///< patch, or Scene::no_patch if the power is lost
     Rgb forecast;        ///< [W] part of the sent power that is the forecast (G3)

@@ -9,7 +9,7 @@ global_lines() {
         ! grep -q "line 3 of" out && says out "on the sphere" && says out "sends forecast" && says out "then holds" &&
         says out "floor (line 22) "
 }
-check "the first global lines are told with their meetings, pairs and powers" global_lines
+check "the first global lines are told with their crossings, pairs and powers" global_lines
 
 rays() {
     ends 0 explain "$scene" --stage first-shot --of 2^14 && silent err && narrow && says out "ray 3 of " &&

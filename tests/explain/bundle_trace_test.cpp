@@ -48,7 +48,7 @@ TEST_CASE("the lines of a bundle are parallel, and cross surfaces in proportion 
     double crossed = 0.0; // [m^2] as the lines tell
     for (const GlobalLine& line : trace.lines) {
         CHECK(length(cross(line.to - line.from, trace.direction)) < 1e-12);
-        crossed += static_cast<double>(line.meetings.size()) * trace.section;
+        crossed += static_cast<double>(line.crossings.size()) * trace.section;
     }
     double across = 0.0;
     for (const Surface& surface : scene.surfaces())
@@ -63,10 +63,10 @@ TEST_CASE("along a line of a bundle two patches exchange power, each the same al
     std::map<std::uint32_t, double> sent; // [W] by each patch
     std::size_t exchanges = 0;
     for (const GlobalLine& line : trace.lines)
-        for (const Stretch& stretch : line.stretches) {
-            REQUIRE(stretch.transfers.size() == (stretch.segment.joins_patches() ? 2 : 1));
-            exchanges += stretch.segment.joins_patches() ? 1 : 0;
-            for (const Transfer& transfer : stretch.transfers) {
+        for (const TracedSegment& traced : line.segments) {
+            REQUIRE(traced.transfers.size() == (traced.segment.joins_patches() ? 2 : 1));
+            exchanges += traced.segment.joins_patches() ? 1 : 0;
+            for (const Transfer& transfer : traced.transfers) {
                 CHECK(transfer.held == Rgb{});
                 const auto known = sent.emplace(transfer.from, transfer.sent().g).first;
                 CHECK(known->second == transfer.sent().g);

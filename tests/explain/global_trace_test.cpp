@@ -58,8 +58,8 @@ std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options,
     shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
     std::vector<Rgb> received(scene.patch_count());
     for (const GlobalLine& line : trace.lines)
-        for (const Stretch& stretch : line.stretches)
-            for (const Transfer& transfer : stretch.transfers)
+        for (const TracedSegment& traced : line.segments)
+            for (const Transfer& transfer : traced.transfers)
                 if (Segment::is_patch(transfer.to))
                     received[transfer.to] += transfer.sent();
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
@@ -71,8 +71,8 @@ Rgb lost(const GlobalTrace& trace, std::uint32_t where)
 {
     Rgb power;
     for (const GlobalLine& line : trace.lines)
-        for (const Stretch& stretch : line.stretches)
-            for (const Transfer& transfer : stretch.transfers)
+        for (const TracedSegment& traced : line.segments)
+            for (const Transfer& transfer : traced.transfers)
                 if (transfer.to == where)
                     power += transfer.sent();
     return power;
@@ -136,31 +136,31 @@ TEST_CASE("what a patch is told to hold after a line is what it is told to hold 
         std::vector<Rgb> holds(scene.patch_count());
         int compared = 0;
         for (const GlobalLine& line : tell_all(scene, options).lines)
-            for (const Stretch& stretch : line.stretches) {
-                for (const Transfer& transfer : stretch.transfers) {
+            for (const TracedSegment& traced : line.segments) {
+                for (const Transfer& transfer : traced.transfers) {
                     CHECK(transfer.held == holds[transfer.from]);
                     compared += mean(transfer.held) > 0.0 ? 1 : 0;
                 }
-                if (Segment::is_patch(stretch.segment.from))
-                    holds[stretch.segment.from] = stretch.from_holds;
-                if (Segment::is_patch(stretch.segment.to))
-                    holds[stretch.segment.to] = stretch.to_holds;
+                if (Segment::is_patch(traced.segment.from))
+                    holds[traced.segment.from] = traced.from_holds;
+                if (Segment::is_patch(traced.segment.to))
+                    holds[traced.segment.to] = traced.to_holds;
             }
         CHECK(compared > 100);
     }
 }
 
-TEST_CASE("a stretch lies between the two meetings that it names")
+TEST_CASE("a traced segment lies between the two crossings that it names")
 {
     for (const bool two_sided : {true, false})
         for (const GlobalLine& line : tell_all(furnished_room(two_sided), short_run(Method::global)).lines)
-            for (const Stretch& stretch : line.stretches) {
-                const std::size_t after = stretch.after;
-                REQUIRE(after <= line.meetings.size());
-                CHECK(stretch.segment.from ==
-                      (after == 0 ? Segment::outside : line.meetings[after - 1].patches.leaves));
-                CHECK(stretch.segment.to ==
-                      (after == line.meetings.size() ? Segment::outside : line.meetings[after].patches.arrives_at));
+            for (const TracedSegment& traced : line.segments) {
+                const std::size_t after = traced.after;
+                REQUIRE(after <= line.crossings.size());
+                CHECK(traced.segment.from ==
+                      (after == 0 ? Segment::outside : line.crossings[after - 1].patches.leaves));
+                CHECK(traced.segment.to ==
+                      (after == line.crossings.size() ? Segment::outside : line.crossings[after].patches.arrives_at));
             }
 }
 
@@ -176,9 +176,9 @@ TEST_CASE("a later line is told with the powers that the lines before it left")
         const GlobalLine& b = late.lines[k];
         CHECK(a.origin.number == b.origin.number);
         CHECK(a.origin.item == b.origin.item);
-        REQUIRE(a.stretches.size() == b.stretches.size());
-        for (std::size_t s = 0; s < a.stretches.size(); ++s)
-            CHECK(a.stretches[s].to_holds == b.stretches[s].to_holds);
+        REQUIRE(a.segments.size() == b.segments.size());
+        for (std::size_t s = 0; s < a.segments.size(); ++s)
+            CHECK(a.segments[s].to_holds == b.segments[s].to_holds);
     }
 }
 

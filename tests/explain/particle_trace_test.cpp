@@ -32,7 +32,7 @@ SolveOptions short_run(Estimator estimator)
 
 ParticleTrace tell_all(const Scene& scene, const SolveOptions& options)
 {
-    const std::uint64_t particles = trace_particles(scene, options, {0, 1}).particles_in_all;
+    const std::uint64_t particles = trace_particles(scene, options, {0, 1}).particle_count;
     return trace_particles(scene, options, {0, particles});
 }
 
@@ -46,8 +46,8 @@ TEST_CASE("the scores told for all particles add up to the solver's radiosity, t
         const SolveOptions options = short_run(estimator);
         PowerState state(scene);
         std::uint64_t segments = 0;
-        for (const ToldParticle& particle : tell_all(scene, options).particles)
-            for (const ToldStep& told : particle.steps) {
+        for (const TracedParticle& particle : tell_all(scene, options).particles)
+            for (const TracedStep& told : particle.steps) {
                 ++segments;
                 state.incident[told.step.where] += told.counted; // the room is closed
             }
@@ -64,13 +64,13 @@ TEST_CASE("the scores told for all particles add up to the solver's radiosity, t
 TEST_CASE("a path goes from patch to patch as long as the number drawn is below the reflectance, and then ends")
 {
     const Scene scene = coloured_room();
-    for (const ToldParticle& particle : tell_all(scene, short_run(Estimator::collision)).particles)
+    for (const TracedParticle& particle : tell_all(scene, short_run(Estimator::collision)).particles)
         for (std::size_t k = 0; k < particle.steps.size(); ++k) {
-            const ToldStep& told = particle.steps[k];
+            const TracedStep& told = particle.steps[k];
             const bool goes_on = told.step.drawn < mean(scene.reflectance(told.step.where));
             CHECK(goes_on == (k + 1 < particle.steps.size()));
-            REQUIRE(told.meeting);
-            CHECK(told.meeting->patches.arrives_at == told.step.where);
+            REQUIRE(told.crossing);
+            CHECK(told.crossing->patches.arrives_at == told.step.where);
             if (goes_on) {
                 CHECK(particle.steps[k + 1].step.from == told.step.where);
                 CHECK(particle.steps[k + 1].step.power == told.step.goes_on);

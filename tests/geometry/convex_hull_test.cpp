@@ -102,11 +102,11 @@ TEST_CASE("the hull of a hundred thousand points of a circle is their polygon")
 TEST_CASE("points beyond one side of a hull lie beside it, points around an edge are not found to")
 {
     const ConvexHull cube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
-    CHECK(cube.is_beside({{2, 0, 0}, {1.1, 5, 0}, {1.1, -5, 7}}, 0.0));
-    CHECK(!cube.is_beside({{2, 0, 0}, {0.9, 0.5, 0.5}}, 0.0));
-    CHECK(cube.is_beside({{2, 0, 0}, {0.9, 0.5, 0.5}}, 0.11));
-    CHECK(!cube.is_beside({{1.1, 0.5, 0.5}, {0.5, 1.1, 0.5}}, 0.0));
-    CHECK(!ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).is_beside({{0, 0, 1}}, 0.0)); // flat
+    CHECK(cube.is_separated_from({{2, 0, 0}, {1.1, 5, 0}, {1.1, -5, 7}}, 0.0));
+    CHECK(!cube.is_separated_from({{2, 0, 0}, {0.9, 0.5, 0.5}}, 0.0));
+    CHECK(cube.is_separated_from({{2, 0, 0}, {0.9, 0.5, 0.5}}, 0.11));
+    CHECK(!cube.is_separated_from({{1.1, 0.5, 0.5}, {0.5, 1.1, 0.5}}, 0.0));
+    CHECK(!ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).is_separated_from({{0, 0, 1}}, 0.0)); // flat
 }
 
 TEST_CASE("a hull holds its inside and its sides")

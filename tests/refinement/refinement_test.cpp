@@ -292,7 +292,8 @@ TEST_CASE("the shadow of a level sheet is that of the general formula")
 TEST_CASE("with adaptive patches the error falls faster than n^-1.5, and below that of equal ones")
 {
     const auto adaptive = [](std::uint64_t patches) {
-        return adapted(penumbra(std::sqrt(3.0 * 16.0 / static_cast<double>(patches))), patches, 2e9, 2, [](double) {});
+        return adaptively_refined(penumbra(std::sqrt(3.0 * 16.0 / static_cast<double>(patches))), patches, 2e9, 2,
+                                  [](double) {});
     };
     const Scene few = adaptive(250);
     const Scene many = adaptive(1000);
@@ -310,7 +311,7 @@ TEST_CASE("with adaptive patches the error falls faster than n^-1.5, and below t
 TEST_CASE("the default shows the penumbra with an error below 2e-5")
 {
     const Scene coarse = penumbra(patch_size_for_count(penumbra(10.0).surfaces(), 5000 / 3));
-    const Scene scene = adapted(coarse, 5000, 2e9, 2, [](double) {});
+    const Scene scene = adaptively_refined(coarse, 5000, 2e9, 2, [](double) {});
     SolveOptions options;
     options.method = Method::reuse;
     options.threads = 2;
@@ -332,8 +333,8 @@ TEST_CASE("the default shows the penumbra with an error below 2e-5")
 TEST_CASE("the smallest patches lie in the penumbra, and are the same for any number of threads")
 {
     const Scene coarse = penumbra(0.25);
-    const Scene scene = adapted(coarse, 1200, 2e9, 2, [](double) {});
-    CHECK(adapted(coarse, 1200, 2e9, 1, [](double) {}).hash() == scene.hash());
+    const Scene scene = adaptively_refined(coarse, 1200, 2e9, 2, [](double) {});
+    CHECK(adaptively_refined(coarse, 1200, 2e9, 1, [](double) {}).hash() == scene.hash());
     const std::vector<std::uint8_t> levels = scene.levels();
     const std::uint8_t highest = *std::max_element(levels.begin(), levels.end());
     REQUIRE(highest >= 2);
@@ -356,7 +357,8 @@ TEST_CASE("where the radiosity is the same everywhere no patch is cut")
     SceneBuilder builder;
     builder.room({0, 0, 0}, {1, 2, 3}, builder.grey(0.5, 1.0));
     const Scene coarse = builder.scene(0.3);
-    CHECK(adapted(coarse, 4 * coarse.patch_count(), 2e9, 1, [](double) {}).patch_count() == coarse.patch_count());
+    CHECK(adaptively_refined(coarse, 4 * coarse.patch_count(), 2e9, 1, [](double) {}).patch_count() ==
+          coarse.patch_count());
 }
 
 // With 2^22 lines next to nothing but the patches is left of the error.
@@ -366,7 +368,7 @@ TEST_CASE("the patches' error is found from few lines")
     const ShownError patches = patch_error(scene, 0.0, 2e9, 2, [](double) {});
     const double expected = error_of(scene, 1u << 22);
     CHECK(patches.relative_mean_square == doctest::Approx(expected).epsilon(0.2));
-    CHECK(patches.root_at_most() > patches.root());
+    CHECK(patches.root_upper_bound() > patches.root());
     CHECK(patch_error(scene, 0.0, 2e9, 1, [](double) {}).relative_mean_square == patches.relative_mean_square);
 }
 
@@ -378,7 +380,7 @@ TEST_CASE("what is told of the total error is more than the truth in nine of ten
     int runs = 0;
     for (const double size : {0.4, 0.2, 0.1}) {
         const Scene scene = penumbra(size);
-        const double patches = patch_error(scene, 0.0, 2e9, 2, [](double) {}).root_at_most();
+        const double patches = patch_error(scene, 0.0, 2e9, 2, [](double) {}).root_upper_bound();
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             SolveOptions options;
             options.method = seed % 2 == 0 ? Method::reuse : Method::first_shot;

@@ -256,9 +256,9 @@ TEST_CASE("a told line becomes a chain of points with the power along it")
             viewer_page(scene, content),
             "\"trace\": [\n    {\"title\": \"Lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {\"label\": "
             "\"line 1\", "
-            "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"bold\": \"01\", \"meetings\": [1, 0, 0], "
-            "\"transfers\": [\n    {\"stretch\": 1, \"from\": 7, \"to\": 9, \"forecast\": [0.5], \"held\": [1, 2, 3], "
-            "\"counted\": [1.5, 2.5, 3.5]}, \n    {\"stretch\": 1, \"from\": 9, \"to\": null, \"forecast\": [0], "
+            "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"bold\": \"01\", \"crossings\": [1, 0, 0], "
+            "\"transfers\": [\n    {\"segment\": 1, \"from\": 7, \"to\": 9, \"forecast\": [0.5], \"held\": [1, 2, 3], "
+            "\"counted\": [1.5, 2.5, 3.5]}, \n    {\"segment\": 1, \"from\": 9, \"to\": null, \"forecast\": [0], "
             "\"held\": [4], \"counted\": [4]}]}]}]\n}\n") == 1);
 }
 

@@ -10,10 +10,10 @@ std::string label(const char* kind, const LineOrigin& origin)
 }
 
 /// The hit of a ray, or a point a little farther along one that leaves the scene.
-Vec3 end_of(const Scene& scene, const Line& ray, const std::optional<Meeting>& meeting)
+Vec3 end_of(const Scene& scene, const Line& ray, const std::optional<Crossing>& crossing)
 {
     constexpr double shown_outside = 0.2; // of the scene's diagonal
-    return meeting ? meeting->point : ray.at(shown_outside * scene.bounds().diagonal());
+    return crossing ? crossing->point : ray.at(shown_outside * scene.bounds().diagonal());
 }
 
 } // namespace
@@ -24,14 +24,14 @@ std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines)
     for (const GlobalLine& line : lines) {
         DrawnLine shape{label("line", line.origin), {}, {}};
         Vec3 from = line.from;
-        for (const Meeting& meeting : line.meetings) {
-            shape.stretches.push_back({from, meeting.point, false});
-            shape.meetings.push_back(meeting.point);
-            from = meeting.point;
+        for (const Crossing& crossing : line.crossings) {
+            shape.segments.push_back({from, crossing.point, false});
+            shape.crossings.push_back(crossing.point);
+            from = crossing.point;
         }
-        shape.stretches.push_back({from, line.to, false});
-        for (const Stretch& stretch : line.stretches)
-            shape.stretches[stretch.after].bold = stretch.segment.joins_patches();
+        shape.segments.push_back({from, line.to, false});
+        for (const TracedSegment& traced : line.segments)
+            shape.segments[traced.after].bold = traced.segment.joins_patches();
         drawn.push_back(shape);
     }
     return drawn;
@@ -42,9 +42,9 @@ std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace)
     std::vector<DrawnLine> drawn;
     for (const ShotRay& ray : trace.rays) {
         DrawnLine shape{label("ray", ray.origin), {}, {}};
-        shape.stretches.push_back({ray.ray.origin, end_of(scene, ray.ray, ray.meeting), Segment::is_patch(ray.where)});
-        if (ray.meeting)
-            shape.meetings.push_back(ray.meeting->point);
+        shape.segments.push_back({ray.ray.origin, end_of(scene, ray.ray, ray.crossing), Segment::is_patch(ray.where)});
+        if (ray.crossing)
+            shape.crossings.push_back(ray.crossing->point);
         drawn.push_back(shape);
     }
     return drawn;
@@ -53,15 +53,15 @@ std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace)
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleTrace& trace)
 {
     std::vector<DrawnLine> drawn;
-    for (const ToldParticle& particle : trace.particles) {
+    for (const TracedParticle& particle : trace.particles) {
         DrawnLine shape{label("particle", particle.origin), {}, {}};
-        for (const ToldStep& traced : particle.steps) {
-            if (!shape.meetings.empty())
-                shape.stretches.push_back({shape.meetings.back(), traced.ray.origin, false}); // within a patch
-            const Vec3 end = end_of(scene, traced.ray, traced.meeting);
-            shape.stretches.push_back({traced.ray.origin, end, Segment::is_patch(traced.step.where)});
-            if (traced.meeting)
-                shape.meetings.push_back(end);
+        for (const TracedStep& traced : particle.steps) {
+            if (!shape.crossings.empty())
+                shape.segments.push_back({shape.crossings.back(), traced.ray.origin, false}); // within a patch
+            const Vec3 end = end_of(scene, traced.ray, traced.crossing);
+            shape.segments.push_back({traced.ray.origin, end, Segment::is_patch(traced.step.where)});
+            if (traced.crossing)
+                shape.crossings.push_back(end);
         }
         drawn.push_back(shape);
     }

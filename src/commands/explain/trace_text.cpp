@@ -59,24 +59,24 @@ std::string patch_number(std::uint32_t patch)
 }
 
 /// A table of the hits in order, numbered from 1.
-std::string meetings_table(const Scene& scene, const std::vector<Meeting>& meetings)
+std::string crossings_table(const Scene& scene, const std::vector<Crossing>& crossings)
 {
     std::size_t name_width = 7;
-    for (const Meeting& meeting : meetings)
-        name_width = std::max(name_width, column_count(surface_name(scene, meeting.hit.surface)));
+    for (const Crossing& crossing : crossings)
+        name_width = std::max(name_width, column_count(surface_name(scene, crossing.hit.surface)));
     name_width = std::min(name_width, widest_name);
     std::string text = "   no       t  " + fitted("surface", name_width) + "  side   arrives at  leaves  point\n";
-    for (std::size_t k = 0; k < meetings.size(); ++k) {
-        const Meeting& meeting = meetings[k];
-        text += format("  %3zu  %.4f  %s  %-5s  %10s  %6s  %s\n", k + 1, meeting.hit.t,
-                       fitted(surface_name(scene, meeting.hit.surface), name_width).c_str(),
-                       meeting.hit.front ? "front" : "back", patch_number(meeting.patches.arrives_at).c_str(),
-                       patch_number(meeting.patches.leaves).c_str(), point_text(meeting.point).c_str());
+    for (std::size_t k = 0; k < crossings.size(); ++k) {
+        const Crossing& crossing = crossings[k];
+        text += format("  %3zu  %.4f  %s  %-5s  %10s  %6s  %s\n", k + 1, crossing.hit.t,
+                       fitted(surface_name(scene, crossing.hit.surface), name_width).c_str(),
+                       crossing.hit.front ? "front" : "back", patch_number(crossing.patches.arrives_at).c_str(),
+                       patch_number(crossing.patches.leaves).c_str(), point_text(crossing.point).c_str());
     }
     return text;
 }
 
-constexpr std::size_t name_column = 13; // where the patches of a stretch are named
+constexpr std::size_t name_column = 13; // where the patches of a segment are named
 constexpr std::size_t indent = 15;      // of the lines below, about the power that they send
 
 std::string heading(const TracedRun& run, const std::string& stage)
@@ -153,7 +153,7 @@ std::string global_context(const TracedRun& run, const GlobalTrace& trace)
 }
 
 /// The power that a patch sends, and its fate.
-std::string transfer_text(const Scene& scene, const Transfer& transfer, const Stretch& stretch)
+std::string transfer_text(const Scene& scene, const Transfer& transfer, const TracedSegment& traced)
 {
     const bool received = Segment::is_patch(transfer.to);
     const std::string to = received ? patch_name(scene, transfer.to) : "nowhere";
@@ -166,27 +166,27 @@ std::string transfer_text(const Scene& scene, const Transfer& transfer, const St
                         indent, indent + 2);
     if (!received)
         return text + wrapped("then holds nothing", indent, indent);
-    const bool forwards = transfer.to == stretch.segment.to;
+    const bool forwards = transfer.to == traced.segment.to;
     return text +
            wrapped("patch " + std::to_string(transfer.to) + " reflects " + colour_text(scene.reflectance(transfer.to)) +
-                       " of what arrives and then holds " + watts(forwards ? stretch.to_holds : stretch.from_holds),
+                       " of what arrives and then holds " + watts(forwards ? traced.to_holds : traced.from_holds),
                    indent, indent + 2);
 }
 
-std::string stretch_text(const TracedRun& run, const GlobalLine& line, const Stretch& stretch)
+std::string segment_text(const TracedRun& run, const GlobalLine& line, const TracedSegment& traced)
 {
     const Scene& scene = run.scene;
-    const std::size_t after = stretch.after;
+    const std::size_t after = traced.after;
     const std::string begin = after == 0 ? "start" : std::to_string(after);
-    const std::string end = after == line.meetings.size() ? "end" : std::to_string(after + 1);
+    const std::string end = after == line.crossings.size() ? "end" : std::to_string(after + 1);
     std::string text = "  " + begin + " - " + end;
     text.resize(std::max<std::size_t>(text.size() + 1, name_column), ' ');
-    if (stretch.transfers.empty())
+    if (traced.transfers.empty())
         return text + "begins on a side without patches: nothing is sent along it\n";
-    for (std::size_t k = 0; k < stretch.transfers.size(); ++k)
-        text += (k == 0 ? "" : std::string(name_column, ' ')) + transfer_text(scene, stretch.transfers[k], stretch);
-    if (!run.options.bidirectional && stretch.segment.joins_patches())
-        text += wrapped("patch " + std::to_string(stretch.segment.from) + " then holds " + watts(stretch.from_holds),
+    for (std::size_t k = 0; k < traced.transfers.size(); ++k)
+        text += (k == 0 ? "" : std::string(name_column, ' ')) + transfer_text(scene, traced.transfers[k], traced);
+    if (!run.options.bidirectional && traced.segment.joins_patches())
+        text += wrapped("patch " + std::to_string(traced.segment.from) + " then holds " + watts(traced.from_holds),
                         indent, indent + 2);
     return text;
 }
@@ -198,13 +198,13 @@ std::string line_text(const TracedRun& run, const GlobalLine& line, std::uint64_
                        point_text(line.to) + (box ? ", both just outside the box\n" : " on the sphere\n");
     if (line.from == line.to)
         return text + "  the two points are equal: a chord of length 0, which is counted as cast and meets nothing\n";
-    if (line.meetings.empty())
+    if (line.crossings.empty())
         return text + "  meets nothing: it is cast, as (G1) counts it, but carries no power\n";
-    text += meetings_table(run.scene, line.meetings);
-    if (line.stretches.empty())
+    text += crossings_table(run.scene, line.crossings);
+    if (line.segments.empty())
         return text + "  the line meets only sides without patches: it carries no power\n";
-    for (const Stretch& stretch : line.stretches)
-        text += stretch_text(run, line, stretch);
+    for (const TracedSegment& traced : line.segments)
+        text += segment_text(run, line, traced);
     return text;
 }
 
@@ -212,11 +212,11 @@ std::string parallel_line_text(const TracedRun& run, const GlobalLine& line, std
 {
     std::string text =
         title("line", line.origin, of) + "  from " + point_text(line.from) + " to " + point_text(line.to) + "\n";
-    if (line.meetings.empty())
+    if (line.crossings.empty())
         return text + "  meets nothing\n";
-    text += meetings_table(run.scene, line.meetings);
-    for (const Stretch& stretch : line.stretches)
-        for (const Transfer& transfer : stretch.transfers)
+    text += crossings_table(run.scene, line.crossings);
+    for (const TracedSegment& traced : line.segments)
+        for (const Transfer& transfer : traced.transfers)
             text += wrapped(patch_name(run.scene, transfer.from) + " sends " + watts(transfer.sent()) +
                                 (Segment::is_patch(transfer.to) ? " to " + patch_name(run.scene, transfer.to)
                                                                 : ", " + loss(transfer.to)),
@@ -230,8 +230,8 @@ std::string ray_text(const Scene& scene, const ShotRay& ray, std::uint64_t of)
                        wrapped("leaves " + patch_name(scene, ray.shooter) + " at " + point_text(ray.ray.origin) +
                                    " in direction " + point_text(ray.ray.direction) + " with " + watts(ray.power),
                                2, 4);
-    if (ray.meeting)
-        text += meetings_table(scene, {*ray.meeting});
+    if (ray.crossing)
+        text += crossings_table(scene, {*ray.crossing});
     if (!Segment::is_patch(ray.where))
         return text + wrapped("carries " + watts(ray.power) + ", " + loss(ray.where), 2, 4);
     const Rgb rho = scene.reflectance(ray.where);
@@ -241,12 +241,12 @@ std::string ray_text(const Scene& scene, const ShotRay& ray, std::uint64_t of)
                           2, 4);
 }
 
-std::string step_text(const Scene& scene, const ToldStep& traced, std::size_t number)
+std::string step_text(const Scene& scene, const TracedStep& traced, std::size_t number)
 {
     const ParticleStep& step = traced.step;
     std::string text =
         format("  %zu  ", number) + point_text(traced.ray.origin) + " of " + patch_name(scene, step.from) + " -> ";
-    text += traced.meeting ? point_text(traced.meeting->point) + " of " : "";
+    text += traced.crossing ? point_text(traced.crossing->point) + " of " : "";
     if (!Segment::is_patch(step.where))
         return wrapped((text + "nothing: " + watts(step.power) + ", " + loss(step.where)).substr(2), 2, 5);
     const double survival = mean(scene.reflectance(step.where));
@@ -345,15 +345,15 @@ std::string trace_text(const TracedRun& run, const ParticleTrace& trace)
     std::string text = heading(run, "Local Monte Carlo");
     text += wrapped(
         "The sources, " + counted(trace.sources, "patch", "patches") + ", send " +
-            counted(trace.particles_in_all, "particle", "particles") +
+            counted(trace.particle_count, "particle", "particles") +
             " of equal power, as many as use up the lines of the run in expectation: every segment of a path counts as "
             "a line. At every patch that it meets a particle draws a number. If it is below the patch's reflectance, "
             "the particle is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
             (collision ? "Wherever it arrives, its power is scored as arrived (L1)."
                        : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1)."),
         0, 0);
-    for (const ToldParticle& particle : trace.particles) {
-        text += title("particle", particle.origin, trace.particles_in_all);
+    for (const TracedParticle& particle : trace.particles) {
+        text += title("particle", particle.origin, trace.particle_count);
         for (std::size_t k = 0; k < particle.steps.size(); ++k)
             text += step_text(run.scene, particle.steps[k], k + 1);
     }

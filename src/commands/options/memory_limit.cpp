@@ -106,11 +106,11 @@ void require_memory_for_picture(const CommandLine& line, int width, int height, 
 
 void require_memory_for_reuse(const CommandLine& line, const SolveOptions& options, const Scene& scene)
 {
-    if (options.method != Method::reuse || options.lines < fewest_balanced_rays(scene))
+    if (options.method != Method::reuse || options.lines < min_balanced_rays(scene))
         return;
     const double with_table =
         run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) + reuse_bytes(scene);
-    require(line, std::min(with_table, least_balanced_bytes(scene)),
+    require(line, std::min(with_table, min_balanced_bytes(scene)),
             scene.path() + ": line reuse of " + grouped(scene.patch_count()) + " patches needs",
             "fewer patches: a larger --patch-size, or --method local");
 }

@@ -20,7 +20,7 @@ Option method_option(bool with_reuse)
     Option option = {"method", 'm', "NAME", with_reuse ? "reuse" : "first-shot",
                      "Method to compute the light; 'multipath help methods' describes them."};
     for (const Method method : all_methods())
-        if (with_reuse || !method->told.empty())
+        if (with_reuse || !method->traced.empty())
             option.choices.push_back(method->name);
     return option;
 }

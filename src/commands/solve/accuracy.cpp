@@ -86,15 +86,15 @@ Solution solve_accurately(const Scene& scene, const SolveOptions& options, const
                           const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard)
 {
     if (!accuracy.in_rounds())
-        return solve_in_stretches(scene, options, accuracy.replicates, progress, checkpoint, shard);
-    RoundLimit limit(accuracy, lines_for_error(scene, options.method, accuracy.replicates));
+        return solve_incrementally(scene, options, accuracy.replicates, progress, checkpoint, shard);
+    RoundLimit limit(accuracy, lines_for_error_estimate(scene, options.method, accuracy.replicates));
     const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     const auto go_on = [&](const Round& round) {
         return limit.go_on(round, std::chrono::duration<double>(Clock::now() - start).count());
     };
-    return solve_until(scene, options, accuracy.replicates, first, go_on, progress, checkpoint);
+    return solve_in_rounds(scene, options, accuracy.replicates, first, go_on, progress, checkpoint);
 }
 
 } // namespace multipath

@@ -228,7 +228,7 @@ const Lightmap& SolvedScene::lightmap()
             const Hit hit = {0.0, surface, u, v, front};
             return with_texture(scene, hit, smooth.at(hit));
         };
-        lightmap_ = multipath::lightmap(scene, usual_lightmap_size, light, options.render.threads);
+        lightmap_ = multipath::lightmap(scene, default_lightmap_size, light, options.render.threads);
     }
     return *lightmap_;
 }

@@ -269,10 +269,10 @@ bool StateKeeper::pause_now()
     return interrupted();
 }
 
-void StateKeeper::hand_in_now()
+void StateKeeper::publish_shard_now()
 {
     keep();
-    handed_in_ = true;
+    published_ = true;
 }
 
 void StateKeeper::finish_now()

@@ -92,11 +92,11 @@ public:
     const std::string& last_bytes() const { return last_bytes_; }
     bool resumed() const { return resumed_.has_value(); }
     /// True if the shard is finished and its state saved for `merge`.
-    bool handed_in() const { return handed_in_; }
+    bool published() const { return published_; }
 
 protected:
     bool pause_now() override;
-    void hand_in_now() override;
+    void publish_shard_now() override;
     void finish_now() override;
 
 private:
@@ -112,7 +112,7 @@ private:
     std::optional<SavedRun> resumed_;
     Clock::time_point next_save_;
     std::string last_bytes_;
-    bool handed_in_ = false;
+    bool published_ = false;
     mutable std::atomic<bool> worked_{false}; ///< false: the resumed state was complete already
 };
 

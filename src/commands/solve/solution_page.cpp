@@ -31,9 +31,9 @@ std::vector<ViewerLine> viewer_lines(const std::vector<GlobalLine>& global_lines
     std::vector<ViewerLine> lines;
     for (std::size_t n = 0; n < global_lines.size(); ++n) {
         ViewerLine line{drawn[n], {}};
-        for (const Stretch& stretch : global_lines[n].stretches)
-            for (const Transfer& transfer : stretch.transfers)
-                line.transfers.push_back({stretch.after, transfer.from, receiver(transfer.to), transfer.forecast,
+        for (const TracedSegment& traced : global_lines[n].segments)
+            for (const Transfer& transfer : traced.transfers)
+                line.transfers.push_back({traced.after, transfer.from, receiver(transfer.to), transfer.forecast,
                                           transfer.held, transfer.sent()});
         lines.push_back(line);
     }
@@ -57,12 +57,12 @@ std::vector<ViewerLine> viewer_lines(const Scene& scene, const ParticleTrace& tr
     std::vector<ViewerLine> lines;
     for (std::size_t n = 0; n < trace.particles.size(); ++n) {
         ViewerLine line{drawn[n], {}};
-        // Between two steps the particle moves within a patch; the drawing has a stretch for this too.
-        std::size_t stretch = 0;
-        for (const ToldStep& traced : trace.particles[n].steps) {
+        // Between two steps the particle moves within a patch; the drawing has a segment for this too.
+        std::size_t segment = 0;
+        for (const TracedStep& traced : trace.particles[n].steps) {
             line.transfers.push_back(
-                {stretch, traced.step.from, receiver(traced.step.where), {}, traced.step.power, traced.counted});
-            stretch += 2;
+                {segment, traced.step.from, receiver(traced.step.where), {}, traced.step.power, traced.counted});
+            segment += 2;
         }
         lines.push_back(line);
     }
@@ -109,13 +109,13 @@ ViewerChapter particles(const TracedRun& run, const TracedRange& range)
     return {"Particles",
             "Particles leave the sources and are reflected from patch to patch, until they are absorbed or leave the "
             "scene. The first " +
-                grouped(trace.particles.size()) + " of " + grouped(trace.particles_in_all) + " particles.",
+                grouped(trace.particles.size()) + " of " + grouped(trace.particle_count) + " particles.",
             viewer_lines(run.scene, trace)};
 }
 
 struct ChapterKind
 {
-    std::string_view stage; ///< see MethodInfo::told; there are no chapters of later passes
+    std::string_view stage; ///< see MethodInfo::traced; there are no chapters of later passes
     ViewerChapter (*make)(const TracedRun&, const TracedRange&);
 };
 
@@ -187,16 +187,16 @@ std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, const Sho
 std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
 {
     const Method method = run.options.method;
-    const bool only_counts = !method->told_as.empty();
+    const bool only_counts = !method->traced_as.empty();
     SolveOptions options = run.options;
     options.lines = std::min(options.lines, most_lines_of_run);
     if (only_counts) {
-        options.method = method_named(method->told_as);
+        options.method = method_named(method->traced_as);
         options.ratio.reset(); // has another meaning for that method
     }
     const TracedRun walk{run.scene, options, run.method, run.sequence};
     std::vector<ViewerChapter> chapters;
-    for (const std::string_view stage : told_stages(options.method))
+    for (const std::string_view stage : traced_stages(options.method))
         for (const ChapterKind& kind : chapter_kinds)
             if (kind.stage == stage)
                 append(chapters, [&](const TracedRange& range) { return kind.make(walk, range); });
@@ -205,7 +205,7 @@ std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
             chapter.note += " The method " + std::string(method->name) +
                             " only counts such lines and afterwards solves a linear system: these are the lines of "
                             "--method " +
-                            std::string(method->told_as) + ".";
+                            std::string(method->traced_as) + ".";
     return chapters;
 }
 

@@ -13,7 +13,7 @@ namespace multipath {
 
 /// Traces of the first hundred lines, or fewer, of every kind that the run casts: rays of the first shot and global
 /// lines, or particles. A method that only counts its lines, such as `reuse`, is represented by another
-/// (MethodInfo::told_as).
+/// (MethodInfo::traced_as).
 std::vector<ViewerChapter> viewer_chapters(const TracedRun& run);
 
 /// Numbers of lines of the stages, increasing and below `lines`: 2^8, 2^10 ... or in wider steps, so that the

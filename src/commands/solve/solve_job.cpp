@@ -150,7 +150,8 @@ std::string summary_text(const SolveSummary& s)
                            ? "there are too few patches; up to a million are chosen if no option fixes them"
                            : "the limit of lines or time was reached");
     const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
-    if (s.solution.relative_standard_error && lines < lines_for_error(s.scene, s.options.method, s.solution.replicates))
+    if (s.solution.relative_standard_error &&
+        lines < lines_for_error_estimate(s.scene, s.options.method, s.solution.replicates))
         text += format("warning    with fewer than %d lines per patch in each replicate the error may be several times "
                        "larger than this; more lines or fewer replicates help\n",
                        static_cast<int>(s.options.method->lines_per_patch(s.scene)));
@@ -161,11 +162,11 @@ std::string summary_text(const SolveSummary& s)
                    mean(balance.emitted), units.power, percent(balance.absorbed), percent(balance.unshot),
                    percent(balance.escaped), percent(balance.behind), balance.relative_error());
     if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 &&
-        lines < fewest_balanced_rays(s.scene))
+        lines < min_balanced_rays(s.scene))
         text +=
             format("warning    too few lines per patch for line reuse: particles carried the light, with more noise; "
                    "reuse begins at %s lines\n",
-                   grouped(fewest_balanced_rays(s.scene)).c_str());
+                   grouped(min_balanced_rays(s.scene)).c_str());
     else if (constexpr std::uint64_t few = 16; lines < few * s.scene.patch_count())
         text +=
             format("warning    only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each patch "
@@ -338,8 +339,8 @@ int report_shard(const SolveJob& job, const StateKeeper& keeper)
 {
     if (!job.quiet)
         print_note(format("%s; 'multipath merge' adds the shards up\n",
-                          keeper.handed_in() ? "this shard is done" : "interrupted; --resume continues this shard"));
-    return keeper.handed_in() ? 0 : exit_interrupted;
+                          keeper.published() ? "this shard is done" : "interrupted; --resume continues this shard"));
+    return keeper.published() ? 0 : exit_interrupted;
 }
 
 } // namespace

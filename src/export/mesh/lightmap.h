@@ -36,7 +36,7 @@ struct Lightmap
     }
 };
 
-constexpr std::uint32_t usual_lightmap_size = 2048;
+constexpr std::uint32_t default_lightmap_size = 2048;
 constexpr std::uint32_t largest_lightmap_size = 8192; ///< supported by all common graphics processors
 
 /// Computes an atlas of size x size texels, with the light at the centre of each texel or, on textured surfaces, its

@@ -107,9 +107,9 @@ double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const Line
             for (const Vec3 corner : corners_of(side))
                 include(corner);
     for (const DrawnLine& line : lines)
-        for (const DrawnStretch& stretch : line.stretches) {
-            include(stretch.from);
-            include(stretch.to);
+        for (const DrawnSegment& segment : line.segments) {
+            include(segment.from);
+            include(segment.to);
         }
     return farthest;
 }
@@ -188,28 +188,28 @@ std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
                     " fill=\"" + colour + "\"");
 }
 
-std::string stretches(const DrawnLine& line, const View& view, const std::string& colour)
+std::string segments(const DrawnLine& line, const View& view, const std::string& colour)
 {
     std::string bold;
     std::string thin;
-    for (const DrawnStretch& stretch : line.stretches)
-        (stretch.bold ? bold : thin) += command_to('M', view.at(stretch.from)) + command_to('L', view.at(stretch.to));
+    for (const DrawnSegment& segment : line.segments)
+        (segment.bold ? bold : thin) += command_to('M', view.at(segment.from)) + command_to('L', view.at(segment.to));
     std::string text = svg_path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
                        svg_path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
-    if (!line.stretches.empty()) {
-        const DrawnStretch& last = line.stretches.back();
-        text += circle(view.at(line.stretches.front().from), 4.0,
+    if (!line.segments.empty()) {
+        const DrawnSegment& last = line.segments.back();
+        text += circle(view.at(line.segments.front().from), 4.0,
                        " fill=\"#ffffff\" stroke=\"" + colour + "\" stroke-width=\"2\"");
         text += arrow_head(view.at(last.from), view.at(last.to), colour);
     }
     return text;
 }
 
-std::string meetings(const DrawnLine& line, const View& view, const std::string& colour, bool numbered)
+std::string crossings(const DrawnLine& line, const View& view, const std::string& colour, bool numbered)
 {
     std::string text;
-    for (std::size_t k = 0; k < line.meetings.size(); ++k) {
-        const SvgPoint p = view.at(line.meetings[k]);
+    for (std::size_t k = 0; k < line.crossings.size(); ++k) {
+        const SvgPoint p = view.at(line.crossings[k]);
         text += circle(p, numbered ? 7.5 : 2.5,
                        " fill=\"" + std::string(numbered ? "#ffffff" : colour) + "\" stroke=\"" + colour +
                            "\" stroke-width=\"1.4\"");
@@ -230,9 +230,9 @@ std::string picture(const Scene& scene, const std::vector<DrawnLine>& lines, con
         text += box_shape(*drawing.box, view);
     text += scene_outlines(scene, view) + sources(scene, view);
     for (std::size_t k = 0; k < lines.size(); ++k)
-        text += stretches(lines[k], view, svg_series_colour(k));
+        text += segments(lines[k], view, svg_series_colour(k));
     for (std::size_t k = 0; k < lines.size(); ++k)
-        text += meetings(lines[k], view, svg_series_colour(k), lines.size() <= most_numbered_lines);
+        text += crossings(lines[k], view, svg_series_colour(k), lines.size() <= most_numbered_lines);
     return text;
 }
 

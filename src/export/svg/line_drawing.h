@@ -11,7 +11,7 @@
 namespace multipath {
 
 /// A segment of a line.
-struct DrawnStretch
+struct DrawnSegment
 {
     Vec3 from;
     Vec3 to;
@@ -22,8 +22,8 @@ struct DrawnStretch
 struct DrawnLine
 {
     std::string label; ///< for the legend
-    std::vector<DrawnStretch> stretches;
-    std::vector<Vec3> meetings; ///< hits of surfaces
+    std::vector<DrawnSegment> segments;
+    std::vector<Vec3> crossings; ///< hits of surfaces
 };
 
 struct DrawnSphere

@@ -58,7 +58,7 @@ struct Intersector::Core::Groundwork
 private:
     void find_planes(const SurfaceList& surfaces)
     {
-        const std::vector<std::uint32_t> order = from_large_to_small(surfaces);
+        const std::vector<std::uint32_t> order = order_by_descending_area(surfaces);
         planes = share_planes(surfaces, order);
         size_rank = size_ranks(order);
     }
@@ -81,7 +81,7 @@ Intersector::Core::Core(const SurfaceList& surfaces, Groundwork groundwork, cons
       table_(surfaces, groundwork.planes, threads),
       frame_(groundwork.frame),
       tree_(std::move(groundwork.tree)),
-      outside_is_solid_(form_a_room(surfaces)),
+      outside_is_solid_(is_interior(surfaces)),
       plane_(std::move(groundwork.planes.plane_number)),
       size_rank_(std::move(groundwork.size_rank)),
       neighbours_(std::move(groundwork.neighbours))

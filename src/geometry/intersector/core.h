@@ -145,7 +145,7 @@ private:
     FramedRectangles framed_;                ///< its rectangles have the last lanes
     std::vector<SurfaceBlock> blocks_;
     std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, tested in double precision against every line
-    bool outside_is_solid_;                 ///< see form_a_room
+    bool outside_is_solid_;                 ///< see is_interior
     std::vector<std::uint32_t> plane_;      ///< plane number of each surface
     std::vector<std::uint32_t> size_rank_;  ///< rank of each surface by size, 0 for the smallest, which lies on top
     PlaneNeighbours neighbours_;

@@ -42,7 +42,7 @@ struct Outline
 };
 
 /// True if an edge of `a` has all of `b` on its outer side, up to `slack`.
-bool is_beside(const Outline& a, const Outline& b, double slack)
+bool is_separated_from(const Outline& a, const Outline& b, double slack)
 {
     for (unsigned i = 0; i < a.count; ++i) {
         const Vec3 start = a.corner[i];
@@ -66,7 +66,7 @@ bool overlap_in_plane(const Surface& a, const Surface& b, double diagonal)
     const double slack = std::min(rounding * diagonal, small_part * size);
     const Outline first(a);
     const Outline second(b);
-    return !is_beside(first, second, slack) && !is_beside(second, first, slack);
+    return !is_separated_from(first, second, slack) && !is_separated_from(second, first, slack);
 }
 
 /// The surfaces sorted by plane.

@@ -30,7 +30,7 @@ struct SharedPlanes
 
 /// Surfaces whose corners all lie within coplanar_distance of a larger surface's plane get its number. They get its
 /// equation as well if the plane has surfaces of both orientations: only those can touch face to face. A slightly
-/// curved mesh keeps its own planes, so that its triangles meet at their edges. `order`: see from_large_to_small.
+/// curved mesh keeps its own planes, so that its triangles meet at their edges. `order`: see order_by_descending_area.
 SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::uint32_t>& order);
 
 } // namespace multipath

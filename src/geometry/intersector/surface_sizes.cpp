@@ -48,7 +48,7 @@ LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces)
     return boxes;
 }
 
-std::vector<std::uint32_t> from_large_to_small(const SurfaceList& surfaces)
+std::vector<std::uint32_t> order_by_descending_area(const SurfaceList& surfaces)
 {
     struct Entry
     {
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order)
     return rank;
 }
 
-bool form_a_room(const SurfaceList& surfaces)
+bool is_interior(const SurfaceList& surfaces)
 {
     const Bounds box = box_around(surfaces);
     double volume = 0.0;

@@ -19,14 +19,14 @@ Bounds box_around(const SurfaceList& surfaces);
 LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces);
 
 /// Indices of the surfaces by descending area; equal ones in ascending order.
-std::vector<std::uint32_t> from_large_to_small(const SurfaceList& surfaces);
+std::vector<std::uint32_t> order_by_descending_area(const SurfaceList& surfaces);
 
 /// Rank of each surface by area, 0 for the smallest; of equal ones the later ranks lower. `order`: the result of
-/// from_large_to_small.
+/// order_by_descending_area.
 std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order);
 
 /// True if the surfaces are the inside of a room rather than the outside of objects: the volume that they enclose with
 /// their fronts outwards, by the divergence theorem, is negative. A room without one wall still counts as a room.
-bool form_a_room(const SurfaceList& surfaces);
+bool is_interior(const SurfaceList& surfaces);
 
 } // namespace multipath

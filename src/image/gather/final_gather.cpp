@@ -6,7 +6,7 @@
 #include "image/gather/final_gather.h"
 
 #include "image/camera.h"
-#include "image/gather/place.h"
+#include "image/gather/gather_point.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
 
@@ -68,43 +68,43 @@ void FinalGather::gather_indirect_light(int threads)
             RayFan fan;
             for (int x = 0; x < width_; x += spacing)
                 if (const std::optional<Hit>& hit = centre(x, y).hit)
-                    act(place_of(scene_, *hit), x, y, fan);
+                    act(gather_point(scene_, *hit), x, y, fan);
         });
     };
-    for_each_centre(2, [&](const Place& place, int x, int y, RayFan& fan) {
-        grid_.set(x, y, indirect_light_.at(place, *sequence_around_, morton_number(x / 2, y / 2), fan));
+    for_each_centre(2, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
+        grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, morton_number(x / 2, y / 2), fan));
     });
     const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
-    for_each_centre(1, [&](const Place& place, int x, int y, RayFan& fan) {
-        if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(place, x, y))
-            grid_.set(x, y, indirect_light_.at(place, *sequence_around_, used + morton_number(x, y), fan));
+    for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
+        if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(receiver, x, y))
+            grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, used + morton_number(x, y), fan));
     });
-    for_each_centre(1, [&](const Place& place, int x, int y, RayFan&) {
-        if (grid_.is_supported(place, x, y))
-            centre(x, y).indirect = grid_.irradiance(place, x, y);
+    for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan&) {
+        if (grid_.is_supported(receiver, x, y))
+            centre(x, y).indirect = grid_.irradiance(receiver, x, y);
     });
 }
 
-Rgb FinalGather::indirect_irradiance(const Place& place, int x, int y, RayFan& fan) const
+Rgb FinalGather::indirect_irradiance(const GatherPoint& receiver, int x, int y, RayFan& fan) const
 {
-    if (const std::optional<Rgb> shared = grid_.irradiance(place, x, y))
+    if (const std::optional<Rgb> shared = grid_.irradiance(receiver, x, y))
         return *shared;
     // A surface that no pixel centre nearby shows.
-    return indirect_light_.at(place, *sequence_around_, morton_number(x, y), fan).irradiance;
+    return indirect_light_.at(receiver, *sequence_around_, morton_number(x, y), fan).irradiance;
 }
 
 Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
 {
-    const Place place = place_of(scene_, hit);
+    const GatherPoint receiver = gather_point(scene_, hit);
     const std::uint64_t pixel = morton_number(x, y);
     const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
     const PixelCentre& centre = centres_[pixel_index(width_, x, y)];
     const bool same_side = centre.indirect && centre.hit->surface == hit.surface && centre.hit->front == hit.front;
-    Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(place, x, y, fan);
+    Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(receiver, x, y, fan);
     const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
-    irradiance += source_light_.irradiance(place, items, offset, fan);
-    irradiance += scene_.sunlight(place.surface, place.point, place.normal);
+    irradiance += source_light_.irradiance(receiver, items, offset, fan);
+    irradiance += scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
     return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
            scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
 }

@@ -2,8 +2,8 @@
 
 #include "geometry/hit.h"
 #include "image/camera.h"
+#include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
-#include "image/gather/place.h"
 #include "image/gather/source_light.h"
 #include "image/image.h"
 #include "sampling/sequence.h"
@@ -49,7 +49,7 @@ private:
 
     void trace_pixel_centres(const PixelRays& pixels, int threads);
     void gather_indirect_light(int threads);
-    Rgb indirect_irradiance(const Place& place, int x, int y, RayFan& fan) const;
+    Rgb indirect_irradiance(const GatherPoint& receiver, int x, int y, RayFan& fan) const;
     PixelCentre& centre(int x, int y) { return centres_[pixel_index(width_, x, y)]; }
 
     const Scene& scene_;

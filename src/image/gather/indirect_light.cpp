@@ -45,27 +45,29 @@ IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosi
 namespace {
 
 /// A surface at a point in free space, with its normal: gives axes for the hemisphere there.
-Surface facing(const Place& place)
+Surface facing(const GatherPoint& receiver)
 {
-    const Vec3 aside = std::abs(place.normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 edge = normalized(cross(place.normal, aside));
-    return {Shape::parallelogram, place.point, edge, cross(place.normal, edge)};
+    const Vec3 aside = std::abs(receiver.normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 edge = normalized(cross(receiver.normal, aside));
+    return {Shape::parallelogram, receiver.point, edge, cross(receiver.normal, edge)};
 }
 
 } // namespace
 
-IndirectSample IndirectLight::at(const Place& place, const Sequence& sequence, std::uint64_t number, RayFan& fan) const
+IndirectSample IndirectLight::at(const GatherPoint& receiver, const Sequence& sequence, std::uint64_t number,
+                                 RayFan& fan) const
 {
     if (rays_ == 0)
-        return {place, {}, 0.0};
+        return {receiver, {}, 0.0};
     fan.items.resize(rays_);
     sequence.generate(number * rays_, fan.items);
-    const ObliqueAxes axes(place.surface == Place::free ? facing(place) : scene_.surfaces()[place.surface],
-                           place.normal);
+    const ObliqueAxes axes(receiver.surface == GatherPoint::free ? facing(receiver)
+                                                                 : scene_.surfaces()[receiver.surface],
+                           receiver.normal);
     fan.rays.clear();
     for (const Item& item : fan.items)
-        fan.rays.push_back({place.point, axes.turned(square_to_cosine_hemisphere(item[0], item[1]))});
-    const FirstHits& hits = fan.trace(scene_, place.surface);
+        fan.rays.push_back({receiver.point, axes.turned(square_to_cosine_hemisphere(item[0], item[1]))});
+    const FirstHits& hits = fan.trace(scene_, receiver.surface);
     Rgb sum;
     double nearness = 1.0 / scene_.bounds().diagonal();
     for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -76,7 +78,7 @@ IndirectSample IndirectLight::at(const Place& place, const Sequence& sequence, s
             sum += reflected_light_.at(hits[k]);
     }
     const auto count = static_cast<double>(fan.items.size());
-    return {place, 1.0 / count * sum, count / nearness};
+    return {receiver, 1.0 / count * sum, count / nearness};
 }
 
 namespace {
@@ -89,13 +91,13 @@ constexpr double support = 0.75;   // mean weight of the far samples that makes 
 constexpr double steepness = 4.0;  // weight of the distance normal to the surface
 
 /// Weight of a sample at a point: falls linearly from 1 at the sample to 0 where the estimated error is the tolerance.
-double weight(const IndirectSample& sample, const Place& place)
+double weight(const IndirectSample& sample, const GatherPoint& receiver)
 {
-    const Vec3 way = place.point - sample.place.point;
-    const double turn = std::sqrt(std::max(0.0, 1.0 - dot(place.normal, sample.place.normal)));
+    const Vec3 way = receiver.point - sample.receiver.point;
+    const double turn = std::sqrt(std::max(0.0, 1.0 - dot(receiver.normal, sample.receiver.normal)));
     if (!(turn < tolerance))
         return 0.0;
-    const double step = length(way) + steepness * std::abs(dot(way, sample.place.normal));
+    const double step = length(way) + steepness * std::abs(dot(way, sample.receiver.normal));
     return std::max(0.0, 1.0 - (step / sample.distance + turn) / tolerance);
 }
 
@@ -111,16 +113,16 @@ void IndirectGrid::set(int x, int y, const IndirectSample& sample)
     samples_[pixel_index(width_, x, y)] = sample;
 }
 
-std::optional<Rgb> IndirectGrid::irradiance(const Place& place, int x, int y) const
+std::optional<Rgb> IndirectGrid::irradiance(const GatherPoint& receiver, int x, int y) const
 {
-    const Shared far = shared(place, x, y, far_reach, 2);
-    const Shared found = is_enough(far) ? far : shared(place, x, y, near_reach, 1);
+    const Shared far = shared(receiver, x, y, far_reach, 2);
+    const Shared found = is_enough(far) ? far : shared(receiver, x, y, near_reach, 1);
     return found.weights > 0.0 ? std::optional<Rgb>((1.0 / found.weights) * found.irradiance) : std::nullopt;
 }
 
-bool IndirectGrid::is_supported(const Place& place, int x, int y) const
+bool IndirectGrid::is_supported(const GatherPoint& receiver, int x, int y) const
 {
-    return is_enough(shared(place, x, y, far_reach, 2));
+    return is_enough(shared(receiver, x, y, far_reach, 2));
 }
 
 bool IndirectGrid::is_enough(const Shared& found)
@@ -129,7 +131,7 @@ bool IndirectGrid::is_enough(const Shared& found)
 }
 
 /// Weighted sum over the samples in every `spacing`-th row and column within `reach`.
-IndirectGrid::Shared IndirectGrid::shared(const Place& place, int x, int y, int reach, int spacing) const
+IndirectGrid::Shared IndirectGrid::shared(const GatherPoint& receiver, int x, int y, int reach, int spacing) const
 {
     const auto first = [&](int middle) {
         const int begin = std::max(0, middle - reach);
@@ -139,7 +141,7 @@ IndirectGrid::Shared IndirectGrid::shared(const Place& place, int x, int y, int 
     for (int row = first(y); row <= std::min(height_ - 1, y + reach); row += spacing)
         for (int column = first(x); column <= std::min(width_ - 1, x + reach); column += spacing) {
             const IndirectSample& sample = samples_[pixel_index(width_, column, row)];
-            const double w = sample.distance > 0.0 ? weight(sample, place) : 0.0;
+            const double w = sample.distance > 0.0 ? weight(sample, receiver) : 0.0;
             sum.irradiance += w * sample.irradiance;
             sum.weights += w;
             ++sum.pixels;

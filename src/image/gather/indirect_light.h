@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image/gather/place.h"
+#include "image/gather/gather_point.h"
 #include "image/shading/smooth_shading.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
@@ -15,7 +15,7 @@ namespace multipath {
 /// Irradiance of a point by indirect light.
 struct IndirectSample
 {
-    Place place;
+    GatherPoint receiver;
     Rgb irradiance;        ///< [W/m^2]
     double distance = 0.0; ///< [scene units] harmonic mean distance to the surfaces seen
 };
@@ -33,7 +33,7 @@ public:
 
     /// Gathers at a point with the items number * rays ... (number + 1) * rays - 1 of the sequence, so that the rays of
     /// points with consecutive numbers are stratified together. `fan`: reusable buffers.
-    IndirectSample at(const Place& place, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
+    IndirectSample at(const GatherPoint& receiver, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
 
 private:
     const Scene& scene_;
@@ -55,11 +55,11 @@ public:
 
     /// [W/m^2] Irradiance of a point seen through pixel (x, y), interpolated from the samples of pixels around; nothing
     /// if none of them is valid there.
-    std::optional<Rgb> irradiance(const Place& place, int x, int y) const;
+    std::optional<Rgb> irradiance(const GatherPoint& receiver, int x, int y) const;
 
     /// True if the samples of the pixels with even coordinates suffice for a point seen through pixel (x, y). Reads no
     /// others, so that these may be set at the same time.
-    bool is_supported(const Place& place, int x, int y) const;
+    bool is_supported(const GatherPoint& receiver, int x, int y) const;
 
 private:
     /// A weighted sum of samples.
@@ -71,7 +71,7 @@ private:
     };
 
     static bool is_enough(const Shared& found);
-    Shared shared(const Place& place, int x, int y, int reach, int spacing) const;
+    Shared shared(const GatherPoint& receiver, int x, int y, int reach, int spacing) const;
 
     int width_;
     int height_;

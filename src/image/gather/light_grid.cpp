@@ -1,7 +1,7 @@
 #include "image/gather/light_grid.h"
 
+#include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
-#include "image/gather/place.h"
 #include "image/gather/source_light.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
@@ -97,15 +97,15 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
                     [&](std::uint32_t first, std::uint32_t end) {
                         RayFan fan;
                         for (std::uint32_t k = first; k < end; ++k) {
-                            const Place place = {Place::free, grid.points[k].point, axes.up};
+                            const GatherPoint receiver = {GatherPoint::free, grid.points[k].point, axes.up};
                             const std::uint64_t bits = random_bits(random_key(RandomStream::light_grid), k);
                             const auto to_sources = make_sequence("sobol-owen", bits);
                             const auto around = make_sequence("sobol-owen", ~bits);
                             Rgb& light = grid.points[k].irradiance;
-                            light = sources.irradiance(place, {*to_sources, 0, static_cast<std::size_t>(rays)},
+                            light = sources.irradiance(receiver, {*to_sources, 0, static_cast<std::size_t>(rays)},
                                                        bits_to_unit(bits), fan);
-                            light += indirect.at(place, *around, 0, fan).irradiance;
-                            light += scene.sunlight(place.surface, place.point, place.normal);
+                            light += indirect.at(receiver, *around, 0, fan).irradiance;
+                            light += scene.sunlight(receiver.surface, receiver.point, receiver.normal);
                         }
                     });
     grid.least = std::numeric_limits<double>::infinity();

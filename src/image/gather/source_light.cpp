@@ -86,7 +86,7 @@ bool ShaftVisibility::find(std::uint32_t patch, std::uint32_t target) const
         const bool is_flat = level.within(touching_);
         if (!is_flat && on_one_side(points, surface, touching_))
             continue;
-        if (!hull.is_beside(corners_of(surface), is_flat ? -touching_ : touching_))
+        if (!hull.is_separated_from(corners_of(surface), is_flat ? -touching_ : touching_))
             return false;
     }
     return true;
@@ -168,23 +168,23 @@ std::vector<std::uint32_t> SourceLight::surfaces_of(const std::vector<Source>& s
 
 /// Importance for sampling: roughly proportional to the unoccluded irradiance by the source, namely its power over the
 /// squared distance, bounded by its extent. 0 only if the source is entirely below the horizon.
-double SourceLight::importance(const Source& source, const Place& place)
+double SourceLight::importance(const Source& source, const GatherPoint& receiver)
 {
-    const Vec3 way = source.centre - place.point;
-    if (dot(way, place.normal) <= -source.radius)
+    const Vec3 way = source.centre - receiver.point;
+    if (dot(way, receiver.normal) <= -source.radius)
         return 0.0;
     return source.power / (dot(way, way) + source.radius * source.radius);
 }
 
 /// Views of the sources. If there are more than `most_views`, about that many are chosen by systematic sampling, with
 /// probabilities in proportion to their importance, and weighted with the inverse probability.
-SourceLight::SourceViews SourceLight::source_views(const Place& place, double offset) const
+SourceLight::SourceViews SourceLight::source_views(const GatherPoint& receiver, double offset) const
 {
     SourceViews result;
     const bool all = static_cast<double>(sources_.size()) <= most_views;
     double sum = 0.0;
     for (const Source& source : sources_)
-        sum += all ? 0.0 : importance(source, place);
+        sum += all ? 0.0 : importance(source, receiver);
     if (!all && !(sum > 0.0))
         return result;
     double choices_before = offset;
@@ -192,19 +192,20 @@ SourceLight::SourceViews SourceLight::source_views(const Place& place, double of
         const Source& source = sources_[k];
         double weight = 1.0;
         if (!all) {
-            const double choices = importance(source, place) * (most_views / sum);
+            const double choices = importance(source, receiver) * (most_views / sum);
             const double chosen = std::floor(choices_before + choices) - std::floor(choices_before);
             choices_before += choices;
             weight = chosen > 0.0 ? chosen / choices : 0.0;
         }
         if (!(weight > 0.0))
             continue;
-        const FlatPolygon outline = part_above_horizon(scene_.surfaces()[source.surface], place.point, place.normal);
-        const double form_factor = outline.empty() ? 0.0 : irradiance_from(outline, place.point, place.normal);
+        const FlatPolygon outline =
+            part_above_horizon(scene_.surfaces()[source.surface], receiver.point, receiver.normal);
+        const double form_factor = outline.empty() ? 0.0 : irradiance_from(outline, receiver.point, receiver.normal);
         if (!(form_factor > 0.0))
             continue;
         const Rgb irradiance = weight * form_factor * source.emittance;
-        if (shafts_.is_fully_visible(place.patch, k))
+        if (shafts_.is_fully_visible(receiver.patch, k))
             result.clear += irradiance;
         else
             result.views.push_back({source.surface, outline, form_factor, irradiance});
@@ -212,9 +213,9 @@ SourceLight::SourceViews SourceLight::source_views(const Place& place, double of
     return result;
 }
 
-Rgb SourceLight::irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const
+Rgb SourceLight::irradiance(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const
 {
-    const auto [unobstructed, views] = source_views(place, offset);
+    const auto [unobstructed, views] = source_views(receiver, offset);
     if (views.empty())
         return unobstructed;
     fan.items.resize(items.count);
@@ -236,18 +237,18 @@ Rgb SourceLight::irradiance(const Place& place, const Items& items, double offse
         sum += mean(view.irradiance) / per_ray;
         if (!(static_cast<double>(sent.size()) + 1.0 <= sum))
             continue;
-        const SeenPolygon seen(view.outline, place.point);
+        const SeenPolygon seen(view.outline, receiver.point);
         while (static_cast<double>(sent.size()) + 1.0 <= sum && sent.size() < fan.items.size() &&
                seen.solid_angle() > 0.0) {
             const Item& item = fan.items[sent.size()];
             const Vec3 direction = seen.direction(item[0], item[1]);
-            const double cosine = std::max(0.0, dot(direction, place.normal));
+            const double cosine = std::max(0.0, dot(direction, receiver.normal));
             sent.push_back({view.surface,
                             cosine * seen.solid_angle() / view.form_factor / mean(view.irradiance) * view.irradiance});
-            fan.rays.push_back({place.point, direction});
+            fan.rays.push_back({receiver.point, direction});
         }
     }
-    const FirstHits& hits = fan.trace(scene_, place.surface);
+    const FirstHits& hits = fan.trace(scene_, receiver.surface);
     Rgb all;
     Rgb arrived;
     for (std::size_t k = 0; k < sent.size(); ++k) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/polygon.h"
-#include "image/gather/place.h"
+#include "image/gather/gather_point.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
@@ -54,7 +54,7 @@ public:
 
     /// [W/m^2] Irradiance of a point by all sources. `offset` in [0, 1) shifts the systematic sampling of the sources
     /// and should differ from point to point. `fan`: reusable buffers.
-    Rgb irradiance(const Place& place, const Items& items, double offset, RayFan& fan) const;
+    Rgb irradiance(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const;
 
 private:
     struct Source
@@ -84,8 +84,8 @@ private:
 
     static std::vector<Source> sources_of(const Scene& scene);
     static std::vector<std::uint32_t> surfaces_of(const std::vector<Source>& sources);
-    static double importance(const Source& source, const Place& place);
-    SourceViews source_views(const Place& place, double offset) const;
+    static double importance(const Source& source, const GatherPoint& receiver);
+    SourceViews source_views(const GatherPoint& receiver, double offset) const;
 
     const Scene& scene_;
     std::vector<Source> sources_;

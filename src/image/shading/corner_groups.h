@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/shading/patch_slopes.h"
-#include "image/shading/skin.h"
+#include "image/shading/smoothing_groups.h"
 #include "image/shading/visible_patches.h"
 #include "scene/rgb.h"
 #include "scene/tessellation.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/vec3.h"
-#include "image/shading/skin.h"
+#include "image/shading/smoothing_groups.h"
 #include "image/shading/visible_patches.h"
 #include "scene/rgb.h"
 

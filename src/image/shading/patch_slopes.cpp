@@ -6,7 +6,7 @@
 #include "image/shading/patch_slopes.h"
 
 #include "geometry/elementary.h"
-#include "image/shading/skin.h"
+#include "image/shading/smoothing_groups.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 #include "image/shading/corner_groups.h"
 #include "image/shading/flat_regions.h"
-#include "image/shading/skin.h"
+#include "image/shading/smoothing_groups.h"
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
 

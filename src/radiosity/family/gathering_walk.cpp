@@ -80,7 +80,7 @@ struct Gathered
             (first->where == Segment::outside ? outside : behind)[patch] += first->power.r;
         for (const ParticleStep* step = first; step != end; ++step)
             if (Segment::is_patch(step->where))
-                irradiance[patch] += counted_power(scene, *step, estimator) * scene.first_light(step->where); // (W1)
+                irradiance[patch] += scored_power(scene, *step, estimator) * scene.first_light(step->where); // (W1)
     }
 
     void visit(Archive& archive) ///< for a checkpoint

@@ -119,7 +119,7 @@ struct RayBatch
 {
     std::uint64_t first_item = 0;
     Allotment allotment;
-    SharedRange range; ///< range of blocks of this run
+    ShardRange range; ///< range of blocks of this run
 
     explicit RayBatch(std::uint32_t patches) : allotment(patches) {}
 
@@ -172,7 +172,7 @@ public:
             if (run_.stopped())
                 return stopped();
             if (hemisphere_.range.is_shard()) {
-                run_.checkpoint->hand_in();
+                run_.checkpoint->publish_shard();
                 return stopped();
             }
             end_of_round();
@@ -233,13 +233,13 @@ private:
         to_lights_.first_item = next_item_;
         const double offset = bits_to_unit(bits_from(sequence_.item(next_item_)));
         to_lights_.allotment = Allotment(expected.light, offset);
-        to_lights_.range = SharedRange::of(light_blocks(), shard);
+        to_lights_.range = ShardRange::of(light_blocks(), shard);
         next_item_ += to_lights_.allotment.rays();
         hemisphere_.first_item = next_item_;
         constexpr double below_one =
             0x1.fffffffffffffp-1; // offsets that add up to 1 make the total number of rays as planned
         hemisphere_.allotment = Allotment(expected.hemisphere, std::min(1.0 - offset, below_one));
-        hemisphere_.range = SharedRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
+        hemisphere_.range = ShardRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
         next_item_ += hemisphere_.allotment.rays();
     }
 
@@ -574,12 +574,12 @@ private:
 
 } // namespace
 
-std::uint64_t fewest_balanced_rays(const Scene& scene)
+std::uint64_t min_balanced_rays(const Scene& scene)
 {
     return std::uint64_t{4} * scene.patch_count();
 }
 
-double least_balanced_bytes(const Scene& scene)
+double min_balanced_bytes(const Scene& scene)
 {
     const double rays = least_rays_at_once * scene.patch_count();
     return bytes_without_counts(scene, rays) + bytes_per_ray * rays;

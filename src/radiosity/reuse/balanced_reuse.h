@@ -14,16 +14,16 @@ namespace multipath {
 struct BalancedRays
 {
     std::uint64_t first_item = 0; ///< of the sequence
-    std::uint64_t rays = 0;       ///< at least fewest_balanced_rays
+    std::uint64_t rays = 0;       ///< at least min_balanced_rays
     bool direct = true;           ///< distributes the light of the sources; if false, this was done before
     bool indirect = true;         ///< distributes the reflected light; if false, it stays unshot
 };
 
 /// Minimum number of rays. With fewer, most patches would have no estimate.
-std::uint64_t fewest_balanced_rays(const Scene& scene);
+std::uint64_t min_balanced_rays(const Scene& scene);
 
 /// [bytes] Lower bound of the total memory of a run with balanced reuse.
-double least_balanced_bytes(const Scene& scene);
+double min_balanced_bytes(const Scene& scene);
 
 struct BalancedResult
 {

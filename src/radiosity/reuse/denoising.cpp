@@ -82,8 +82,8 @@ class PatchCoordinates
 public:
     explicit PatchCoordinates(const Scene& scene)
         : scene_(scene),
-          surfaces_(with_room<Coordinates>(scene.surfaces().size())),
-          centres_(with_room<Vec3>(scene.patch_count()))
+          surfaces_(vector_with_capacity<Coordinates>(scene.surfaces().size())),
+          centres_(vector_with_capacity<Vec3>(scene.patch_count()))
     {
         constexpr double turn = 0.1; // a unit difference of normals counts like this fraction of the diagonal
         for (const Surface& surface : scene.surfaces()) {

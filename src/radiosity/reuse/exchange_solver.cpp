@@ -102,7 +102,7 @@ std::vector<Rgb> reflectances(const Scene& scene)
 
 std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state)
 {
-    std::vector<Rgb> unshot = with_room<Rgb>(scene.patch_count());
+    std::vector<Rgb> unshot = vector_with_capacity<Rgb>(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         unshot.push_back((1.0 / scene.area(i)) * state.unshot[i]);
     return unshot;

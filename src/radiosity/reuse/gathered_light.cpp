@@ -203,7 +203,7 @@ Blocks GatheredLight::blocks(std::uint32_t patches)
     return {patches, patches_per_block};
 }
 
-void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, SharedRange& range,
+void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, ShardRange& range,
                          const RunControl& run)
 {
     const Blocks patches = blocks(scene_.patch_count());
@@ -319,12 +319,12 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
         for (std::uint32_t i = 0; i < n; ++i)
             expected[i] = sum > 0.0 ? share * rays * importance[i] / sum : 0.0;
         const Allotment allotment(expected, 0.5);
-        SharedRange range = SharedRange::of(GatheredLight::blocks(n).count(), {});
+        ShardRange range = ShardRange::of(GatheredLight::blocks(n).count(), {});
         light.cast(allotment, *sequence, item, range, {threads});
         item += allotment.rays();
     }
     const std::vector<Rgb> incident = light.incident();
-    std::vector<Rgb> result = with_room<Rgb>(n);
+    std::vector<Rgb> result = vector_with_capacity<Rgb>(n);
     for (std::uint32_t i = 0; i < n; ++i)
         result.push_back(scene.first_light(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]));
     return result;

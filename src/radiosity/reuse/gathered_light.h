@@ -77,7 +77,7 @@ public:
 
     /// Casts the allotted rays of the blocks range.next ... range.end - 1, or of fewer if the run is stopped. Ray n
     /// takes the item first_item + n.
-    void cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, SharedRange& range,
+    void cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, ShardRange& range,
               const RunControl& run);
 
     /// [W/m^2] Standard deviation of the irradiance estimated by a single ray of each patch. Estimated from its own

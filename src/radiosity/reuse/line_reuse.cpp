@@ -105,12 +105,12 @@ ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, C
         row_sums[i] -= lost;
         sum_variance[i] = crossing_area * lost;
     }
-    Reconciled result = reconciled(std::move(counted.estimate), row_sums, sum_variance, threads);
+    ClosedEstimate result = reconciled(std::move(counted.estimate), row_sums, sum_variance, threads);
     const std::vector<double> ones(row_sums.size(), 1.0);
     const std::vector<double> in_sight = symmetric_product(unoccluded, {ones}, threads)[0];
     for (std::uint32_t i = 0; i < row_sums.size(); ++i) {
         const bool meets_nothing = !(in_sight[i] > 0.0);
-        change_losses(meets_nothing ? row_sums[i] : result.sum_change[i], meets_nothing, losses.escaping[i],
+        change_losses(meets_nothing ? row_sums[i] : result.sum_residual[i], meets_nothing, losses.escaping[i],
                       losses.behind[i]);
     }
     return {std::move(result.exchange), std::move(losses)};

@@ -41,7 +41,7 @@ std::vector<PlacedSurface> placed_surfaces(std::uint32_t count, const std::funct
                                            double diagonal)
 {
     constexpr double turn = 0.05; // scale of the normals, as a fraction of the diagonal
-    std::vector<PlacedSurface> result = with_room<PlacedSurface>(count);
+    std::vector<PlacedSurface> result = vector_with_capacity<PlacedSurface>(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const Surface surface = shape(i);
         const Vec3 centre = surface.centre();
@@ -103,7 +103,7 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
         nodes_.push_back({node.begin, cut, k, 0});
         nodes_.push_back({cut, node.end, k, 0});
     }
-    order_ = with_room<std::uint32_t>(placed.size());
+    order_ = vector_with_capacity<std::uint32_t>(placed.size());
     for (const PlacedSurface& one : placed)
         order_.push_back(one.surface);
 }

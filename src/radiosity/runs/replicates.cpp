@@ -145,7 +145,7 @@ private:
 
     void denoise_mean(Solution& solution) const
     {
-        std::vector<Rgb> variance = with_room<Rgb>(scene_.patch_count());
+        std::vector<Rgb> variance = vector_with_capacity<Rgb>(scene_.patch_count());
         for (const Rgb& error : solution.standard_error)
             variance.push_back(error * error);
         denoise(scene_, options_.threads, solution.radiosity, variance);
@@ -181,7 +181,7 @@ SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uin
     return options;
 }
 
-std::uint64_t lines_for_error(const Scene& scene, Method method, int replicates)
+std::uint64_t lines_for_error_estimate(const Scene& scene, Method method, int replicates)
 {
     return method->lines_per_patch(scene) * scene.patch_count() * static_cast<std::uint64_t>(replicates);
 }
@@ -192,9 +192,9 @@ Solution solve_replicates(const Scene& scene, const Preparation& preparation, co
     return ReplicateRun(scene, options, replicates, 0).solve_all(preparation, progress, checkpoint);
 }
 
-Solution solve_until(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
-                     const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
-                     Checkpoint* checkpoint)
+Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
+                         const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
+                         Checkpoint* checkpoint)
 {
     const Preparation preparation = prepare_replicates(scene, options, first_lines, replicates);
     RunRecord record;
@@ -236,11 +236,11 @@ SolveOptions stretch_options(const Scene& scene, const SolveOptions& options, st
 
 } // namespace
 
-Solution solve_in_stretches(const Scene& scene, const SolveOptions& options, int replicates,
-                            const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard)
+Solution solve_incrementally(const Scene& scene, const SolveOptions& options, int replicates,
+                             const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard)
 {
     if (shard.of > 1 && replicates > 1)
-        throw std::invalid_argument("replicates have no shares");
+        throw std::invalid_argument("replicates have no shards");
     const bool averaged = options.method->shards == Shards::averaged;
     const Preparation preparation = prepare_replicates(scene, options, options.lines, replicates);
     RunRecord record;

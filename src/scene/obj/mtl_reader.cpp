@@ -35,15 +35,15 @@ public:
 
 private:
     void statement(const TextLine& line);
-    void define(const std::string& name, TextPlace place);
-    void set_reflectance(std::string_view rest, TextPlace place);
-    void set_emittance(std::string_view keyword, std::string_view rest, TextPlace place);
-    Rgb colour(std::string_view keyword, std::string_view rest, TextPlace place) const;
-    void note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place);
+    void define(const std::string& name, TextLocation place);
+    void set_reflectance(std::string_view rest, TextLocation place);
+    void set_emittance(std::string_view keyword, std::string_view rest, TextLocation place);
+    Rgb colour(std::string_view keyword, std::string_view rest, TextLocation place) const;
+    void note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place);
     void note_ambient(std::string_view rest);
     void note_opacity(std::string_view keyword, std::string_view rest);
-    void set_map(std::string_view rest, TextPlace place, TextureMap MtlMaterial::*map);
-    MtlMaterial& current_material(std::string_view keyword, TextPlace place);
+    void set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
+    MtlMaterial& current_material(std::string_view keyword, TextLocation place);
     const std::string& name_of_current() const;
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
 
@@ -90,7 +90,7 @@ void MtlParser::statement(const TextLine& line)
 }
 
 /// Begins a material. A repeated definition replaces the earlier one, at its index.
-void MtlParser::define(const std::string& name, TextPlace place)
+void MtlParser::define(const std::string& name, TextLocation place)
 {
     const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
     const auto [entry, is_new] = library_.number_of_name.emplace(name, next_number);
@@ -108,7 +108,7 @@ void MtlParser::define(const std::string& name, TextPlace place)
     library_.materials[*current_] = fresh;
 }
 
-void MtlParser::set_reflectance(std::string_view rest, TextPlace place)
+void MtlParser::set_reflectance(std::string_view rest, TextLocation place)
 {
     MtlMaterial& current = current_material("Kd", place);
     const Rgb reflectance = colour("Kd", rest, place);
@@ -123,7 +123,7 @@ void MtlParser::set_reflectance(std::string_view rest, TextPlace place)
     current.kd_line = place.line;
 }
 
-void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, TextPlace place)
+void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, TextLocation place)
 {
     MtlMaterial& current = current_material(keyword, place);
     Rgb emittance = colour(keyword, rest, place);
@@ -146,7 +146,7 @@ void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, T
 }
 
 /// Parses three numbers, or a single one for grey.
-Rgb MtlParser::colour(std::string_view keyword, std::string_view rest, TextPlace place) const
+Rgb MtlParser::colour(std::string_view keyword, std::string_view rest, TextLocation place) const
 {
     const std::string statement = std::string(keyword) + " of material " + in_quotes(name_of_current());
     std::array<double, 3> values = {};
@@ -189,7 +189,7 @@ void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
 
 /// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
 /// blanks.
-void MtlParser::set_map(std::string_view rest, TextPlace place, TextureMap MtlMaterial::*map)
+void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
 {
     if (!current_)
         refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
@@ -238,7 +238,7 @@ void MtlParser::set_map(std::string_view rest, TextPlace place, TextureMap MtlMa
     library_.materials[*current_].*map = result;
 }
 
-void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextPlace place)
+void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place)
 {
     if (first_line != 0)
         library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
@@ -246,7 +246,7 @@ void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_li
                                     std::to_string(first_line) + "), the last value counts");
 }
 
-MtlMaterial& MtlParser::current_material(std::string_view keyword, TextPlace place)
+MtlMaterial& MtlParser::current_material(std::string_view keyword, TextLocation place)
 {
     if (!current_)
         refuse(place, std::string(keyword) + " before the first `newmtl`, expected the name of a material first");
@@ -342,7 +342,7 @@ struct NamePart
     bool is_quoted = false;
 };
 
-std::vector<NamePart> parts_of(std::string_view names, TextPlace place)
+std::vector<NamePart> parts_of(std::string_view names, TextLocation place)
 {
     std::vector<NamePart> parts;
     for (std::size_t begin = names.find_first_not_of(" \t"); begin != std::string_view::npos;) {
@@ -373,7 +373,7 @@ bool is_mtl_name(const std::string& name)
 
 } // namespace
 
-MtlFiles find_mtl_files(std::string_view names, TextPlace place)
+MtlFiles find_mtl_files(std::string_view names, TextLocation place)
 {
     const std::vector<NamePart> parts = parts_of(names, place);
     if (parts.empty())

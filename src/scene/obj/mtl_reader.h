@@ -61,6 +61,6 @@ struct MtlFiles
 /// Finds the files named by the argument of `mtllib`, relative to the folder of the OBJ file. There may be several
 /// names; they may be quoted, contain blanks or backslashes, or be in the wrong case. Throws InputError, with the line
 /// `place`, for no name or more than 32 words.
-MtlFiles find_mtl_files(std::string_view names, TextPlace place);
+MtlFiles find_mtl_files(std::string_view names, TextLocation place);
 
 } // namespace multipath

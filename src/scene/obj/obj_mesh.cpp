@@ -62,19 +62,19 @@ public:
 
 private:
     void statement(const TextLine& line);
-    void named_statement(std::string_view keyword, std::string_view rest, const TextPlace& place);
-    void vertex(std::string_view rest, const TextPlace& place);
+    void named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place);
+    void vertex(std::string_view rest, const TextLocation& place);
     void face(std::string_view rest, const TextLine& line);
-    std::uint32_t corner(std::string_view word, const TextPlace& place) const;
+    std::uint32_t corner(std::string_view word, const TextLocation& place) const;
     void texture_point(std::string_view rest);
     void note_texture_point(std::string_view corner);
-    void number_names(TextPlace place);
-    void library(std::string_view names, const TextPlace& place);
+    void number_names(TextLocation place);
+    void library(std::string_view names, const TextLocation& place);
     void reserve_vertices();
     void check_corners() const;
     void check_texture_points();
     void summarise_warnings();
-    TextPlace at_line(std::uint32_t line) const { return {mesh_.path, line}; }
+    TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
     TextLines lines_;
     ObjMesh mesh_;
@@ -124,7 +124,7 @@ void ObjParser::statement(const TextLine& line)
         named_statement(keyword, rest, line.place);
 }
 
-void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextPlace& place)
+void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place)
 {
     if (keyword == "usemtl") {
         material_ = name_in(rest);
@@ -142,7 +142,7 @@ void ObjParser::named_statement(std::string_view keyword, std::string_view rest,
 }
 
 /// Adds a `mtllib` statement unless it is a repetition: some exporters repeat it for every object.
-void ObjParser::library(std::string_view names, const TextPlace& place)
+void ObjParser::library(std::string_view names, const TextLocation& place)
 {
     constexpr std::size_t most_libraries = 256; // limits the search for files that a bad file can cause
     std::vector<ObjName>& known = mesh_.libraries;
@@ -154,7 +154,7 @@ void ObjParser::library(std::string_view names, const TextPlace& place)
 }
 
 /// Adds a vertex: x y z, optionally followed by a weight (one number) or a colour (three).
-void ObjParser::vertex(std::string_view rest, const TextPlace& place)
+void ObjParser::vertex(std::string_view rest, const TextLocation& place)
 {
     std::array<double, 3> x = {};
     for (double& coordinate : x) {
@@ -206,7 +206,7 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
 }
 
 /// The vertex index of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A reference to a later vertex is returned unchecked.
-std::uint32_t ObjParser::corner(std::string_view word, const TextPlace& place) const
+std::uint32_t ObjParser::corner(std::string_view word, const TextLocation& place) const
 {
     constexpr std::int64_t too_large = std::numeric_limits<std::uint32_t>::max();
     const bool negative = word[0] == '-';
@@ -261,7 +261,7 @@ void ObjParser::note_texture_point(std::string_view corner)
 }
 
 /// Looks up the indices of the current material and group, which a face is about to use.
-void ObjParser::number_names(TextPlace place)
+void ObjParser::number_names(TextLocation place)
 {
     names_changed_ = false;
     const auto [material, material_is_new] = material_numbers_.number_of(material_);

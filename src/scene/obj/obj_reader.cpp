@@ -280,7 +280,7 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const 
     };
     if (materials.default_used || !(all_reflect(&Rgb::r) || all_reflect(&Rgb::g) || all_reflect(&Rgb::b)))
         return false;
-    return form_a_room(surfaces) && is_closed(mesh);
+    return is_interior(surfaces) && is_closed(mesh);
 }
 
 /// Throws InputError for a scene that would give no result, or a wrong one; the message ends with a command that avoids

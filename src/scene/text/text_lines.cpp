@@ -64,7 +64,7 @@ bool looks_like_utf16(std::string_view start)
 
 } // namespace
 
-std::string name_of(TextPlace place)
+std::string name_of(TextLocation place)
 {
     std::string name(place.path);
     if (place.line != 0)
@@ -72,7 +72,7 @@ std::string name_of(TextPlace place)
     return name;
 }
 
-void refuse(TextPlace place, const std::string& problem)
+void refuse(TextLocation place, const std::string& problem)
 {
     throw InputError(name_of(place) + ": " + problem);
 }
@@ -125,7 +125,7 @@ double TextLines::share_read() const
 
 TextLine TextLines::join_continued(std::string_view first)
 {
-    const TextPlace first_place = place();
+    const TextLocation first_place = place();
     joined_ = without_backslash(first);
     for (bool more = true; more;) {
         std::string_view text;

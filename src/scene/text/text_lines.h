@@ -11,17 +11,17 @@
 namespace multipath {
 
 /// The position of a line in a text file, for messages. The path must outlive it.
-struct TextPlace
+struct TextLocation
 {
     std::string_view path;
     std::uint32_t line = 0; ///< from 1; 0 means the file as a whole
 };
 
 /// "room.obj:12", or "room.obj" for the file as a whole.
-std::string name_of(TextPlace place);
+std::string name_of(TextLocation place);
 
 /// Throws InputError with the message "room.obj:12: problem".
-[[noreturn]] void refuse(TextPlace place, const std::string& problem);
+[[noreturn]] void refuse(TextLocation place, const std::string& problem);
 
 /// A word of a file, made safe for a message: in backquotes, `?` for control characters, cut after 60 bytes.
 std::string in_quotes(std::string_view word);
@@ -30,7 +30,7 @@ std::string in_quotes(std::string_view word);
 struct TextLine
 {
     std::string_view text; ///< valid until the next line is read
-    TextPlace place;       ///< its first line, if it was continued
+    TextLocation place;    ///< its first line, if it was continued
     bool ended = true;     ///< false only for a last line without a line end
 };
 
@@ -62,7 +62,7 @@ private:
     std::size_t scan_to_end_of_line(std::size_t length) const;
     bool refill();
     TextLine join_continued(std::string_view first);
-    TextPlace place() const { return {path_, number_}; }
+    TextLocation place() const { return {path_, number_}; }
 
     std::string path_;
     std::unique_ptr<std::FILE, Closer> file_;

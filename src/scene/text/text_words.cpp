@@ -196,7 +196,7 @@ std::optional<double> to_number(std::string_view word)
     return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
-double read_number(std::string_view word, const TextPlace& place, std::string_view owner)
+double read_number(std::string_view word, const TextLocation& place, std::string_view owner)
 {
     const double value = value_of(word);
     if (std::isnan(value))
@@ -204,7 +204,7 @@ double read_number(std::string_view word, const TextPlace& place, std::string_vi
     return value;
 }
 
-void IgnoredKeywords::note(std::string_view keyword, TextPlace place)
+void IgnoredKeywords::note(std::string_view keyword, TextLocation place)
 {
     if (names_.empty())
         first_ = place;

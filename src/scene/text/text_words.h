@@ -32,7 +32,7 @@ std::string_view name_in(std::string_view rest);
 std::optional<double> to_number(std::string_view word);
 
 /// Like to_number(), but throws InputError with the reason if `word` is not such a number. `owner` names the quantity.
-double read_number(std::string_view word, const TextPlace& place, std::string_view owner);
+double read_number(std::string_view word, const TextLocation& place, std::string_view owner);
 
 /// The keywords that a reader ignores, for a single warning.
 class IgnoredKeywords
@@ -41,7 +41,7 @@ public:
     /// At most `most` keywords are named.
     explicit IgnoredKeywords(std::size_t most) : most_(most) {}
 
-    void note(std::string_view keyword, TextPlace place);
+    void note(std::string_view keyword, TextLocation place);
 
     /// "room.obj:12: problem: `a`, `b`", with the line of the first keyword; nothing if no keyword was noted.
     std::optional<std::string> warning(const std::string& problem) const;
@@ -49,7 +49,7 @@ public:
 private:
     std::size_t most_;
     std::vector<std::string> names_;
-    TextPlace first_;
+    TextLocation first_;
 };
 
 } // namespace multipath

@@ -64,8 +64,8 @@ Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vect
 
 } // namespace
 
-Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
-                      const std::vector<double>& sum_variance, int threads)
+ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
+                          const std::vector<double>& sum_variance, int threads)
 {
     PairMatrix<float>& exchange = estimate.exchange;
     const PairMatrix<float>& variance = estimate.variance;
@@ -91,9 +91,9 @@ Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_
                 row[j] += static_cast<float>(static_cast<double>(uncertain[j]) * (multiplier[i] + multiplier[j]));
         }
     });
-    Reconciled result{std::move(exchange), sum_variance};
+    ClosedEstimate result{std::move(exchange), sum_variance};
     for (std::uint32_t i = 0; i < n; ++i)
-        result.sum_change[i] *= multiplier[i];
+        result.sum_residual[i] *= multiplier[i];
     return result;
 }
 

@@ -38,10 +38,10 @@ private:
 };
 
 /// Exchange areas after least-squares closure.
-struct Reconciled
+struct ClosedEstimate
 {
-    PairMatrix<float> exchange;     ///< [m^2]
-    std::vector<double> sum_change; ///< [m^2] per row: the wanted sum minus the sum of the row now
+    PairMatrix<float> exchange;       ///< [m^2]
+    std::vector<double> sum_residual; ///< [m^2] per row: the wanted sum minus the sum of the row now
 };
 
 /// Enforces closure by least squares (R3), a smoothing of exchange areas as in Larsen and Howell (1986). Of all changes
@@ -49,7 +49,7 @@ struct Reconciled
 /// smallest sum of squares, weighted by the inverse variances. The result is symmetric; pairs of variance 0 keep their
 /// values, and so do rows of such pairs whatever their sums. A wanted sum of `sum_variance` > 0 [m^4] is itself an
 /// estimate and takes its part of the change.
-Reconciled reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
-                      const std::vector<double>& sum_variance, int threads);
+ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
+                          const std::vector<double>& sum_variance, int threads);
 
 } // namespace multipath

@@ -281,7 +281,7 @@ Blocks ray_blocks(const Allotment& rays)
 }
 
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
-                SharedRange& range, const RunControl& run, LineCounts& counts)
+                ShardRange& range, const RunControl& run, LineCounts& counts)
 {
     // Unsorted lines take 16 more bytes per ray, but each merge copies all counts. So merges become rarer as counts
     // grow.

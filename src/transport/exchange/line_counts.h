@@ -116,6 +116,6 @@ Blocks ray_blocks(const Allotment& rays);
 /// is stopped, and counts them. Moves range.next past the blocks done, and leaves the counts merged. Ray n takes the
 /// item first_item + n.
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
-                SharedRange& range, const RunControl& run, LineCounts& counts);
+                ShardRange& range, const RunControl& run, LineCounts& counts);
 
 } // namespace multipath

@@ -129,7 +129,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
     const double crossings = std::min(crossings_per_line(scene, lines), static_cast<double>(many_crossings));
     const LineBlocks plan{
         scene, lines, sequence, first_item, {lines_cast, lines_per_block(0.5 * crossings * crossings + crossings)}};
-    SharedRange range = SharedRange::of(plan.lines.count(), run.shard);
+    ShardRange range = ShardRange::of(plan.lines.count(), run.shard);
     const Checkpoint::Part part(run.checkpoint, "pair counts", [&](Archive& archive) {
         range.visit(archive);
         counts.visit(archive);
@@ -154,7 +154,7 @@ PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Seque
         counts.lines += block.lines.lines();
         run.count_lines(block.lines.lines());
     };
-    shared_blocks(range, run, trace_block, add_block);
+    shard_blocks(range, run, trace_block, add_block);
     return counts;
 }
 

@@ -124,7 +124,7 @@ public:
 
     bool any() const { return level_ > 0.0; } ///< true if some pair gets rays
     RowOfRays row(std::uint32_t i) const;
-    SharedRange rows_of(Shard shard) const; ///< the rows of a shard, with about equal numbers of rays for all shards
+    ShardRange rows_of(Shard shard) const; ///< the rows of a shard, with about equal numbers of rays for all shards
 
     void visit(Archive& archive); ///< saves to or restores from a checkpoint
 
@@ -242,7 +242,7 @@ RowOfRays PairRayAllotment::row(std::uint32_t i) const
     return row;
 }
 
-SharedRange PairRayAllotment::rows_of(Shard shard) const
+ShardRange PairRayAllotment::rows_of(Shard shard) const
 {
     const std::uint64_t n = before_.size() - 1;
     const auto first_row = [&](std::uint64_t number) -> std::uint64_t {
@@ -356,7 +356,7 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
         return;
     const std::uint32_t n = scene.patch_count();
     PairRayAllotment allotment(estimate, scene, unoccluded, crossing_area, radiosity);
-    SharedRange rows = {n, 0, 0, n, 1};
+    ShardRange rows = {n, 0, 0, n, 1};
     const Checkpoint::Part part(run.checkpoint, "pair rays", [&](Archive& archive) {
         allotment.visit(archive);
         rows.visit(archive);
@@ -386,7 +386,7 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
         return row.end_ray - row.first_ray;
     };
     std::vector<std::uint64_t> cast(n);
-    shared_blocks(
+    shard_blocks(
         rows, run, [&](std::uint64_t i, int slot) { cast[i] = cast_row(static_cast<std::uint32_t>(i), blocks[slot]); },
         [&](std::uint64_t i, int) { run.count_lines(cast[i]); });
 }

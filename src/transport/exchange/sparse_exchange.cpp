@@ -12,7 +12,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
                                const std::vector<double>& density, double unseen_rays, int threads)
     : counts_(counts),
       area_(area),
-      factors_(with_room<Factors>(area.size())),
+      factors_(vector_with_capacity<Factors>(area.size())),
       own_(large_vector<double>(area.size())),
       unseen_(large_vector<double>(area.size()))
 {

@@ -1,7 +1,7 @@
 'use strict';
 // "Play the method": shows single lines one after another, the surfaces that they meet, and the power that they carry.
 
-// Colours and opacities of stretches with and without power, of the current line and of the lines before it.
+// Colours and opacities of segments with and without power, of the current line and of the lines before it.
 const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.62, 0.68, 0.78, 0.9];
 const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.07];
 const seconds_per_line = 0.7;
@@ -75,8 +75,8 @@ class Trace {
         const ink = now ? (bold ? line_ink : empty_ink) : (bold ? past_ink : past_empty_ink);
         marks.push({ from: point(k), to: point(k + 1), width: now ? (bold ? 3.5 : 1.5) : 1, colour: ink });
       }
-      for (let k = 0; now && k < line.meetings.length; k += 3) {
-        const place = line.meetings.slice(k, k + 3);
+      for (let k = 0; now && k < line.crossings.length; k += 3) {
+        const place = line.crossings.slice(k, k + 3);
         marks.push({ from: place, to: place, width: 9, colour: [1, 1, 1, 1] });
         marks.push({ from: place, to: place, width: 6, colour: [0.85, 0.33, 0.02, 1] });
       }
@@ -177,7 +177,7 @@ class TracePanel {
   show_transfers(line) {
     const transfers = line ? line.transfers : [];
     element('transfers').hidden = transfers.length === 0;
-    const meets = line && line.meetings.length > 0;
+    const meets = line && line.crossings.length > 0;
     element('transfer-none').textContent = !line || transfers.length > 0 ? ''
       : meets ? 'This line joins no patches: it carries no power.' : 'This line meets nothing.';
     const unit = this.viewer.trace.unit;

@@ -42,7 +42,7 @@ bool lies_on(const Scene& scene, std::uint32_t patch, Vec3 place)
 
 } // namespace
 
-TEST_CASE("power goes along its stretch of a told line, from a patch at one end to the patch at the other")
+TEST_CASE("power goes along its segment of a told line, from a patch at one end to the patch at the other")
 {
     const Scene scene = lit_room();
     for (const Method method : all_methods()) {
@@ -51,13 +51,13 @@ TEST_CASE("power goes along its stretch of a told line, from a patch at one end 
             CHECK(chapter.lines.size() == 100);
             for (const ViewerLine& line : chapter.lines)
                 for (const ViewerTransfer& transfer : line.transfers) {
-                    const DrawnStretch& stretch = line.shape.stretches.at(transfer.stretch);
-                    CHECK(stretch.bold == (transfer.to != Scene::no_patch));
+                    const DrawnSegment& segment = line.shape.segments.at(transfer.segment);
+                    CHECK(segment.bold == (transfer.to != Scene::no_patch));
                     if (transfer.to == Scene::no_patch)
                         continue;
-                    const bool forwards = lies_on(scene, transfer.to, stretch.to);
-                    CHECK(lies_on(scene, transfer.to, forwards ? stretch.to : stretch.from));
-                    CHECK(lies_on(scene, transfer.from, forwards ? stretch.from : stretch.to));
+                    const bool forwards = lies_on(scene, transfer.to, segment.to);
+                    CHECK(lies_on(scene, transfer.to, forwards ? segment.to : segment.from));
+                    CHECK(lies_on(scene, transfer.from, forwards ? segment.from : segment.to));
                     ++transfers;
                 }
         }
@@ -75,8 +75,8 @@ TEST_CASE("each method has its chapters, the lines of reuse being those of the e
     REQUIRE(reuse.size() == 2);
     CHECK(reuse[1].title == "Global lines");
     CHECK(reuse[1].note.find("--method extended") != std::string::npos);
-    CHECK(reuse[1].lines[7].shape.stretches[0].to ==
-          trace(scene, Method::extended, 4096)[1].lines[7].shape.stretches[0].to);
+    CHECK(reuse[1].lines[7].shape.segments[0].to ==
+          trace(scene, Method::extended, 4096)[1].lines[7].shape.segments[0].to);
 }
 
 TEST_CASE("a run with few lines has shorter traces")

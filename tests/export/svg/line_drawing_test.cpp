@@ -26,7 +26,7 @@ std::size_t count(const std::string& text, const std::string& part)
     return found;
 }
 
-/// A line from (0, 0, 0) to `end` and no meetings, in a sphere of radius 2.
+/// A line from (0, 0, 0) to `end` and no crossings, in a sphere of radius 2.
 std::string drawn(Vec3 end, Vec3 up = {0, 1, 0})
 {
     LineDrawing drawing;
@@ -79,7 +79,7 @@ TEST_CASE("a box around the lines is drawn in both views in place of the sphere"
     CHECK(count(text, "the sphere") == 0);
 }
 
-TEST_CASE("the meetings of few lines are numbered in both views, those of many are dots")
+TEST_CASE("the crossings of few lines are numbered in both views, those of many are dots")
 {
     const DrawnLine line{"line", {{{0, 0, 0}, {1, 0, 0}, false}}, {{0.5, 0, 0}, {1, 0, 0}}};
     const std::string few = draw_lines(cube(), {line, line}, {});

@@ -25,7 +25,7 @@ FramedRectangles grouped(const SurfaceList& surfaces)
     std::vector<std::uint32_t> all(surfaces.size());
     std::iota(all.begin(), all.end(), 0u);
     const Bounds bounds = bounds_of(surfaces);
-    return group_by_frames(SurfaceTable(surfaces, share_planes(surfaces, from_large_to_small(surfaces))), all,
+    return group_by_frames(SurfaceTable(surfaces, share_planes(surfaces, order_by_descending_area(surfaces))), all,
                            FilterFrame(bounds));
 }
 

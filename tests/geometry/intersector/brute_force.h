@@ -17,10 +17,10 @@ class BruteForce
 {
 public:
     explicit BruteForce(const SurfaceList& surfaces)
-        : planes_(share_planes(surfaces, from_large_to_small(surfaces))),
+        : planes_(share_planes(surfaces, order_by_descending_area(surfaces))),
           table_(surfaces, planes_),
-          rank_(size_ranks(from_large_to_small(surfaces))),
-          outside_is_solid_(form_a_room(surfaces)),
+          rank_(size_ranks(order_by_descending_area(surfaces))),
+          outside_is_solid_(is_interior(surfaces)),
           frame_(box_around(surfaces))
     {
     }

@@ -124,7 +124,8 @@ TEST_CASE("coplanar surfaces are met at exactly the same t, whichever way they f
                                   {Shape::parallelogram, corner + a + b, -b, -a},
                                   {Shape::triangle, corner + 0.3 * a, 0.5 * b, -0.9 * a},
                                   {Shape::parallelogram, corner + Vec3{0, 1, 0}, a, b}};
-    CHECK(share_planes(surfaces, from_large_to_small(surfaces)).plane_number == std::vector<std::uint32_t>{0, 0, 0, 1});
+    CHECK(share_planes(surfaces, order_by_descending_area(surfaces)).plane_number ==
+          std::vector<std::uint32_t>{0, 0, 0, 1});
     const Intersector intersector(surfaces);
     Numbers numbers(5);
     std::vector<Hit> hits;

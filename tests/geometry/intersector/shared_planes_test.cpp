@@ -14,7 +14,7 @@ namespace {
 
 SharedPlanes planes_of(const SurfaceList& surfaces)
 {
-    return share_planes(surfaces, from_large_to_small(surfaces));
+    return share_planes(surfaces, order_by_descending_area(surfaces));
 }
 
 } // namespace

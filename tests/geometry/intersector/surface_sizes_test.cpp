@@ -17,18 +17,18 @@ TEST_CASE("surfaces are ordered by area, equal ones by number, and ranked the ot
         return Surface{Shape::parallelogram, {0, 0, 0}, {edge, 0, 0}, {0, edge, 0}};
     };
     const SurfaceList surfaces = {square(2), square(1), square(3), square(1)};
-    CHECK(from_large_to_small(surfaces) == std::vector<std::uint32_t>{2, 0, 1, 3});
-    CHECK(size_ranks(from_large_to_small(surfaces)) == std::vector<std::uint32_t>{2, 1, 3, 0});
+    CHECK(order_by_descending_area(surfaces) == std::vector<std::uint32_t>{2, 0, 1, 3});
+    CHECK(size_ranks(order_by_descending_area(surfaces)) == std::vector<std::uint32_t>{2, 1, 3, 0});
 }
 
 TEST_CASE("walls seen from inside form a room, also without one of them; a box in the open does not")
 {
     SceneBuilder inside, outside;
     SurfaceList walls = inside.room({5, 5, 5}, {6, 7, 8}, inside.grey(0.5, 1.0)).file().surfaces;
-    CHECK(form_a_room(walls));
+    CHECK(is_interior(walls));
     walls.pop_back();
-    CHECK(form_a_room(walls));
-    CHECK(!form_a_room(outside.box({5, 5, 5}, {6, 7, 8}, outside.grey(0.5, 1.0)).file().surfaces));
+    CHECK(is_interior(walls));
+    CHECK(!is_interior(outside.box({5, 5, 5}, {6, 7, 8}, outside.grey(0.5, 1.0)).file().surfaces));
 }
 
 TEST_CASE("boxes leave room on all sides for a shared plane")

@@ -19,13 +19,13 @@ Rgb grey(double value)
     return {value, value, value};
 }
 
-IndirectSample sample_at(const IndirectLight& light, const Place& place)
+IndirectSample sample_at(const IndirectLight& light, const GatherPoint& receiver)
 {
     RayFan fan;
-    return light.at(place, *make_sequence("sobol-owen", 1), 0, fan);
+    return light.at(receiver, *make_sequence("sobol-owen", 1), 0, fan);
 }
 
-const Place floor_place = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+const GatherPoint floor_place = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
 } // namespace
 
@@ -97,20 +97,20 @@ TEST_CASE("of two samples the nearer one counts more, and equals give their mean
 // A wide floor, seen from straight above: one pixel is as good as another.
 TEST_CASE("samples in every second row and column are enough where nothing is close")
 {
-    const auto place = [](int x, int y) { return Place{0, {0.01 * x, 0.0, 0.01 * y}, {0.0, 1.0, 0.0}}; };
+    const auto receiver = [](int x, int y) { return GatherPoint{0, {0.01 * x, 0.0, 0.01 * y}, {0.0, 1.0, 0.0}}; };
     for (const double distance : {10.0, 0.1}) { // to what is seen
         IndirectGrid grid(20, 20);
         for (int y = 0; y < 20; y += 2)
             for (int x = 0; x < 20; x += 2)
-                grid.set(x, y, {place(x, y), grey(2.0), distance});
+                grid.set(x, y, {receiver(x, y), grey(2.0), distance});
         const bool is_open = distance > 1.0;
         for (int y = 0; y < 20; ++y)
             for (int x = 0; x < 20; ++x)
-                CHECK(grid.is_supported(place(x, y), x, y) == is_open);
+                CHECK(grid.is_supported(receiver(x, y), x, y) == is_open);
         CHECK_FALSE(grid.is_supported({0, {0.09, 0.0, 0.09}, {1.0, 0.0, 0.0}}, 9, 9)); // on a wall
         // Set in between, as by another thread: it does not count where there are enough.
-        grid.set(9, 9, {place(9, 9), grey(4.0), distance});
-        CHECK((grid.irradiance(place(9, 9), 9, 9)->r > 2.0 + 1e-9) == !is_open);
+        grid.set(9, 9, {receiver(9, 9), grey(4.0), distance});
+        CHECK((grid.irradiance(receiver(9, 9), 9, 9)->r > 2.0 + 1e-9) == !is_open);
     }
 }
 

@@ -19,7 +19,8 @@ using namespace multipath;
 
 namespace {
 
-const Place origin = {0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; // of no known patch: every source is asked for by rays
+const GatherPoint origin = {
+    0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; // of no known patch: every source is asked for by rays
 
 /// [W/m^2] At the origin, by so many rays.
 Rgb irradiance_by(std::size_t rays, const SourceLight& light, double offset)
@@ -115,7 +116,7 @@ TEST_CASE("behind a board nothing arrives, nor from a source that faces away or 
     CHECK(irradiance_by(16, SourceLight(away.scene(1.0)), 0.0) == Rgb{});
 }
 
-// The same square in 10 x 10 sources: more than are looked at from one place.
+// The same square in 10 x 10 sources: more than are looked at from one receiver.
 TEST_CASE("many sources give on the average what they give together")
 {
     SceneBuilder builder = with_floor();

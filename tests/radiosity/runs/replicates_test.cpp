@@ -93,7 +93,7 @@ TEST_CASE(
     REQUIRE(scene.patch_count() == 5055);
     SolveOptions options = options_of(Method::reuse, "sobol-owen", std::uint64_t{512} * scene.patch_count());
     CHECK(solve(scene, options, silent).global_lines > 0);
-    const Solution solution = solve_in_stretches(scene, options, 8, silent, nullptr, {});
+    const Solution solution = solve_incrementally(scene, options, 8, silent, nullptr, {});
     CHECK(solution.global_lines == 0);
     CHECK(*solution.relative_standard_error < 0.05);
 }
@@ -125,7 +125,7 @@ TEST_CASE("rounds double the lines until the caller has enough")
         rounds.push_back(round);
         return rounds.size() < 3;
     };
-    const Solution s = solve_until(scene, options_of(Method::extended, "sobol", 0), 3, 3000, three, silent);
+    const Solution s = solve_in_rounds(scene, options_of(Method::extended, "sobol", 0), 3, 3000, three, silent);
     CHECK(rounds.size() == 3);
     CHECK(rounds[2].lines == 12000);
     CHECK(s.local_lines + s.global_lines == 12000);

@@ -49,7 +49,7 @@ SolveOptions options_of(Method method, const std::string& sequence, std::uint64_
 
 Solution solved(const Scene& scene, const SolveOptions& options, int replicates, Checkpoint* checkpoint)
 {
-    return solve_in_stretches(scene, options, replicates, silent, checkpoint, {});
+    return solve_incrementally(scene, options, replicates, silent, checkpoint, {});
 }
 
 /// Leaves the work at every `step`-th pause, takes it up again, and compares; returns the number of pauses.
@@ -153,7 +153,7 @@ TEST_CASE("replicates and rounds are taken up again")
 
     const SolveOptions options = options_of(Method::reuse, "sobol", 0);
     const auto until = [&](Checkpoint* checkpoint) {
-        return solve_until(
+        return solve_in_rounds(
             scene, options, 2, 4000, [](const Round& round) { return round.lines < 32000; }, silent, checkpoint);
     };
     const Solution whole = until(nullptr);

@@ -97,13 +97,13 @@ Allotment some_rays(const Scene& scene)
 struct RayCounts
 {
     LineCounts counts;
-    SharedRange range;
+    ShardRange range;
 };
 
 RayCounts ray_counts(const Scene& scene, Shard shard, int threads, Checkpoint* checkpoint = nullptr)
 {
     const Allotment rays = some_rays(scene);
-    RayCounts result{LineCounts(scene.patch_count()), SharedRange::of(ray_blocks(rays).count(), shard)};
+    RayCounts result{LineCounts(scene.patch_count()), ShardRange::of(ray_blocks(rays).count(), shard)};
     count_rays(scene, rays, *make_sequence("sobol", 0), 1000, result.range, {threads, {}, checkpoint}, result.counts);
     return result;
 }
@@ -178,7 +178,7 @@ TEST_CASE("counting that is stopped has the counts of the blocks that it tells")
     RayCounts part = ray_counts(scene, {}, 1, &stop);
     REQUIRE(part.range.next > 0);
     REQUIRE(part.range.next < blocks);
-    SharedRange rest = part.range;
+    ShardRange rest = part.range;
     LineCounts counts(scene.patch_count());
     count_rays(scene, some_rays(scene), *make_sequence("sobol", 0), 1000, rest, {2}, counts);
     counts.add(std::move(part.counts), 1);

@@ -31,7 +31,7 @@ Counted counted(const Scene& scene, double rays_per_patch)
 {
     const Allotment rays(rays_of_patches(scene, rays_per_patch), 0.5);
     Counted result{LineCounts(scene.patch_count()), {}};
-    SharedRange range = SharedRange::of(ray_blocks(rays).count(), {});
+    ShardRange range = ShardRange::of(ray_blocks(rays).count(), {});
     count_rays(scene, rays, *make_sequence("sobol", 0), 0, range, {2}, result.counts);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         result.density.push_back(static_cast<double>(rays.rays_of(i)) / scene.area(i));

@@ -12,7 +12,7 @@ namespace multipath {
 /// table of pairs. `parts`: names of the parts under way in each shard, the outermost first. Writes to `sum` the data
 /// that differ between the shards; the state is then that of a run that did all the work alone. Throws ArchiveError
 /// unless the shards are complete, finished, and of the same stage.
-void add_up_shares(const std::vector<Archive*>& shards, const std::vector<std::string>& parts, std::uint32_t patches,
+void add_up_shards(const std::vector<Archive*>& shards, const std::vector<std::string>& parts, std::uint32_t patches,
                    int threads, Archive& sum);
 
 } // namespace multipath

@@ -1,7 +1,7 @@
 // The shards of a run of `reuse` stop at one of three stages, each with a sum or a table in its archive that can be
 // completed from the other shards: counts along global lines, rays of balanced reuse, or rows refined by pair rays.
 
-#include "radiosity/runs/share_sum.h"
+#include "radiosity/runs/shard_sum.h"
 
 #include "parallel/blocks.h"
 #include "radiosity/reuse/gathered_light.h"
@@ -28,7 +28,7 @@ void add_up_pair_counts(const std::vector<Archive*>& shards, std::uint32_t patch
 {
     PairCounts counts(patches);
     PairCounts shard(patches);
-    std::vector<SharedRange> ranges(shards.size());
+    std::vector<ShardRange> ranges(shards.size());
     for (std::size_t k = 0; k < shards.size(); ++k) {
         const Archive::Inner inner(*shards[k], "pair counts");
         ranges[k].visit(*shards[k]);
@@ -36,7 +36,7 @@ void add_up_pair_counts(const std::vector<Archive*>& shards, std::uint32_t patch
         counts += shard;
     }
     const Archive::Inner inner(sum, "pair counts");
-    SharedRange whole = united(ranges);
+    ShardRange whole = union_of(ranges);
     whole.visit(sum);
     counts.visit(sum);
 }
@@ -47,8 +47,8 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
 {
     LineCounts counts(patches);
     std::vector<ShadowRaySums> shadow_ray_sums;
-    std::vector<SharedRange> light_ranges(shards.size());
-    std::vector<SharedRange> hemisphere_ranges(shards.size());
+    std::vector<ShardRange> light_ranges(shards.size());
+    std::vector<ShardRange> hemisphere_ranges(shards.size());
     const Blocks blocks = GatheredLight::blocks(patches);
     for (std::size_t k = 0; k < shards.size(); ++k) {
         const Archive::Inner inner(*shards[k], "balanced reuse");
@@ -59,7 +59,7 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
         if (k == 0)
             shadow_ray_sums = shard;
         if (shard.size() != shadow_ray_sums.size() || light_ranges[k].end > blocks.count())
-            throw ArchiveError("the shares do not fit together; expected all shares of one run");
+            throw ArchiveError("the shards do not fit together; expected all shards of one run");
         for (std::uint64_t i = blocks.first(light_ranges[k].first); i < blocks.first(light_ranges[k].end); ++i)
             if (i < shard.size()) // empty if the light of the sources was distributed before
                 shadow_ray_sums[i] = shard[i];
@@ -68,9 +68,9 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
         counts.add(std::move(shard_counts), threads);
     }
     const Archive::Inner inner(sum, "balanced reuse");
-    SharedRange whole = united(light_ranges);
+    ShardRange whole = union_of(light_ranges);
     visit_inner(sum, "to lights", whole);
-    whole = united(hemisphere_ranges);
+    whole = union_of(hemisphere_ranges);
     visit_inner(sum, "hemisphere", whole);
     sum.growing_list<double>("sights", shadow_ray_sums);
     visit_inner(sum, "fresh counts", counts);
@@ -81,7 +81,7 @@ void join_rows(const std::vector<Archive*>& shards, std::uint32_t patches, Archi
 {
     ExchangeEstimate all{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     ExchangeEstimate shard{PairMatrix<float>(patches), PairMatrix<float>(patches)};
-    std::vector<SharedRange> ranges(shards.size());
+    std::vector<ShardRange> ranges(shards.size());
     for (std::size_t k = 0; k < shards.size(); ++k) {
         {
             const Archive::Inner inner(*shards[k], "pair rays");
@@ -102,13 +102,13 @@ void join_rows(const std::vector<Archive*>& shards, std::uint32_t patches, Archi
         all.variance.visit<float>(sum, "variance");
     }
     const Archive::Inner inner(sum, "pair rays");
-    SharedRange whole = united(ranges);
+    ShardRange whole = union_of(ranges);
     whole.visit(sum);
 }
 
 } // namespace
 
-void add_up_shares(const std::vector<Archive*>& shards, const std::vector<std::string>& parts, std::uint32_t patches,
+void add_up_shards(const std::vector<Archive*>& shards, const std::vector<std::string>& parts, std::uint32_t patches,
                    int threads, Archive& sum)
 {
     const std::string stage = parts.empty() ? "" : parts.back();
@@ -119,7 +119,7 @@ void add_up_shares(const std::vector<Archive*>& shards, const std::vector<std::s
     else if (stage == "pair rays")
         join_rows(shards, patches, sum);
     else
-        throw ArchiveError("the shares are not finished; expected shares whose runs ended by themselves");
+        throw ArchiveError("the shards are not finished; expected shards whose runs ended by themselves");
 }
 
 } // namespace multipath

@@ -1,4 +1,4 @@
-#include "radiosity/runs/share_sum.h"
+#include "radiosity/runs/shard_sum.h"
 
 #include "paused_work.h"
 #include "radiosity/memory_estimate.h"
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace share_sum_test {
+namespace shard_sum_test {
 
 using namespace multipath;
 
@@ -37,11 +37,11 @@ std::unique_ptr<TestCheckpoint> checkpoint_from(const std::optional<SavedWork>& 
 
 Solution solved(const Scene& scene, const SolveOptions& options, TestCheckpoint& checkpoint, Shard shard = {})
 {
-    return solve_in_stretches(
+    return solve_incrementally(
         scene, options, 1, [](double) {}, &checkpoint, shard);
 }
 
-/// What the shares of the next stage hand in, added up.
+/// Sum of what the shards of the next stage publish.
 SavedWork next_stage(const Scene& scene, const SolveOptions& options, const std::optional<SavedWork>& work)
 {
     std::vector<SavedWork> shares;
@@ -60,7 +60,7 @@ SavedWork next_stage(const Scene& scene, const SolveOptions& options, const std:
     }
     SavedWork all{"", shares[0].parts};
     StateWriter sum([&](std::string_view bytes) { all.bytes += bytes; });
-    add_up_shares(archives, all.parts, scene.patch_count(), 1, sum);
+    add_up_shards(archives, all.parts, scene.patch_count(), 1, sum);
     readers[0]->copy_rest(sum);
     sum.finish();
     return all;
@@ -95,4 +95,4 @@ TEST_CASE("shares of a run add up to the bits of one run, after each stage that 
     }
 }
 
-} // namespace share_sum_test
+} // namespace shard_sum_test

@@ -1,7 +1,7 @@
 // Occlusion between two points of a surface is tested with a segment that is lifted above the surface by a small share
 // of its length, so that it meets what stands on the surface but not the surface itself.
 
-#include "image/shading/skin.h"
+#include "image/shading/smoothing_groups.h"
 
 #include "geometry/bounds.h"
 #include "geometry/intersector/intersector.h"

@@ -1,4 +1,4 @@
-#include "image/shading/skin.h"
+#include "image/shading/smoothing_groups.h"
 
 #include "test_scenes.h"
 
@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace skin_test {
+namespace smoothing_groups_test {
 
 using namespace multipath;
 
@@ -45,4 +45,4 @@ TEST_CASE("what stands between points near each other is found as among all surf
     }
 }
 
-} // namespace skin_test
+} // namespace smoothing_groups_test

@@ -13,7 +13,7 @@
 namespace multipath {
 
 /// A point that receives light: a point on one side of a surface, or a point in free space.
-struct Place
+struct GatherPoint
 {
     static constexpr std::uint32_t free = Intersector::no_surface; ///< value of `surface` in free space
 
@@ -24,7 +24,7 @@ struct Place
 };
 
 /// The point of a hit on the side that was hit.
-inline Place place_of(const Scene& scene, const Hit& hit)
+inline GatherPoint gather_point(const Scene& scene, const Hit& hit)
 {
     const Surface& surface = scene.surfaces()[hit.surface];
     return {hit.surface, surface.at(hit.u, hit.v), hit.front ? surface.normal() : -surface.normal(),
@@ -38,8 +38,8 @@ public:
     std::vector<Item> items; ///< one sequence item per ray
     std::vector<Line> rays;
 
-    /// The first hit of each ray. The rays start on `surface`, or in free space (Place::free). The reference is valid
-    /// until the next call.
+    /// The first hit of each ray. The rays start on `surface`, or in free space (GatherPoint::free). The reference is
+    /// valid until the next call.
     const FirstHits& trace(const Scene& scene, std::uint32_t surface)
     {
         from_.assign(rays.size(), surface);
