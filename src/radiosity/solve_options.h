@@ -61,7 +61,7 @@ struct SolveOptions
     int most_steps = 1000;                        ///< maximum number of passes of the extended first shot
     bool bidirectional = true;                    ///< (M2)
     Estimator estimator = Estimator::collision;   ///< for the methods local and gathering
-    std::uint64_t bundle = 1024;                  ///< parallel lines per direction, for the method transillumination
+    std::optional<std::uint64_t> bundle;          ///< parallel lines per direction, for transillumination; empty: auto
     std::shared_ptr<const Importance> importance; ///< for the method jacobi; empty: all patches are equally important
     Direct direct = Direct::gather;               ///< for the method reuse
     bool denoise = true;                          ///< for the method reuse

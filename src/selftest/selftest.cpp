@@ -36,7 +36,7 @@ SolveOptions options_of_run(Method method, const std::string& sequence, const Se
     options.method = method;
     options.sequence = sequence;
     options.lines = settings.lines;
-    options.bundle = 16; // few lines for each direction give many directions, which scenes of few patches need
+    options.bundle = 16; // scenes of few patches need many directions, not many lines per direction
     options.threads = settings.threads;
     return independent_run(options, RandomStream::runs, settings.seed, static_cast<std::uint64_t>(number),
                            most_items_per_line * settings.lines);

@@ -24,7 +24,7 @@ tolerance() {
     ends 0 solve "$scene" --tolerance 0.05 --state tolerance.state && ends 0 solve "$scene" --tolerance 0.05 --state tolerance.state --resume &&
         ends 1 solve "$scene" --tolerance 0.008 --state tolerance.state --resume && says err "patches, not" &&
         ends 0 solve "$scene" --patches 100 --tolerance 0.008 --lines 2^17 --json -o fixed.csv &&
-        at_most 0.008 "$(number patch_error)" && says err "above the tolerance of 0.8 %: the patches are too few"
+        at_most 0.008 "$(number patch_error)" && says err "above the tolerance of 0.8 %: there are too few patches"
 }
 check "a tolerance is one of the whole error, and chooses the patches" tolerance
 

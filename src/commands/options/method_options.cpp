@@ -82,13 +82,15 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
           "With 0, the method extended is progressive ray refinement."},
          {"steps", 0, "K", "1000", "Largest number of passes of the extended first shot."},
          {"estimator", 0, "WHICH", "collision",
-          "For local: score a particle wherever it arrives (collision), or only where it is absorbed (absorption).",
+          "For local and gathering: score a particle wherever it arrives (collision), or only where it is absorbed "
+          "(absorption).",
           false, names_of(estimator_choices)},
          {"bidirectional", 0, "WHETHER", "yes",
           "Whether a global line, or a ray of jacobi, carries power in both directions at once.", false,
           names_of(yes_or_no)},
-         {"bundle", 0, "N", "256",
-          "For transillumination: number of parallel lines for each direction, at most a sixteenth of all lines."},
+         {"bundle", 0, "N", "auto",
+          "For transillumination: number of parallel lines for each direction, at most a sixteenth of all lines; auto "
+          "takes the square root of the number of lines."},
          {"chords", 0, "FROM", "",
           "Draw global lines between two points of the sphere around the scene, as in the paper, or from points of "
           "its bounding box into the box, so that none misses it. By default the methods of the paper take the sphere.",
@@ -138,7 +140,8 @@ SolveOptions read_settings(const CommandLine& line)
         options.threshold = read_real("--threshold", line.text("threshold"));
     options.most_steps = static_cast<int>(read_count("--steps", line.text("steps"), 1, 1000000));
     options.estimator = line.choice("estimator", estimator_choices).value;
-    options.bundle = read_count("--bundle", line.text("bundle"), 1, 1u << 20);
+    if (line.text("bundle") != "auto")
+        options.bundle = read_count("--bundle", line.text("bundle"), 1, 1u << 20);
     options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
     options.seed = read_count("--seed", line.text("seed"));
     if (line.text("ratio") != "auto")

@@ -146,7 +146,9 @@ std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, con
 BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays)
 {
     const std::uint64_t lines = options.lines - std::min(options.lines, rays);
-    const std::uint64_t bundle = std::clamp<std::uint64_t>(lines / fewest_directions, 1, options.bundle);
+    const std::uint64_t root =
+        std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::sqrt(static_cast<double>(lines))));
+    const std::uint64_t bundle = std::clamp<std::uint64_t>(lines / fewest_directions, 1, options.bundle.value_or(root));
     return {bundle, lines / bundle};
 }
 

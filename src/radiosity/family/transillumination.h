@@ -7,6 +7,7 @@
 #include "sampling/sequence.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace multipath {
 
@@ -43,8 +44,9 @@ struct TransilluminationOptions
 {
     std::uint64_t first_item = 0; ///< of the sequence; one item per ray, then one per direction
     std::uint64_t lines = 0;      ///< number to use; lines that miss the scene's box are not charged (N1)
-    std::uint64_t bundle =
-        256; ///< maximum number of parallel lines per direction; fewer if there would be less than 16 directions
+    /// Parallel lines per direction, at most 1/16 of all lines. Empty: the square root of the number of lines, so that
+    /// there are as many directions as lines per direction.
+    std::optional<std::uint64_t> bundle;
     std::uint64_t seed = 0; ///< of the rounding to whole rays
 };
 

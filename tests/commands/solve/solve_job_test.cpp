@@ -67,9 +67,9 @@ TEST_CASE("the error is told with its parts, and what keeps it above the toleran
     accuracy.tolerance = 0.051;
     CHECK_FALSE(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance"));
     accuracy.tolerance = 0.049;
-    CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 4.9 %: the lines or the time"));
+    CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 4.9 %: the limit of lines or time"));
     accuracy.tolerance = 0.02;
-    CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 2 %: the patches are too few"));
+    CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 2 %: there are too few patches"));
 }
 
 } // namespace solve_job_test

@@ -107,13 +107,13 @@ const std::vector<Loads> loads = {
 
 const std::vector<Fails> failures = {
     {"04_neg_out_of_range", ":5: vertex `-9` counts back past the first vertex, 4 are defined"},
-    {"05_index_zero", ":5: vertex number 0, expected numbers from 1"},
+    {"05_index_zero", ":5: vertex number 0, expected a number from 1"},
     {"06_index_too_big", ":5: vertex 99 does not exist, the file has 4"},
     {"07_index_overflow", ":5: vertex number `99999999999999999999` is too large"},
     {"12_missing_mtl",
      ": no emitter, expected a face whose material has Ke above 0; no such material file: `nope.mtl`"},
     {"16_nan", ":1: vertex: `nan` is not a finite number"},
-    {"17_inf1e400", ":1: vertex: `1e400` is too large"},
+    {"17_inf1e400", ":1: vertex: `1e400` is out of range"},
     {"19_commas", ":1: vertex: `0,0` has a decimal comma"},
     {"29_truncated", ":5: the file ends in the middle of a face"},
     {"30_v_missing_coord", ":1: vertex: a number is missing"},
