@@ -42,7 +42,7 @@ bool lies_on(const Scene& scene, std::uint32_t patch, Vec3 place)
 
 } // namespace
 
-TEST_CASE("power goes along its segment of a told line, from a patch at one end to the patch at the other")
+TEST_CASE("power goes along its segment of a traced line, from a patch at one end to the patch at the other")
 {
     const Scene scene = lit_room();
     for (const Method method : all_methods()) {
