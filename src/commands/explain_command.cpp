@@ -26,13 +26,15 @@ CommandTable explain_table()
             "explain single lines of a run, one by one, in words and as a drawing",
             {{"SCENE.obj", false, false, {".obj"}}},
             {{"Lines",
-              {{"lines", 'n', "K", "3", "Number of lines to explain, at most 1000; of particles in the stage local."},
+              {{"lines", 'n', "K", "3",
+                "Number of lines to explain, at most 1000; of particles or walks in the stages local and gathering."},
                {"first", 0, "N", "1",
                 "First line to explain, counted from 1 in its stage. The lines before it are traced too."},
                {"stage", 0, "STAGE", "",
                 "Stage of the lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended "
                 "first shot, counted from 1; global, lines through the scene; bundle, parallel lines of one direction; "
-                "local, particles. By default the last stage of the method."},
+                "local, particles; gathering, walks of the first round; iteration, rays of the first one of jacobi. By "
+                "default the last stage of the method."},
                {"output", 'o', "FILE", "",
                 "Also draw the lines in the scene, from above and from the side, as .svg. '-' writes the drawing to "
                 "standard output instead of the text.",
@@ -46,7 +48,7 @@ CommandTable explain_table()
             "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
 }
 
-enum class StageKind { shot, global, bundle, local };
+enum class StageKind { shot, global, bundle, local, gathering, iteration };
 
 struct NamedStage
 {
@@ -55,11 +57,13 @@ struct NamedStage
 };
 
 constexpr std::string_view later_pass = "extended:PASS";
-constexpr std::array<NamedStage, 5> known_stages = {{{"first-shot", StageKind::shot},
+constexpr std::array<NamedStage, 7> known_stages = {{{"first-shot", StageKind::shot},
                                                      {later_pass, StageKind::shot},
                                                      {"global", StageKind::global},
                                                      {"bundle", StageKind::bundle},
-                                                     {"local", StageKind::local}}};
+                                                     {"local", StageKind::local},
+                                                     {"gathering", StageKind::gathering},
+                                                     {"iteration", StageKind::iteration}}};
 
 /// The stage of the run whose lines are traced.
 struct Stage
@@ -100,8 +104,9 @@ Stage read_stage(const CommandLine& line)
     const auto* const stage =
         std::find_if(known_stages.begin(), known_stages.end(), [&](const NamedStage& s) { return s.name == name; });
     if (stage == known_stages.end())
-        throw UsageError("--stage: expected first-shot, extended:PASS, global, bundle or local, got " +
-                         quoted_argument(text));
+        throw UsageError(
+            "--stage: expected first-shot, extended:PASS, global, bundle, local, gathering or iteration, got " +
+            quoted_argument(text));
     if (!has_stage(method, name))
         throw UsageError("--stage: --method " + line.text("method") + " has no stage " + text + "; expected " +
                          expected_stages(method, name));
@@ -137,6 +142,14 @@ Explanation explain(const TracedRun& run, const Stage& stage, const TracedRange&
     if (stage.kind == StageKind::local) {
         const ParticleTrace trace = trace_particles(run.scene, run.options, range);
         return {trace_text(run, trace), "Particles of local Monte Carlo", drawn_lines(run.scene, trace)};
+    }
+    if (stage.kind == StageKind::gathering) {
+        const WalkTrace trace = trace_walks(run.scene, run.options, range);
+        return {trace_text(run, trace), "Gathering random walks", drawn_lines(run.scene, trace)};
+    }
+    if (stage.kind == StageKind::iteration) {
+        const JacobiTrace trace = trace_iteration(run.scene, run.options, range);
+        return {trace_text(run, trace), "Rays of a stochastic Jacobi iteration", drawn_lines(run.scene, trace)};
     }
     const ShotTrace trace = trace_shot_pass(run.scene, run.options, stage.pass, range);
     return {trace_text(run, trace), "Rays of pass " + std::to_string(stage.pass + 1) + " of the first shot",

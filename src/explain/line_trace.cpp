@@ -5,7 +5,7 @@
 
 #include "explain/line_trace.h"
 
-#include "radiosity/family/stochastic_jacobi.h"
+#include "radiosity/family/gathering_walk.h"
 #include "radiosity/family/transillumination.h"
 #include "radiosity/first_stage.h"
 #include "radiosity/line_budget.h"
@@ -260,15 +260,38 @@ ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::
 namespace {
 
 /// The trace of one segment of a particle's path.
-TracedStep trace_step(const Scene& scene, const ParticleStep& step, Estimator estimator)
+TracedStep trace_step(const Scene& scene, const ParticleStep& step)
 {
     const Patch patch = scene.patch(step.from);
     TracedStep trace{step, local_line(patch, step.item), {}, {}};
     if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, trace.ray))
         trace.crossing = crossing_at(scene, trace.ray, *hit);
-    if (Segment::is_patch(step.where))
-        trace.counted = scored_power(scene, step, estimator);
     return trace;
+}
+
+} // namespace
+
+namespace {
+
+/// The paths of the range, each of which begins with the item of its number after first_item. counted(step) is what
+/// the estimator adds for a step that ends at a patch.
+template <class Counted>
+std::vector<TracedParticle> trace_paths(const Scene& scene, const Sequence& sequence, const Particles& particles,
+                                        std::uint64_t first_item, const TracedRange& range, const Counted& counted)
+{
+    std::vector<TracedParticle> traces;
+    for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
+        TracedParticle particle{{n, first_item + n, sequence.item(first_item + n)}, {}};
+        ParticlePaths paths;
+        particles.follow(n, {particle.origin.numbers}, paths);
+        for (const ParticleStep& step : paths.steps) {
+            particle.steps.push_back(trace_step(scene, step));
+            if (Segment::is_patch(step.where))
+                particle.steps.back().counted = counted(step);
+        }
+        traces.push_back(particle);
+    }
+    return traces;
 }
 
 } // namespace
@@ -280,15 +303,54 @@ ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, c
     const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
     const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
     require_in_stage(range, particles.count(), "particles");
+    return {particles.count(), particles.shots().size(),
+            trace_paths(scene, *sequence, particles, items.first_shot, range,
+                        [&](const ParticleStep& step) { return scored_power(scene, step, options.estimator); })};
+}
 
-    ParticleTrace trace{particles.count(), particles.shots().size(), {}};
-    for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
-        TracedParticle particle{{n, items.first_shot + n, sequence->item(items.first_shot + n)}, {}};
-        ParticlePaths paths;
-        particles.follow(n, {particle.origin.numbers}, paths);
-        for (const ParticleStep& step : paths.steps)
-            particle.steps.push_back(trace_step(scene, step, options.estimator));
-        trace.particles.push_back(particle);
+WalkTrace trace_walks(const Scene& scene, const SolveOptions& options, const TracedRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds());
+    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    const Particles walks =
+        first_walks(scene, {options.lines, options.estimator, items.first_shot, options.seed}, options.threads);
+    require_in_stage(range, walks.count(), "walks");
+    return {walks.count(), trace_paths(scene, *sequence, walks, items.first_shot, range, [&](const ParticleStep& step) {
+                return gathered_irradiance(scene, step, options.estimator); // (W1)
+            })};
+}
+
+JacobiTrace trace_iteration(const Scene& scene, const SolveOptions& options, const TracedRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds());
+    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    PowerState state(scene);
+    JacobiTrace trace;
+    trace.series_rays =
+        send_series(scene, *sequence,
+                    series_before_iterations(items.first_shot, options.lines, options.bidirectional, options.seed),
+                    {options.threads}, state);
+    const JacobiOptions jacobi{items.first_shot + trace.series_rays,
+                               trace.series_rays,
+                               options.lines - std::min(options.lines, trace.series_rays),
+                               options.bidirectional,
+                               options.seed,
+                               options.importance.get()};
+    if (jacobi.lines == 0)
+        throw SettingsError("this run has too few lines for an iteration");
+    const IterationTrace iteration =
+        trace_first_iteration(scene, *sequence, jacobi, state, range.first, range.count, options.threads);
+    require_in_stage(range, iteration.ray_count, "rays");
+    trace.ray_count = iteration.ray_count;
+    for (const IterationRay& ray : iteration.rays) {
+        const Patch patch = scene.patch(ray.from);
+        const LineOrigin origin{range.first + trace.rays.size(), ray.item, sequence->item(ray.item)};
+        JacobiRay traced{origin, ray, local_line(patch, origin.numbers), {}};
+        if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, traced.ray))
+            traced.crossing = crossing_at(scene, traced.ray, *hit);
+        trace.rays.push_back(traced);
     }
     return trace;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "radiosity/extended_first_shot.h"
+#include "radiosity/family/stochastic_jacobi.h"
 #include "radiosity/local_monte_carlo.h"
 #include "radiosity/solve_options.h"
 #include "sampling/sequence.h"
@@ -168,5 +169,38 @@ struct ParticleTrace
 /// Traces the particles of the range, each from its source to its end. Throws SettingsError for particles that the run
 /// does not have, and what solve throws.
 ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, const TracedRange& range);
+
+/// The traces of some gathering random walks of the first round.
+struct WalkTrace
+{
+    std::uint64_t walk_count = 0;      ///< total number of walks of the round
+    std::vector<TracedParticle> walks; ///< from the receivers; TracedStep::counted is the irradiance [W/m^2] that the
+                                       ///< step adds there, and ParticleStep::power is the weight of the walk [1]
+};
+
+/// Traces the walks of the range (W1). Throws SettingsError for walks that the round does not have, and what solve
+/// throws.
+WalkTrace trace_walks(const Scene& scene, const SolveOptions& options, const TracedRange& range);
+
+/// The trace of a ray of a Jacobi iteration (J1) (J2).
+struct JacobiRay
+{
+    LineOrigin origin;
+    IterationRay carried;
+    Line ray;
+    std::optional<Crossing> crossing; ///< where the ray arrives; empty if it leaves the scene
+};
+
+/// The traces of some rays of the first Jacobi iteration, in the order of the patches that they leave.
+struct JacobiTrace
+{
+    std::uint64_t series_rays = 0; ///< rays of the Neumann series before it
+    std::uint64_t ray_count = 0;   ///< rays of the iteration
+    std::vector<JacobiRay> rays;
+};
+
+/// Traces the rays of the range. Throws SettingsError for rays that the first iteration does not have, and what solve
+/// throws.
+JacobiTrace trace_iteration(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 } // namespace multipath

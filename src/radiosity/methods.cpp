@@ -92,9 +92,8 @@ void reuse_rays(Run& run)
 /// The first estimate for the Jacobi iterations.
 void ray_series(Run& run)
 {
-    const std::uint64_t lines = run.options.lines;
-    const SeriesOptions series{run.first_local_item(), std::max<std::uint64_t>(1, lines / 16),
-                               std::max<std::uint64_t>(1, lines / 2), run.options.bidirectional, run.options.seed};
+    const SeriesOptions series = series_before_iterations(run.first_local_item(), run.options.lines,
+                                                          run.options.bidirectional, run.options.seed);
     run.solution.local_lines +=
         send_series(run.scene, *run.sequence, series, run.control(1, 1), run.state); // (J1) (J2)
 }
@@ -262,14 +261,14 @@ constexpr MethodInfo table[] = {
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",
      "bidirectional important", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_jacobi, nullptr,
-     nullptr, "", "extended"},
+     nullptr, "iteration"},
     {"transillumination",
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",
      "ratio power-per-line threshold bundle", Chords::sphere, Shards::averaged, any_lines, no_lines,
      stages_of_transillumination, prepare_ratio, plain_shot, "first-shot bundle"},
     {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, stages_of_gathering, nullptr, nullptr, "", "local"}};
+     Shards::averaged, any_lines, no_lines, stages_of_gathering, nullptr, nullptr, "gathering"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {

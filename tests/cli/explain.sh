@@ -100,11 +100,19 @@ bundle_told() {
         ends 2 explain "$scene" --stage bundle && says err "or --method transillumination"
 }
 check "parallel lines of transillumination are told and drawn" bundle_told
+relatives_told() {
+    ends 0 explain "$scene" --method gathering --of 2^14 --lines 3 -o walks.svg && says out "Gathering random walks of a run" &&
+        says out "walk 3 of" && grep -q "walk 3" walks.svg &&
+        ends 0 explain "$scene" --method jacobi --of 2^14 --lines 3 -o rays.svg && says out "First iteration of a run" &&
+        says out "ray 3 of" && says out "(J2)" && grep -q "ray 3" rays.svg &&
+        ends 0 explain "$scene" --method jacobi --bidirectional no --of 2^14 && says out "(J1)"
+}
+check "gathering walks and rays of an iteration are told and drawn" relatives_told
 check "a pass that is no number is refused" refused 2 "--stage: expected a count" --method extended --stage extended:x
 check "pass 0 is refused" refused 2 "--stage: expected a count" --method extended --stage extended:0
 check "a first shot of the global method is refused" refused 2 "no stage first-shot" --method global --stage first-shot
 check "particles of another method are refused" refused 2 "no stage local" --stage local
-check "line reuse, which carries nothing along its lines, is refused" refused 2 "--method: expected one of local, global, first-shot, extended, transillumination, got 'reuse'" \
+check "line reuse, which carries nothing along its lines, is refused" refused 2 "--method: expected one of local, global, first-shot, extended, jacobi, transillumination, gathering, got 'reuse'" \
     --method reuse
 check "global lines of the local method are refused" refused 2 "no stage global" --method local --stage global
 check "a later pass of the plain first shot is refused" refused 2 "no stage extended:2" --stage extended:2

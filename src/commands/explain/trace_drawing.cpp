@@ -37,34 +37,63 @@ std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines)
     return drawn;
 }
 
+namespace {
+
+DrawnLine drawn_ray(const Scene& scene, const LineOrigin& origin, const Line& ray,
+                    const std::optional<Crossing>& crossing, std::uint32_t where)
+{
+    DrawnLine shape{label("ray", origin), {}, {}};
+    shape.segments.push_back({ray.origin, end_of(scene, ray, crossing), Segment::is_patch(where)});
+    if (crossing)
+        shape.crossings.push_back(crossing->point);
+    return shape;
+}
+
+DrawnLine drawn_path(const Scene& scene, const char* kind, const TracedParticle& path)
+{
+    DrawnLine shape{label(kind, path.origin), {}, {}};
+    for (const TracedStep& traced : path.steps) {
+        if (!shape.crossings.empty())
+            shape.segments.push_back({shape.crossings.back(), traced.ray.origin, false}); // within a patch
+        const Vec3 end = end_of(scene, traced.ray, traced.crossing);
+        shape.segments.push_back({traced.ray.origin, end, Segment::is_patch(traced.step.where)});
+        if (traced.crossing)
+            shape.crossings.push_back(end);
+    }
+    return shape;
+}
+
+} // namespace
+
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace)
 {
     std::vector<DrawnLine> drawn;
-    for (const ShotRay& ray : trace.rays) {
-        DrawnLine shape{label("ray", ray.origin), {}, {}};
-        shape.segments.push_back({ray.ray.origin, end_of(scene, ray.ray, ray.crossing), Segment::is_patch(ray.where)});
-        if (ray.crossing)
-            shape.crossings.push_back(ray.crossing->point);
-        drawn.push_back(shape);
-    }
+    for (const ShotRay& ray : trace.rays)
+        drawn.push_back(drawn_ray(scene, ray.origin, ray.ray, ray.crossing, ray.where));
+    return drawn;
+}
+
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const JacobiTrace& trace)
+{
+    std::vector<DrawnLine> drawn;
+    for (const JacobiRay& ray : trace.rays)
+        drawn.push_back(drawn_ray(scene, ray.origin, ray.ray, ray.crossing, ray.carried.to));
     return drawn;
 }
 
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleTrace& trace)
 {
     std::vector<DrawnLine> drawn;
-    for (const TracedParticle& particle : trace.particles) {
-        DrawnLine shape{label("particle", particle.origin), {}, {}};
-        for (const TracedStep& traced : particle.steps) {
-            if (!shape.crossings.empty())
-                shape.segments.push_back({shape.crossings.back(), traced.ray.origin, false}); // within a patch
-            const Vec3 end = end_of(scene, traced.ray, traced.crossing);
-            shape.segments.push_back({traced.ray.origin, end, Segment::is_patch(traced.step.where)});
-            if (traced.crossing)
-                shape.crossings.push_back(end);
-        }
-        drawn.push_back(shape);
-    }
+    for (const TracedParticle& particle : trace.particles)
+        drawn.push_back(drawn_path(scene, "particle", particle));
+    return drawn;
+}
+
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const WalkTrace& trace)
+{
+    std::vector<DrawnLine> drawn;
+    for (const TracedParticle& walk : trace.walks)
+        drawn.push_back(drawn_path(scene, "walk", walk));
     return drawn;
 }
 

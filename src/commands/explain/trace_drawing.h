@@ -12,5 +12,7 @@ namespace multipath {
 std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines);
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace);
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ParticleTrace& trace);
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const WalkTrace& trace);
+std::vector<DrawnLine> drawn_lines(const Scene& scene, const JacobiTrace& trace);
 
 } // namespace multipath

@@ -241,22 +241,72 @@ std::string ray_text(const Scene& scene, const ShotRay& ray, std::uint64_t of)
                           2, 4);
 }
 
+/// The two ends of a step, up to the patch where it arrives.
+std::string step_ends(const Scene& scene, const TracedStep& traced, std::size_t number)
+{
+    return std::to_string(number) + "  " + point_text(traced.ray.origin) + " of " +
+           patch_name(scene, traced.step.from) + " -> " +
+           (traced.crossing ? point_text(traced.crossing->point) + " of " : "");
+}
+
+/// The decision at the end of a step: `survivor` is what goes on if the path does not end.
+std::string survival_text(const Scene& scene, const ParticleStep& step, const std::string& survivor)
+{
+    const double survival = mean(scene.reflectance(step.where));
+    return step.ends()
+               ? format("; the number drawn, %.3f, is not below the reflectance, %.3g: it ends", step.drawn, survival)
+               : format("; the number drawn, %.3f, is below the reflectance, %.3g: it goes on", step.drawn, survival) +
+                     survivor;
+}
+
 std::string step_text(const Scene& scene, const TracedStep& traced, std::size_t number)
 {
     const ParticleStep& step = traced.step;
-    std::string text =
-        format("  %zu  ", number) + point_text(traced.ray.origin) + " of " + patch_name(scene, step.from) + " -> ";
-    text += traced.crossing ? point_text(traced.crossing->point) + " of " : "";
+    std::string text = step_ends(scene, traced, number);
     if (!Segment::is_patch(step.where))
-        return wrapped((text + "nothing: " + watts(step.power) + ", " + loss(step.where)).substr(2), 2, 5);
-    const double survival = mean(scene.reflectance(step.where));
-    text += patch_name(scene, step.where) + ": brings " + watts(step.power) + ", scored " + watts(traced.counted);
-    text += step.goes_on == Rgb{}
-                ? format("; the number drawn, %.3f, is not below the reflectance, %.3g: it ends", step.drawn, survival)
-                : format("; the number drawn, %.3f, is below the reflectance, %.3g: it goes on with ", step.drawn,
-                         survival) +
-                      watts(step.goes_on);
-    return wrapped(text.substr(2), 2, 5);
+        text += "nothing: " + watts(step.power) + ", " + loss(step.where);
+    else
+        text += patch_name(scene, step.where) + ": brings " + watts(step.power) + ", scored " + watts(traced.counted) +
+                survival_text(scene, step, " with " + watts(step.goes_on));
+    return wrapped(text, 2, 5);
+}
+
+/// A step of a gathering walk from the patch `receiver`.
+std::string walk_step_text(const Scene& scene, const TracedStep& traced, std::size_t number, std::uint32_t receiver)
+{
+    const ParticleStep& step = traced.step;
+    std::string text = step_ends(scene, traced, number);
+    if (!Segment::is_patch(step.where))
+        text += std::string("nothing: the walk ends ") +
+                (step.where == Segment::behind ? "at the back of a surface, where no patch is" : "outside the scene");
+    else
+        text += patch_name(scene, step.where) +
+                (traced.counted == Rgb{} ? ": adds nothing"
+                                         : ": adds " + colour_text(traced.counted) + tied +
+                                               "W/m^2 to the irradiance of " + "patch " + std::to_string(receiver)) +
+                survival_text(scene, step, "");
+    return wrapped(text, 2, 5);
+}
+
+std::string iteration_ray_text(const Scene& scene, const JacobiRay& ray, std::uint64_t of)
+{
+    const IterationRay& carried = ray.carried;
+    std::string text = title("ray", ray.origin, of) +
+                       wrapped("leaves " + patch_name(scene, carried.from) + " at " + point_text(ray.ray.origin) +
+                                   " in direction " + point_text(ray.ray.direction),
+                               2, 4);
+    if (ray.crossing)
+        text += crossings_table(scene, {*ray.crossing});
+    const bool received = Segment::is_patch(carried.to);
+    text += wrapped(patch_name(scene, carried.from) + ", which " + format("%.4g", carried.from_density) +
+                        " rays per m^2 leave, sends " + watts(carried.sent) +
+                        (received ? " to " + patch_name(scene, carried.to) : ", " + loss(carried.to)),
+                    2, 4);
+    if (carried.to_density > 0.0)
+        text += wrapped(patch_name(scene, carried.to) + ", which " + format("%.4g", carried.to_density) +
+                            " rays per m^2 leave, sends " + watts(carried.returned) + " back",
+                        2, 4);
+    return text;
 }
 
 } // namespace
@@ -357,6 +407,49 @@ std::string trace_text(const TracedRun& run, const ParticleTrace& trace)
         for (std::size_t k = 0; k < particle.steps.size(); ++k)
             text += step_text(run.scene, particle.steps[k], k + 1);
     }
+    return text;
+}
+
+std::string trace_text(const TracedRun& run, const WalkTrace& trace)
+{
+    const bool collision = run.options.estimator == Estimator::collision;
+    std::string text = heading(run, "Gathering random walks");
+    text += wrapped(
+        "The walks start at the patches whose light is wanted, in proportion to the square root of their area, " +
+            counted(trace.walk_count, "walk", "walks") +
+            " in the first round; the result is the mean of all rounds. At every patch that it meets a walk draws a "
+            "number. If it is below the patch's reflectance, the walk goes on from a uniform point of the patch, "
+            "otherwise it ends. " +
+            (collision ? "Wherever it arrives, the emittance there, over the number of walks of the first patch, is "
+                         "added to the irradiance of the first patch (W1)."
+                       : "Where it ends, the emittance there over 1 - reflectance, and over the number of walks of the "
+                         "first patch, is added to the irradiance of the first patch (W1)."),
+        0, 0);
+    for (const TracedParticle& walk : trace.walks) {
+        text += title("walk", walk.origin, trace.walk_count);
+        for (std::size_t k = 0; k < walk.steps.size(); ++k)
+            text += walk_step_text(run.scene, walk.steps[k], k + 1, walk.steps.front().step.from);
+    }
+    return text;
+}
+
+std::string trace_text(const TracedRun& run, const JacobiTrace& trace)
+{
+    std::string text = heading(run, "First iteration");
+    text += wrapped("Before it, a Neumann series of " + counted(trace.series_rays, "ray", "rays") +
+                        " gave a first estimate of all light. Each iteration improves it: every patch sends all its "
+                        "power, emitted and reflected, by rays in proportion to it, in the first one " +
+                        counted(trace.ray_count, "ray", "rays") + ", numbered in the order of the patches. ",
+                    0, 0) +
+            (run.options.bidirectional
+                 ? wrapped("A ray between two patches carries power both ways. If d rays per m^2 leave the one and e "
+                           "the other, each patch sends its radiosity over d + e along every ray between them, "
+                           "whichever patch the ray leaves (J2).",
+                           0, 0)
+                 : wrapped("If d rays per m^2 leave a patch, it sends its radiosity over d along each of them (J1).", 0,
+                           0));
+    for (const JacobiRay& ray : trace.rays)
+        text += iteration_ray_text(run.scene, ray, trace.ray_count);
     return text;
 }
 

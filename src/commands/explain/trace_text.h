@@ -35,5 +35,7 @@ std::string trace_text(const TracedRun& run, const GlobalTrace& trace);
 std::string trace_text(const TracedRun& run, const BundleTrace& trace);
 std::string trace_text(const TracedRun& run, const ShotTrace& trace);
 std::string trace_text(const TracedRun& run, const ParticleTrace& trace);
+std::string trace_text(const TracedRun& run, const WalkTrace& trace);
+std::string trace_text(const TracedRun& run, const JacobiTrace& trace);
 
 } // namespace multipath

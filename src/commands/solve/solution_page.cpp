@@ -69,6 +69,40 @@ std::vector<ViewerLine> viewer_lines(const Scene& scene, const ParticleTrace& tr
     return lines;
 }
 
+/// A step of a walk brings light from where it arrives to the patch where the walk starts.
+std::vector<ViewerLine> viewer_lines(const Scene& scene, const WalkTrace& trace)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < trace.walks.size(); ++n) {
+        ViewerLine line{drawn[n], {}};
+        const std::uint32_t first = trace.walks[n].steps.front().step.from;
+        std::size_t segment = 0; // as for particles
+        for (const TracedStep& traced : trace.walks[n].steps) {
+            const Rgb power = scene.area(first) * traced.counted;
+            if (power != Rgb{})
+                line.transfers.push_back({segment, traced.step.where, first, {}, power, power});
+            segment += 2;
+        }
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+std::vector<ViewerLine> viewer_lines(const Scene& scene, const JacobiTrace& trace)
+{
+    const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
+    std::vector<ViewerLine> lines;
+    for (std::size_t n = 0; n < trace.rays.size(); ++n) {
+        const IterationRay& ray = trace.rays[n].carried;
+        ViewerLine line{drawn[n], {{0, ray.from, receiver(ray.to), {}, ray.sent, ray.sent}}};
+        if (ray.to_density > 0.0)
+            line.transfers.push_back({0, ray.to, ray.from, {}, ray.returned, ray.returned});
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 ViewerChapter shots(const TracedRun& run, const TracedRange& range)
 {
     const ShotTrace trace = trace_shot_pass(run.scene, run.options, 0, range);
@@ -113,14 +147,40 @@ ViewerChapter particles(const TracedRun& run, const TracedRange& range)
             viewer_lines(run.scene, trace)};
 }
 
+ViewerChapter walks(const TracedRun& run, const TracedRange& range)
+{
+    const WalkTrace trace = trace_walks(run.scene, run.options, range);
+    return {"Walks",
+            "Walks leave the patches whose light is wanted and are reflected from patch to patch until they end. Where "
+            "they meet a source, its light is added to the patch where they started. The first " +
+                grouped(trace.walks.size()) + " of " + grouped(trace.walk_count) + " walks of the first round.",
+            viewer_lines(run.scene, trace)};
+}
+
+ViewerChapter iteration(const TracedRun& run, const TracedRange& range)
+{
+    const JacobiTrace trace = trace_iteration(run.scene, run.options, range);
+    return {
+        "First iteration",
+        "All patches send their power, emitted and reflected, by rays in proportion to it" +
+            std::string(run.options.bidirectional ? "; a ray also brings back what the patch at its end sends" : "") +
+            ". The first " + grouped(trace.rays.size()) + " of " + grouped(trace.ray_count) + " rays, after " +
+            grouped(trace.series_rays) + " rays of a first estimate.",
+        viewer_lines(run.scene, trace)};
+}
+
 struct ChapterKind
 {
     std::string_view stage; ///< see MethodInfo::traced; there are no chapters of later passes
     ViewerChapter (*make)(const TracedRun&, const TracedRange&);
 };
 
-constexpr std::array<ChapterKind, 4> chapter_kinds = {
-    {{"first-shot", shots}, {"global", global_lines}, {"bundle", bundle}, {"local", particles}}};
+constexpr std::array<ChapterKind, 6> chapter_kinds = {{{"first-shot", shots},
+                                                       {"global", global_lines},
+                                                       {"bundle", bundle},
+                                                       {"local", particles},
+                                                       {"gathering", walks},
+                                                       {"iteration", iteration}}};
 
 /// Appends a chapter with the first 100, 10 or 1 lines of a stage, as many as it has; none if it has no lines.
 void append(std::vector<ViewerChapter>& chapters, const std::function<ViewerChapter(const TracedRange&)>& make)

@@ -56,6 +56,19 @@ double rounding_offset(std::uint64_t round)
     return sum - std::floor(sum);
 }
 
+/// Walks from all patches that cast about the lines of one round.
+std::vector<Shot> plan_first_round(const Scene& scene, const LocalOptions& options, int threads)
+{
+    const auto shots = [&](std::uint64_t walks) { return plan_walks(scene, walks, rounding_offset(0)); };
+    return plan_particles(scene, shots, options.lines / count_rounds(scene, options.lines), options.seed, threads)
+        .shots();
+}
+
+Particles walks_of_round(const Scene& scene, const std::vector<Shot>& shots, std::uint64_t seed, std::uint64_t round)
+{
+    return {scene, shots, mix_bits(mix_bits(seed) + round)};
+}
+
 std::uint64_t count_walks(const std::vector<Shot>& shots)
 {
     std::uint64_t walks = 0;
@@ -79,8 +92,7 @@ struct Gathered
         if (!Segment::is_patch(first->where))
             (first->where == Segment::outside ? outside : behind)[patch] += first->power.r;
         for (const ParticleStep* step = first; step != end; ++step)
-            if (Segment::is_patch(step->where))
-                irradiance[patch] += scored_power(scene, *step, estimator) * scene.first_light(step->where); // (W1)
+            irradiance[patch] += gathered_irradiance(scene, *step, estimator);
     }
 
     void visit(Archive& archive) ///< for a checkpoint
@@ -133,6 +145,17 @@ void take_gathered(const Scene& scene, const Gathered& gathered, const std::vect
 
 } // namespace
 
+Rgb gathered_irradiance(const Scene& scene, const ParticleStep& step, Estimator estimator)
+{
+    return Segment::is_patch(step.where) ? scored_power(scene, step, estimator) * scene.first_light(step.where)
+                                         : Rgb{}; // (W1)
+}
+
+Particles first_walks(const Scene& scene, const LocalOptions& options, int threads)
+{
+    return walks_of_round(scene, plan_first_round(scene, options, threads), options.seed, 0);
+}
+
 GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                                 const RunControl& run, PowerState& state)
 {
@@ -152,11 +175,7 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
         gathered.visit(archive);
     });
     if (!part.resumed())
-        walks_per_round =
-            count_walks(plan_particles(
-                            scene, [&](std::uint64_t walks) { return plan_walks(scene, walks, rounding_offset(0)); },
-                            options.lines / rounds, options.seed, run.threads)
-                            .shots());
+        walks_per_round = count_walks(plan_first_round(scene, options, run.threads));
     BlockBuffers<ParticleBlock> blocks(run.threads);
     const auto take = [&](std::uint64_t, int slot) {
         const std::vector<ParticleStep>& steps = blocks[slot].paths.steps;
@@ -174,7 +193,7 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
     std::uint64_t done = 0; // walks of the unfinished round
     for (; round < rounds; ++round) {
         shots = plan_walks(scene, walks_per_round, rounding_offset(round));
-        const Particles walks(scene, shots, mix_bits(mix_bits(options.seed) + round));
+        const Particles walks = walks_of_round(scene, shots, options.seed, round);
         const Blocks all = {walks.count(), particles_together(scene)};
         const auto trace = [&](std::uint64_t number, int slot) {
             blocks[slot].follow(walks, sequence, options.first_item + first_walk, all, number);

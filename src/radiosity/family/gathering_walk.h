@@ -21,4 +21,11 @@ struct GatheringResult
 GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                                 const RunControl& run, PowerState& state);
 
+/// The walks of the first round. Walk n takes the item options.first_item + n.
+Particles first_walks(const Scene& scene, const LocalOptions& options, int threads);
+
+/// [W/m^2] What a step of a walk adds to the irradiance of the patch where the walk starts (W1); black if the step ends
+/// at no patch.
+Rgb gathered_irradiance(const Scene& scene, const ParticleStep& step, Estimator estimator);
+
 } // namespace multipath

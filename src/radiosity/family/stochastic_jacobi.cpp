@@ -214,14 +214,20 @@ public:
     std::uint64_t count() const { return first_ray_.back(); }
     const Sender& sender(std::uint32_t patch) const { return senders_[patch]; }
 
+    /// Item of a ray, counted from the first item of the iterations.
+    std::uint64_t item(std::uint64_t ray) const
+    {
+        const std::uint32_t patch = patch_of(ray);
+        return first_item_[patch] + (ray - first_ray_[patch]);
+    }
+
     /// Puts the rays first ... first + count - 1 into the block. `of_patch` is a reusable buffer.
     void fill(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
               std::vector<Item>& of_patch, RayBlock& block) const
     {
         block.patches.clear();
         block.items.clear();
-        const auto after = std::upper_bound(first_ray_.begin(), first_ray_.end(), first);
-        auto patch = static_cast<std::uint32_t>(after - first_ray_.begin()) - 1;
+        std::uint32_t patch = patch_of(first);
         for (std::uint64_t ray = first; ray < first + count; ray = first_ray_[++patch]) {
             const auto left = static_cast<std::size_t>(first + count - ray);
             of_patch.resize(std::min(left, static_cast<std::size_t>(first_ray_[patch + 1] - ray)));
@@ -232,25 +238,38 @@ public:
     }
 
 private:
+    std::uint32_t patch_of(std::uint64_t ray) const
+    {
+        const auto after = std::upper_bound(first_ray_.begin(), first_ray_.end(), ray);
+        return static_cast<std::uint32_t>(after - first_ray_.begin()) - 1;
+    }
+
     std::vector<std::uint64_t> first_item_; ///< of each patch, in this iteration
     std::vector<std::uint64_t> first_ray_;  ///< of each patch, and the total number
     std::vector<Sender> senders_;
 };
 
-/// Adds the power that the rays of a block carry. The rays that leave i have the density n_i / A_i. In both directions,
-/// a ray between i and j might as well have left j, and all rays between the two must together carry what they
-/// exchange. So each carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic (Veach and Guibas 1995).
+/// A ray and the power that it carries. The rays that leave i have the density n_i / A_i. In both directions, a ray
+/// between i and j might as well have left j, and all rays between the two must together carry what they exchange. So
+/// each carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic (Veach and Guibas 1995).
+IterationRay carried_by(const SentRays& rays, std::uint32_t from, std::uint32_t to, bool bidirectional)
+{
+    const Sender& sender = rays.sender(from);
+    if (!bidirectional || !Segment::is_patch(to))
+        return {0, from, to, sender.density, 0.0, (1.0 / sender.density) * sender.radiosity, {}}; // (J1)
+    const Sender& other = rays.sender(to);
+    const double area = 1.0 / (sender.density + other.density); // (J2)
+    return {0, from, to, sender.density, other.density, area * sender.radiosity, area * other.radiosity};
+}
+
+/// Adds the power that the rays of a block carry.
 void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, TransportEstimate& transfer)
 {
     for (std::size_t k = 0; k < block.receivers.size(); ++k) {
-        const std::uint32_t from = block.patches[k];
-        const std::uint32_t to = block.receivers[k];
-        const Sender& sender = rays.sender(from);
-        const bool both = bidirectional && Segment::is_patch(to);
-        const double area = 1.0 / (sender.density + (both ? rays.sender(to).density : 0.0));
-        transfer.deposit(to, area * sender.radiosity); // (J1)
-        if (both)
-            transfer.deposit(from, area * rays.sender(to).radiosity);
+        const IterationRay ray = carried_by(rays, block.patches[k], block.receivers[k], bidirectional);
+        transfer.deposit(ray.to, ray.sent);
+        if (ray.to_density > 0.0)
+            transfer.deposit(ray.from, ray.returned);
     }
 }
 
@@ -373,17 +392,33 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
     return cast;
 }
 
-std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
-                              const RunControl& run, PowerState& state)
+SeriesOptions series_before_iterations(std::uint64_t first_item, std::uint64_t lines, bool bidirectional,
+                                       std::uint64_t seed)
 {
-    const PowerState start(scene);
-    JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
-    const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
-    // After m rays, each of n patches has received about m / n of them.
+    return {first_item, std::max<std::uint64_t>(1, lines / 16), std::max<std::uint64_t>(1, lines / 2), bidirectional,
+            seed};
+}
+
+namespace {
+
+/// The rays of all iterations.
+struct IterationPlan
+{
+    RayPlan rays;
+    std::uint64_t lines;           ///< of the iterations
+    std::uint64_t first_item;      ///< of the iterations
+    std::uint64_t importance_rays; ///< cast for the plan
+    double importance_checksum;    ///< identifies the important patches in a checkpoint
+};
+
+IterationPlan plan_iterations(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
+                              const std::vector<Rgb>& power, int threads)
+{
+    // After m rays, each of n_p patches has received about m / n_p of them.
     const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(options.lines_before + 1);
-    std::vector<double> shares = shares_of_rays(scene, iterations.power(), std::clamp(unknown, 0.02, 0.5));
+    std::vector<double> shares = shares_of_rays(scene, power, std::clamp(unknown, 0.02, 0.5));
     std::uint64_t importance_rays = 0;
-    double importance_checksum = 0.0; // identifies the important patches in a checkpoint
+    double importance_checksum = 0.0;
     if (options.importance) {
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             importance_checksum += options.importance->weight[i] * (1.0 + i);
@@ -391,35 +426,47 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
             static_cast<std::uint32_t>(std::min<std::uint64_t>(16, options.lines / 32 / scene.patch_count()));
         importance_rays = std::uint64_t{per_patch} * scene.patch_count();
         const std::vector<double> noise_factors =
-            per_patch > 0
-                ? options.importance->noise_factors(scene, sequence, options.first_item, per_patch, run.threads)
-                : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
-        favour(scene, *options.importance, noise_factors, iterations.power(), shares);
+            per_patch > 0 ? options.importance->noise_factors(scene, sequence, options.first_item, per_patch, threads)
+                          : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
+        favour(scene, *options.importance, noise_factors, power, shares);
     }
-    const std::uint64_t first_item = options.first_item + importance_rays;
-    const std::uint64_t lines = options.lines - importance_rays; // of the iterations
-    const RayPlan plan(shares, static_cast<double>(lines), offset);
+    const std::uint64_t lines = options.lines - importance_rays;
+    const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
+    return {RayPlan(shares, static_cast<double>(lines), offset), lines, options.first_item + importance_rays,
+            importance_rays, importance_checksum};
+}
+
+} // namespace
+
+std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
+                              const RunControl& run, PowerState& state)
+{
+    const PowerState start(scene);
+    JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
+    const IterationPlan plan = plan_iterations(scene, sequence, options, iterations.power(), run.threads);
     RayIterations rays(scene, sequence, options.bidirectional, run);
     std::uint64_t done = 0; // planned lines of the finished iterations
     std::uint64_t cast = 0; // rays of these; the same up to rounding
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("done", done);
         archive.value<std::uint64_t>("cast", cast);
-        double wanted = importance_checksum;
+        double wanted = plan.importance_checksum;
         archive.value<double>("importance", wanted);
-        if (wanted != importance_checksum)
+        if (wanted != plan.importance_checksum)
             throw ArchiveError("in the state other patches are important");
         iterations.visit(archive);
         const Archive::Inner inner(archive, "transfer");
         rays.visit(archive);
     });
     if (!part.resumed())
-        run.count_lines(importance_rays);
-    const auto part_of = [&](std::uint64_t count) { return static_cast<double>(count) / static_cast<double>(lines); };
-    while (done < lines) {
-        const std::uint64_t next = iterations.next_lines(lines - done);
-        const SentRays sent(scene, plan, iterations.power(), part_of(done), part_of(done + next));
-        if (!rays.cast(sent, first_item))
+        run.count_lines(plan.importance_rays);
+    const auto part_of = [&](std::uint64_t count) {
+        return static_cast<double>(count) / static_cast<double>(plan.lines);
+    };
+    while (done < plan.lines) {
+        const std::uint64_t next = iterations.next_lines(plan.lines - done);
+        const SentRays sent(scene, plan.rays, iterations.power(), part_of(done), part_of(done + next));
+        if (!rays.cast(sent, plan.first_item))
             break;
         iterations.add(rays.take(), static_cast<double>(next));
         done += next;
@@ -427,7 +474,29 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     }
     if (done > 0)
         state = iterations.finish();
-    return importance_rays + cast;
+    return plan.importance_rays + cast;
+}
+
+IterationTrace trace_first_iteration(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
+                                     const PowerState& state, std::uint64_t first, std::uint64_t count, int threads)
+{
+    const PowerState start(scene);
+    const JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
+    const IterationPlan plan = plan_iterations(scene, sequence, options, iterations.power(), threads);
+    const double part = static_cast<double>(iterations.next_lines(plan.lines)) / static_cast<double>(plan.lines);
+    const SentRays sent(scene, plan.rays, iterations.power(), 0.0, part);
+    IterationTrace trace{sent.count(), {}};
+    first = std::min(first, sent.count());
+    RayBlock block;
+    std::vector<Item> items;
+    sent.fill(sequence, plan.first_item, first, static_cast<std::size_t>(std::min(count, sent.count() - first)), items,
+              block);
+    block.trace(scene);
+    for (std::size_t k = 0; k < block.receivers.size(); ++k) {
+        trace.rays.push_back(carried_by(sent, block.patches[k], block.receivers[k], options.bidirectional));
+        trace.rays.back().item = plan.first_item + sent.item(first + k);
+    }
+    return trace;
 }
 
 } // namespace multipath

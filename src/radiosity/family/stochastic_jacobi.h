@@ -89,11 +89,38 @@ struct JacobiOptions
 std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const SeriesOptions& options,
                           const RunControl& run, PowerState& state);
 
+/// The series before the iterations of a run with so many lines, for which it uses about a sixteenth of them.
+SeriesOptions series_before_iterations(std::uint64_t first_item, std::uint64_t lines, bool bidirectional,
+                                       std::uint64_t seed);
+
 /// Iterations in which every patch sends all its power, by rays in proportion to it (J1) (J2). `state` holds an
 /// estimate of all light, which must not be too poor: an error that all patches share decreases only by the factor rho
 /// per iteration. Returns the number of rays cast, fewer if the run is stopped: an unfinished iteration has no effect.
 /// The caller must save `state` in the checkpoint; this function saves the rest.
 std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
                               const RunControl& run, PowerState& state);
+
+/// A ray of an iteration, and the power that it carries (J1) (J2).
+struct IterationRay
+{
+    std::uint64_t item;  ///< of the sequence
+    std::uint32_t from;  ///< patch that it leaves
+    std::uint32_t to;    ///< patch, Segment::behind or Segment::outside
+    double from_density; ///< [1/m^2] n_i / A_i of the patch that it leaves
+    double to_density;   ///< [1/m^2] the same of the patch at its other end; 0 if the ray carries power one way only
+    Rgb sent;            ///< [W]
+    Rgb returned;        ///< [W] sent by the patch at the other end; black if the ray carries power one way only
+};
+
+struct IterationTrace
+{
+    std::uint64_t ray_count = 0; ///< of the iteration
+    std::vector<IterationRay> rays;
+};
+
+/// The rays first ... first + count - 1 of the first iteration, as far as there are so many. Options and `state` as in
+/// iterate_by_rays.
+IterationTrace trace_first_iteration(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
+                                     const PowerState& state, std::uint64_t first, std::uint64_t count, int threads);
 
 } // namespace multipath

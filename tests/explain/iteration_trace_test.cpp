@@ -1,0 +1,118 @@
+#include "explain/line_trace.h"
+
+#include "scene/input_error.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+#include <map>
+
+namespace iteration_trace_test {
+
+using namespace multipath;
+
+namespace {
+
+Scene coloured_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.6, 0.0);
+    const std::uint32_t red = builder.material({0.8, 0.2, 0.1}, {});
+    const std::uint32_t lamp = builder.material({0.5, 0.5, 0.5}, {3.0, 2.0, 1.0});
+    return builder.room({0, 0, 0}, {2, 1, 3}, {grey, lamp, red, grey, grey, red}).scene(0.5);
+}
+
+SolveOptions run(bool bidirectional)
+{
+    SolveOptions options;
+    options.method = Method::jacobi;
+    options.lines = 1u << 14;
+    options.bidirectional = bidirectional;
+    return options;
+}
+
+JacobiTrace trace_all(const Scene& scene, const SolveOptions& options)
+{
+    return trace_iteration(scene, options, {0, trace_iteration(scene, options, {0, 1}).ray_count});
+}
+
+} // namespace
+
+// With few lines left there is one iteration, whose mean with the series is weighted by lines.
+TEST_CASE("the traced rays of the first iteration carry what the solver adds")
+{
+    const Scene scene = coloured_room();
+    const auto sequence = make_sequence("sobol", 1);
+    for (const bool bidirectional : {true, false}) {
+        PowerState series(scene);
+        const std::uint64_t before =
+            send_series(scene, *sequence, series_before_iterations(0, 1u << 14, bidirectional, 1), {1}, series);
+        const JacobiOptions options{before, before, before + before / 2, bidirectional, 1};
+        const std::uint64_t count = trace_first_iteration(scene, *sequence, options, series, 0, 1, 1).ray_count;
+        const IterationTrace trace = trace_first_iteration(scene, *sequence, options, series, 0, count, 1);
+        REQUIRE(trace.rays.size() == count);
+        std::vector<Rgb> incident(scene.patch_count()); // the room is closed
+        for (const IterationRay& ray : trace.rays) {
+            incident[ray.to] += ray.sent;
+            incident[ray.from] += ray.returned;
+        }
+        PowerState state = series;
+        CHECK(iterate_by_rays(scene, *sequence, options, {1}, state) == count);
+        const double weight = static_cast<double>(options.lines) / static_cast<double>(before + options.lines);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const Rgb expected = (1.0 - weight) * series.incident[i] + weight * incident[i];
+            CHECK(expected.r == doctest::Approx(state.incident[i].r).epsilon(1e-12));
+            CHECK(expected.b == doctest::Approx(state.incident[i].b).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("rays of an iteration leave the patches in order, in proportion to what they carry together")
+{
+    const Scene scene = coloured_room();
+    const JacobiTrace trace = trace_all(scene, run(false));
+    std::map<std::uint32_t, std::pair<double, double>> sent; // rays and power of each patch
+    std::uint32_t last = 0;
+    for (const JacobiRay& ray : trace.rays) {
+        REQUIRE(ray.crossing);
+        CHECK(ray.crossing->patches.arrives_at == ray.carried.to);
+        CHECK(ray.carried.from >= last);
+        last = ray.carried.from;
+        sent[last].first += 1.0;
+        sent[last].second += mean(ray.carried.sent);
+    }
+    double power = 0.0;
+    for (const auto& patch : sent)
+        power += patch.second.second;
+    // The rays are planned by the power, but for half of them at most, which go by area.
+    for (const auto& patch : sent)
+        CHECK(patch.second.first / static_cast<double>(trace.ray_count) + 2.0 / static_cast<double>(trace.ray_count) >
+              0.5 * patch.second.second / power);
+}
+
+TEST_CASE("rays between two patches carry the same, whichever they leave")
+{
+    const Scene scene = coloured_room();
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<Rgb, Rgb>> carried;
+    std::size_t met_again = 0;
+    for (const JacobiRay& ray : trace_all(scene, run(true)).rays) {
+        const IterationRay& c = ray.carried;
+        const bool turned = c.from > c.to;
+        const auto pair = turned ? std::pair{c.to, c.from} : std::pair{c.from, c.to};
+        const auto power = turned ? std::pair{c.returned, c.sent} : std::pair{c.sent, c.returned};
+        const auto [place, is_new] = carried.insert({pair, power});
+        met_again += is_new ? 0 : 1;
+        CHECK(place->second.first.g == doctest::Approx(power.first.g).epsilon(1e-14));
+        CHECK(place->second.second.g == doctest::Approx(power.second.g).epsilon(1e-14));
+    }
+    CHECK(met_again > 100);
+}
+
+TEST_CASE("rays beyond the iteration are refused")
+{
+    const Scene scene = coloured_room();
+    const std::uint64_t rays = trace_iteration(scene, run(true), {0, 1}).ray_count;
+    CHECK_NOTHROW(trace_iteration(scene, run(true), {rays - 1, 1}));
+    CHECK_THROWS_AS(trace_iteration(scene, run(true), {rays, 1}), SettingsError);
+}
+
+} // namespace iteration_trace_test

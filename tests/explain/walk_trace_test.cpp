@@ -1,0 +1,90 @@
+#include "explain/line_trace.h"
+
+#include "radiosity/solve.h"
+#include "scene/input_error.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+namespace walk_trace_test {
+
+using namespace multipath;
+
+namespace {
+
+Scene coloured_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.6, 0.0);
+    const std::uint32_t red = builder.material({0.8, 0.2, 0.1}, {});
+    const std::uint32_t lamp = builder.material({0.5, 0.5, 0.5}, {3.0, 2.0, 1.0});
+    return builder.room({0, 0, 0}, {2, 1, 3}, {grey, lamp, red, grey, grey, red}).scene(0.5);
+}
+
+/// Fewer lines than two rounds take.
+SolveOptions short_run(Estimator estimator)
+{
+    SolveOptions options;
+    options.method = Method::gathering;
+    options.lines = 3000;
+    options.estimator = estimator;
+    return options;
+}
+
+WalkTrace trace_all(const Scene& scene, const SolveOptions& options)
+{
+    return trace_walks(scene, options, {0, trace_walks(scene, options, {0, 1}).walk_count});
+}
+
+} // namespace
+
+// The solver adds the same numbers in another order: 1e-12 is far above the rounding of some thousand additions.
+TEST_CASE("what the traced walks add is the solver's irradiance, and their segments are its lines")
+{
+    const Scene scene = coloured_room();
+    for (const Estimator estimator : {Estimator::collision, Estimator::absorption}) {
+        const SolveOptions options = short_run(estimator);
+        std::vector<Rgb> irradiance(scene.patch_count());
+        std::uint64_t segments = 0;
+        for (const TracedParticle& walk : trace_all(scene, options).walks)
+            for (const TracedStep& traced : walk.steps) {
+                ++segments;
+                irradiance[walk.steps.front().step.from] += traced.counted;
+            }
+        const Solution solution = solve(scene, options, [](double) {});
+        CHECK(segments == solution.local_lines);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const Rgb expected = scene.emittance(i) + scene.reflectance(i) * irradiance[i];
+            CHECK(expected.r == doctest::Approx(solution.radiosity[i].r).epsilon(1e-12));
+            CHECK(expected.b == doctest::Approx(solution.radiosity[i].b).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("a walk adds light only where it meets a source, and starts with its own item")
+{
+    const Scene scene = coloured_room();
+    const SolveOptions options = short_run(Estimator::collision);
+    std::size_t adding = 0;
+    for (const TracedParticle& walk : trace_all(scene, options).walks) {
+        CHECK(walk.origin.item == walk.origin.number);
+        CHECK(walk.steps.front().step.item == walk.origin.numbers);
+        for (const TracedStep& traced : walk.steps) {
+            const bool on_source = scene.emittance(traced.step.where).r > 0.0;
+            CHECK((traced.counted != Rgb{}) == on_source);
+            adding += on_source ? 1 : 0;
+        }
+    }
+    CHECK(adding > 100);
+}
+
+TEST_CASE("walks beyond the round are refused")
+{
+    const Scene scene = coloured_room();
+    const SolveOptions options = short_run(Estimator::collision);
+    const std::uint64_t walks = trace_walks(scene, options, {0, 1}).walk_count;
+    CHECK_NOTHROW(trace_walks(scene, options, {walks - 1, 1}));
+    CHECK_THROWS_AS(trace_walks(scene, options, {walks, 1}), SettingsError);
+}
+
+} // namespace walk_trace_test
