@@ -11,8 +11,8 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                "#222222", "#e69f00", "#56b4e9"};
+constexpr std::array<const char*, 8> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                "#222222", "#e69f00", "#56b4e9", "#8b5a2b"};
 
 /// Shapes of marks: path data relative to the mark's centre.
 constexpr std::array<const char*, 12> outlines = {
@@ -130,7 +130,8 @@ std::string svg_path(const std::string& shape, const std::string& attributes)
 
 MarkStyle svg_series_mark(std::size_t series)
 {
-    return {colours[series % colours.size()], series % outlines.size()};
+    constexpr std::size_t period = 24; // of colour and shape together
+    return {colours[series % colours.size()], (series + series / period) % outlines.size()};
 }
 
 std::string svg_marks(const std::vector<SvgPoint>& points, const MarkStyle& style, bool hollow)

@@ -172,21 +172,21 @@ TEST_CASE("an axis without data is one of numbers")
     CHECK(axis.high == doctest::Approx(1.13));
 }
 
-TEST_CASE("twelve series differ in shape alone, seven in colour alone, eighty-four in one or the other")
+TEST_CASE("twelve series differ in shape alone, eight in colour alone, ninety-six in one or the other")
 {
     std::set<std::string> shapes;
     std::set<std::string> colours;
     std::set<std::string> marks;
-    for (std::size_t k = 0; k < 84; ++k) {
+    for (std::size_t k = 0; k < 96; ++k) {
         if (k < 12)
             shapes.insert(outline(k));
-        if (k < 7)
+        if (k < 8)
             colours.insert(svg_series_mark(k).colour);
         marks.insert(svg_series_mark(k).colour + outline(k));
     }
     CHECK(shapes.size() == 12);
-    CHECK(colours.size() == 7);
-    CHECK(marks.size() == 84);
+    CHECK(colours.size() == 8);
+    CHECK(marks.size() == 96);
 }
 
 TEST_CASE("marks stand at their places, filled in their colour or white inside")
