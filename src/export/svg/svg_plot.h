@@ -29,8 +29,8 @@ struct MarkStyle
 /// [px] Approximate distance from the centre of a mark to its border.
 constexpr double mark_radius = 4.5;
 
-/// Mark of a series: cycles through twelve shapes and eight colours (Okabe and Ito, brown for yellow), so that 96 series
-/// differ.
+/// Mark of a series: cycles through twelve shapes and eight colours (Okabe and Ito, brown for yellow), so that 96
+/// series differ.
 MarkStyle svg_series_mark(std::size_t series);
 
 /// One mark per point, all in one path. Filled marks have a white rim, which separates overlapping ones; hollow marks
