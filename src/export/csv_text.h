@@ -17,7 +17,7 @@ std::string comment_lines(const std::vector<std::string>& comments);
 /// Value of the first comment "name: value"; nothing if there is none.
 std::optional<std::string> comment_value(const std::vector<std::string>& comments, std::string_view name);
 
-/// Appends a number with 17 significant digits, from which the same double is read back; never "-0".
+/// Appends a number with 17 significant digits, which are read back as the same double; -0.0 is written as 0.
 void append_number(std::string& row, double value);
 
 /// Formats text as a CSV field: in quotes if it contains commas, quotes or line ends.
@@ -26,7 +26,7 @@ std::string csv_field(const std::string& text);
 struct CsvRow
 {
     std::vector<std::string> fields; ///< without quotes
-    std::uint32_t line = 0;          ///< line number in the file, from 1; the first if quoted fields contain line ends
+    std::uint32_t line = 0;          ///< line on which the row starts, counted from 1
 };
 
 /// A parsed CSV file. All rows have as many fields as the header.
@@ -43,8 +43,8 @@ struct CsvTable
     /// Index of the column with this name. Throws InputError if there is none.
     std::size_t column(std::string_view name) const;
 
-    /// Parses a field as a finite number, correctly rounded and independent of the locale. Throws InputError if it is
-    /// none.
+    /// Parses a field as a finite number, correctly rounded and independent of the locale. Throws InputError if the
+    /// field is not a finite number.
     double number(const CsvRow& row, std::size_t column) const;
 
     TextLocation place(const CsvRow& row) const { return {path, row.line}; }
@@ -52,10 +52,12 @@ struct CsvTable
 
 /// Parses CSV according to RFC 4180: fields are quoted entirely or not at all, and lines end in LF or CRLF. In
 /// addition, lines before the header that start with `#` are comments. Throws InputError for anything else, for control
-/// characters other than tabs and form feeds, and for two columns with the same name. `path` is for messages.
+/// characters other than tabs (horizontal and vertical) and form feeds, and for two columns with the same name. `path`
+/// is for messages.
 CsvTable parse_csv(std::string_view text, const std::string& path);
 
-/// Parses a CSV file. Throws InputError like parse_csv(), and for a file that TextLines refuses.
+/// Parses a CSV file. Throws InputError like parse_csv(), and if the file cannot be read, is UTF-16 text, or has a line
+/// longer than 16 MiB. The lines come from TextLines, so one that ends in a backslash is joined with the next.
 CsvTable read_csv(const std::string& path);
 
 } // namespace multipath

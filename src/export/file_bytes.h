@@ -8,12 +8,12 @@
 
 namespace multipath {
 
-/// The bytes of a memory-mapped file. Immutable; copies share the mapping.
+/// The bytes of a file: memory-mapped, read from a pipe, or already in memory. Immutable; copies share the bytes.
 class FileBytes
 {
 public:
-    /// Maps a regular file, or reads a pipe to its end. Throws std::runtime_error with the reason, such as "Permission
-    /// denied", also for a device and for more than 1 GiB from a pipe.
+    /// Maps a regular file, or reads a pipe to its end. Throws std::runtime_error if the file cannot be read, is a
+    /// device, or is a pipe that gives more than 1 GiB. The message is the reason alone, such as "Permission denied".
     explicit FileBytes(const std::string& path);
     /// Takes bytes that are already in memory.
     explicit FileBytes(std::vector<char> bytes);
@@ -28,7 +28,8 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Reads a whole file. Throws InputError, such as "room.csv: cannot be read: Permission denied".
+/// Copies a whole file or pipe into a string. Throws InputError if FileBytes cannot read it, with a message such as
+/// "room.csv: cannot be read: Permission denied".
 std::string bytes_of_file(const std::string& path);
 
 } // namespace multipath

@@ -8,7 +8,7 @@ namespace multipath {
 std::string html_escaped(const std::string& text);
 
 /// Formats one line of a page's provenance record, such as "command: multipath solve room.obj", as a <meta> element of
-/// its head. A comment would not do, since it must not contain two consecutive hyphens.
+/// its head. An HTML comment would not do: it must not contain "--", which options begin with.
 std::string html_record_line(const std::string& fact);
 
 /// Base64 encoding (RFC 4648), to embed files in a page.

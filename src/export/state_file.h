@@ -15,13 +15,14 @@
 
 namespace multipath {
 
-/// Writes a state file: a checksummed container of named arrays, the same bytes on every machine
-/// (docs/state_format.md).
+/// Writes a state file: a checksummed container of named arrays (docs/state_format.md). The same content gives the same
+/// bytes on every machine. An archive that only writes: read(), holds() and length() throw ArchiveError.
 class StateWriter : public Archive
 {
 public:
     friend class StateReader;
 
+    /// Receives the bytes of the file in order, in pieces.
     using Sink = std::function<void(std::string_view bytes)>;
 
     explicit StateWriter(Sink sink);
@@ -48,14 +49,14 @@ private:
 /// True if the file can be read and begins like a state file.
 bool is_state_file(const std::string& path);
 
-/// Reads the arrays of a state file.
+/// Reads the arrays of a state file. An archive that only reads: write() throws ArchiveError.
 class StateReader : public Archive
 {
 public:
     /// Throws ArchiveError for a file that cannot be read, is no state file, was written by a newer version, or is
     /// damaged.
     explicit StateReader(const std::string& path);
-    /// Reads from the bytes of a file; `name` is for messages.
+    /// Reads from the bytes of a file; `name` is for messages. Throws ArchiveError likewise.
     StateReader(std::string name, FileBytes bytes);
 
     const std::string& name() const { return name_; }
@@ -97,23 +98,24 @@ private:
     std::map<std::string, Array> arrays_;
 };
 
-/// A scene as stored in a state file, which is sufficient to resume a run or to render pictures.
+/// A scene as stored in a state file: complete, so that neither resuming a run nor rendering needs the scene's own
+/// files.
 struct ArchivedScene
 {
-    std::shared_ptr<const SceneFile> file; ///< shared with the scene; null before it is read
+    std::shared_ptr<const SceneFile> file; ///< data of the scene, shared with it; null until visit() reads them
     double patch_size = 0.0;               ///< [scene units]
     std::uint64_t two_sided = 0;           ///< 0 or 1
     std::uint64_t patches = 0;             ///< number of patches
     std::uint64_t hash = 0;                ///< Scene::hash()
     std::vector<std::uint8_t> levels{};    ///< Scene::levels()
 
-    /// Writes or reads all members. Throws ArchiveError for values that no scene has.
+    /// Writes or reads all members. Throws ArchiveError for values that no scene can have (a damaged file).
     void visit(Archive& archive);
 };
 
 ArchivedScene archived(const Scene& scene);
 
-/// Rebuilds the scene. Throws ArchiveError if the number of patches or the hash differs from the stored one.
+/// Rebuilds the scene. Throws ArchiveError if the stored number of patches, levels or hash do not fit the stored scene.
 Scene restored(const ArchivedScene& archived);
 
 } // namespace multipath

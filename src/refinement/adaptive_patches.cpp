@@ -13,7 +13,10 @@ namespace multipath {
 
 namespace {
 
-/// Estimated error [m^2 (W/m^2)^2] of every cell of all surfaces, both sides together; 0 if it is negligible.
+/// Estimated error [m^2 (W/m^2)^2] of every cell of all surfaces, the sum over its sides; 0 if it is negligible. The
+/// error of a patch is its area times its residual in SmoothShading: how far its linear function is from the values
+/// shown at its corners, plus a term for the curvature. If the patch is the only cell of its surface, the residual is a
+/// fixed fraction of its squared reflected radiosity.
 std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
 {
     // The slope of a patch without neighbours is unknown; its mean square variation is taken as this fraction of its
@@ -38,7 +41,7 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
     return result;
 }
 
-/// Splits the cells with the largest errors into four, up to about `wanted` patches, never more.
+/// Splits the cells with the largest errors into four, up to about `wanted` patches, and adds none beyond that.
 Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wanted, int threads)
 {
     const auto cells = static_cast<std::uint32_t>(error.size());

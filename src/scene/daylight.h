@@ -5,12 +5,15 @@
 namespace multipath {
 
 /// Encloses the scene in a box of six black rectangles that face inward and emit `emittance` [W/m^2]: a sky of uniform
-/// radiance emittance / pi. A surface that sees only this sky has the irradiance `emittance`. The rectangles become the
-/// last surfaces of the file, with a material and a group of their own.
+/// radiance emittance / pi. A surface that sees only this sky has the irradiance `emittance`. The box is larger than
+/// the scene's by 5 % of the scene's diagonal on each side. The rectangles become the last surfaces of the file, with a
+/// material and a group of their own.
 void add_sky(SceneFile& file, Rgb emittance);
 
-/// The sun at an azimuth (clockwise from north) and an elevation above the horizon [degrees]. North is -z if y is up,
-/// as in exported files, and +y if z is up; east is +x. `irradiance` [W/m^2] is that of a plane facing the sun.
+/// The sun at an azimuth [degrees], clockwise from north, and an elevation [degrees] above the horizon. North is -z if
+/// y is up, as in exported files, and +y if z is up; east is +x in both cases. For another `up`, north is -z projected
+/// onto the horizontal plane, or +y if `up` is within 26 degrees of the z axis. `irradiance` [W/m^2] is that of a plane
+/// facing the sun.
 Sun sun_at(double azimuth, double elevation, Vec3 up, Rgb irradiance);
 
 } // namespace multipath

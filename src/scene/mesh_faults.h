@@ -14,21 +14,24 @@ struct CoincidentFaces
 {
     std::uint32_t first;
     std::uint32_t second;
-    bool same_side; ///< both face the same way, so that either may hide the other; false: they face opposite ways
+    /// True if both face the same way, so that the smaller one hides the larger; false if they face opposite ways.
+    bool same_side;
 };
 
 struct CoincidentPairs
 {
-    std::vector<CoincidentFaces> pairs; ///< in the order of their surfaces
-    bool complete = true;               ///< false if there may be more pairs
+    std::vector<CoincidentFaces> pairs; ///< first < second; in ascending order of both
+    bool complete = true; ///< false if more than `most` pairs were found, or only some of the surfaces were tested
 };
 
-/// Finds overlapping coplanar surfaces by testing sample points of each surface; returns at most `most` pairs. If very
-/// many surfaces lie close together, only a subset of them is tested.
+/// Finds overlapping coplanar surfaces by testing sample points of each surface; returns at most `most` pairs. Small
+/// overlaps between the sample points are missed. If very many surfaces lie close together, only some of them are
+/// tested.
 CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most);
 
-/// Surfaces with an open edge: no other surface has the same edge in the opposite direction. There a closed scene would
-/// leak light. A long edge along several shorter ones (a T-junction) counts as open, too.
+/// Indices, ascending, of the surfaces with an open edge: one that no other surface has in the opposite direction.
+/// Light can leak through such an edge out of a room that is meant to be closed. A long edge along several shorter ones
+/// (a T-junction) counts as open. Corners are equal only if they have exactly the same position (weld()).
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces);
 
 } // namespace multipath

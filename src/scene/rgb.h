@@ -47,8 +47,8 @@ inline bool operator!=(Rgb a, Rgb b)
     return !(a == b);
 }
 
-/// The mean of the channels, used where the paper needs a single number. Exact for grey: equal channels give their
-/// common value, which (r + g + b) / 3 does not always do.
+/// The mean of the channels, used where the multi-path method needs one number instead of three channels
+/// (docs/method.md, Symbols). For r = g = b it is exactly r; (r + g + b) / 3 may differ from that in the last bit.
 inline double mean(Rgb a)
 {
     return a.r == a.g && a.g == a.b ? a.r : (a.r + a.g + a.b) / 3.0;

@@ -14,7 +14,7 @@ namespace multipath {
 class SceneBuilder
 {
 public:
-    /// Adds a material and returns its index.
+    /// Adds a material and returns its index. `reflectance`: [1]; `emittance`: [W/m^2].
     std::uint32_t material(Rgb reflectance, Rgb emittance)
     {
         return material("material" + std::to_string(file_.materials.size()), reflectance, emittance);
@@ -24,6 +24,7 @@ public:
         file_.materials.push_back({name, reflectance, emittance, "memory"});
         return static_cast<std::uint32_t>(file_.materials.size() - 1);
     }
+    /// A material with the same values in all channels.
     std::uint32_t grey(double reflectance, double emittance)
     {
         return material({reflectance, reflectance, reflectance}, {emittance, emittance, emittance});
@@ -89,6 +90,7 @@ public:
         file.groups = {""};
         return file;
     }
+    /// `patch_size`: [scene units].
     Scene scene(double patch_size, bool two_sided = false) const { return Scene(file(), patch_size, two_sided); }
 
 private:

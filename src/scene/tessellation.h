@@ -11,14 +11,16 @@
 
 namespace multipath {
 
-/// A point of the grid on a surface: i of cells_u steps along u, j of cells_v steps along v.
+/// A corner point of a grid on a surface: i steps along u and j along v. The grid of a Tessellation has cells_u by
+/// cells_v steps, that of Tessellation::corners() grid_u() by grid_v().
 struct GridPoint
 {
     std::uint32_t i = 0;
     std::uint32_t j = 0;
 };
 
-/// The corners of a cell, counter-clockwise seen from the front: its origin, the end of its edge_u, and so on.
+/// The corners of a cell, counter-clockwise seen from the front. Parallelogram: its origin, the end of its edge_u, the
+/// opposite corner, the end of its edge_v. Triangle: its origin, the end of its edge_u, the end of its edge_v.
 struct CellCorners
 {
     std::array<GridPoint, 4> points;
@@ -31,13 +33,15 @@ struct CellCorners
 struct Tessellation;
 
 /// One quadtree (Samet 1984) per cell of a grid: a cell is divided into four similar cells of equal area, recursively.
-/// The leaves are numbered cell by cell, and depth first within a cell.
+/// The leaves are numbered cell by cell, and depth first within a cell. The four parts of a parallelogram are ordered
+/// (low u, low v), (low u, high v), (high u, low v), (high u, high v). Those of a triangle lie at its origin, in its
+/// middle, at the end of its edge_v and at the end of its edge_u.
 class CellTrees
 {
 public:
     static constexpr std::uint8_t deepest = 12;
 
-    /// `levels`: level of each leaf in this order; 0 for a cell of the grid that is not divided. Throws
+    /// `levels`: one per leaf, in the order of the leaves; 0 for a cell of the grid that is not divided. Throws
     /// std::invalid_argument if the levels do not form complete trees or do not fit the grid (see fit()).
     CellTrees(const Tessellation& grid, const std::uint8_t* levels, std::size_t count);
 
@@ -48,9 +52,10 @@ public:
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::uint8_t depth() const { return depth_; } ///< highest level
     std::uint8_t level(std::uint32_t leaf) const { return leaves_[leaf].level; }
-    /// The index of the leaf in the grid whose cells all have its level, Tessellation::uniform().
+    /// The index that this leaf has as a cell of Tessellation::uniform(level(leaf)), where all cells have its level.
     std::uint32_t cell_of_level(std::uint32_t leaf) const { return leaves_[leaf].cell; }
-    /// The leaf at the point (x, y) of a cell of the grid, in units of the cell's edges from its origin.
+    /// The leaf that contains a point of cell `cell` of the grid. (x, y) is measured from the cell's origin along its
+    /// edges, whose lengths count as 1.
     std::uint32_t leaf_at(std::uint32_t cell, double x, double y) const;
 
 private:
@@ -72,8 +77,9 @@ private:
 };
 
 /// The subdivision of a surface into cells: of a parallelogram into cells_u x cells_v equal parallelograms, of a
-/// triangle into cells_u^2 triangles similar to it (cells_v = cells_u). With trees, their leaves are the cells. The
-/// cell at (u, v) is found in constant time, or in time proportional to the depth of its tree.
+/// triangle into cells_u^2 triangles similar to it (cells_v = cells_u). If there are trees, a "cell" below is one of
+/// their leaves, and a "cell of the grid" is an undivided one. The cell at (u, v) is found in constant time, or in time
+/// proportional to the depth of its tree.
 struct Tessellation
 {
     Shape shape = Shape::parallelogram;
@@ -82,14 +88,16 @@ struct Tessellation
     std::shared_ptr<const CellTrees> trees; ///< null if no cell of the grid is divided
 
     std::uint64_t cell_count() const { return trees ? trees->leaf_count() : std::uint64_t{cells_u} * cells_v; }
-    /// The cell that contains (u, v). A point outside the surface by rounding belongs to a cell at the border.
+    /// The cell that contains (u, v). A point that rounding put just outside the surface belongs to the nearest cell at
+    /// the border.
     std::uint32_t cell_at(double u, double v) const;
     std::uint8_t level(std::uint32_t cell) const { return trees ? trees->level(cell) : std::uint8_t{0}; }
-    /// Corners in the grid of the smallest cells, which has grid_u() steps along u and grid_v() along v.
+    /// The corners of a cell of any level, as points of the finest grid, which has grid_u() by grid_v() steps.
     CellCorners corners(std::uint32_t cell) const;
     std::uint32_t grid_u() const { return cells_u << depth(); }
     std::uint32_t grid_v() const { return cells_v << depth(); }
-    /// The cell as a surface. All cells of one level have the same area, a quarter of that of the level above.
+    /// The cell as a surface. All cells of a level have the same area, a quarter of that of cells one level lower
+    /// (level - 1).
     Surface cell(const Surface& surface, std::uint32_t cell) const;
     /// The grid with each of its cells divided into 4^level, without trees.
     Tessellation uniform(std::uint8_t level) const { return {shape, cells_u << level, cells_v << level, nullptr}; }
@@ -117,7 +125,7 @@ inline std::uint32_t Tessellation::cell_at(double u, double v) const
         return trees ? trees->leaf_at(cell, u * cells_u - i, v * cells_v - j) : cell;
     }
 
-    const std::uint32_t last = cells_u - 1 - i; // the column's last cell has no upper half
+    const std::uint32_t last = cells_u - 1 - i; // the last grid square of the column has only its lower triangle
     const std::uint32_t j = std::min(cell_index(v, cells_u), last);
     const double x = u * cells_u - i;
     const double y = v * cells_u - j;
@@ -131,6 +139,7 @@ inline std::uint32_t Tessellation::cell_at(double u, double v) const
 inline std::uint32_t CellTrees::leaf_at(std::uint32_t cell, double x, double y) const
 {
     std::uint32_t node = nodes_[cell];
+    // Parts of a triangle: 0 at its origin, 1 in its middle, 2 at the end of its edge_v, 3 at the end of its edge_u.
     while ((node & inner) != 0) {
         x *= 2.0;
         y *= 2.0;
@@ -140,7 +149,7 @@ inline std::uint32_t CellTrees::leaf_at(std::uint32_t cell, double x, double y) 
             x -= x >= 1.0 ? 1.0 : 0.0;
             y -= y >= 1.0 ? 1.0 : 0.0;
         } else {
-            part = 1; // the middle one of a triangle, which is upside down
+            part = 1; // upside down
             x = 1.0 - x;
             y = 1.0 - y;
         }
@@ -149,20 +158,23 @@ inline std::uint32_t CellTrees::leaf_at(std::uint32_t cell, double x, double y) 
     return node;
 }
 
-/// Divides a surface into a grid with ceil(edge / patch_size) cells along an edge, at least one; the longest edge of a
-/// triangle counts. Throws SettingsError if the surface would get 2^31 cells or more.
+/// Divides a surface into a grid with ceil(edge / patch_size) cells along an edge, at least one. A triangle gets the
+/// number for its longest edge along both edges. `patch_size`: [scene units]. Throws SettingsError if the surface would
+/// get 2^31 cells or more.
 Tessellation tessellate(const Surface& surface, double patch_size);
 
-/// The total number of cells of all surfaces; a real number, since a small patch size gives more than an integer holds.
+/// The number of cells that tessellate() would give all surfaces together; a double, since a small patch size
+/// [scene units] gives more than an integer holds.
 double cell_count(const SurfaceList& surfaces, double patch_size);
 
-/// A patch size [scene units] that gives a few thousand patches: the largest round number up to sqrt(A / 2500), or up
-/// to three times that root if needed for at most 4000 patches. It is larger still only if there would be more than
-/// 2^17 patches plus 8 per surface.
+/// The default patch size [scene units], a round number: 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten. It
+/// is the largest one up to sqrt(A / 2500), where A is the total area, which gives at least about 2500 patches. While
+/// that gives more than 4000 patches, the next round number is taken, up to 3 sqrt(A / 2500). Beyond that, the next one
+/// is taken only while there are more than 2^17 patches plus 8 per surface.
 double default_patch_size(const SurfaceList& surfaces);
 
-/// The patch size [scene units] that gives a number of patches close to `wanted` and at most `wanted`, unless there are
-/// more surfaces than that.
+/// The patch size [scene units] that gives as many patches as possible up to about `wanted`, never more. If there are
+/// more surfaces than `wanted`, it is the diagonal of the scene, which gives one patch per surface.
 double patch_size_for_count(const SurfaceList& surfaces, std::uint64_t wanted);
 
 } // namespace multipath

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// Lists of numbers as the page holds them: the bytes of a typed array of JavaScript (little-endian) in base64.
+// Lists of numbers as the viewer's page holds them: the little-endian bytes of a JavaScript typed array, in base64.
 
 namespace multipath {
 
@@ -23,20 +23,22 @@ std::string packed_numbers(const std::vector<double>& values);
 std::string packed_colours(const std::vector<Rgb>& values);
 
 /// Packs a colour into 32 bits, the format RGB9_E5 of WebGL 2: from the lowest bit, nine bits each of red, green and
-/// blue, then five of their common exponent. The error of a channel is at most 1/512 of the brightest channel. Channels
-/// above largest_shared are clipped; negative ones and NaN become 0.
+/// blue, then five of their common exponent. The error of a channel is at most about 1/512 of the brightest channel, or
+/// 2^-25 if that channel is below 2^-16. Channels above largest_shared are clipped; negative ones and NaN become 0.
 std::uint32_t shared_exponent(Rgb colour);
 
-constexpr double largest_shared = 65408.0; ///< 511 * 2^(31 - 15 - 9)
+/// 511 * 2^(31 - 15 - 9): largest mantissa, largest exponent, bias of the exponent, bits of the mantissa.
+constexpr double largest_shared = 65408.0;
 
-/// A Uint32Array of colours with a shared exponent, in a unit in which all of them are below largest_shared.
+/// A list of colours, each divided by a common `unit` and packed by shared_exponent(). A colour is `unit` times its
+/// unpacked value.
 struct PackedLight
 {
-    double unit = 1.0; ///< a power of two
-    std::string words;
+    double unit = 1.0; ///< a power of two; 1 if no channel is positive
+    std::string words; ///< a Uint32Array, one word per colour
 };
 
-/// Packs the colours in the smallest such unit.
+/// Packs the colours with the smallest power of two as unit for which no finite channel exceeds largest_shared.
 PackedLight packed_light(const std::vector<Rgb>& values);
 
 } // namespace multipath

@@ -30,7 +30,8 @@ inline Rgb to_rgb(Float3 c)
     return {c[0], c[1], c[2]};
 }
 
-/// A triangle or quadrilateral, counter-clockwise seen from the side of its patch.
+/// A triangle or quadrilateral, counter-clockwise as seen by a viewer in front of its patch, which is on the front or
+/// the back of a surface.
 struct MeshFace
 {
     std::array<std::uint32_t, 4> corners{}; ///< indices of vertices
@@ -63,7 +64,7 @@ struct PatchMesh
     std::vector<MeshSide> sides;
 };
 
-/// Values at the corners of a patch, in the order of Scene::corners().
+/// [W/m^2] Values at the corners of a patch, in the order of Scene::corners(). For a triangle the fourth is ignored.
 using CornerFunction = std::function<std::array<Rgb, 4>(std::uint32_t patch)>;
 
 /// Colour on the screen for a radiosity [W/m^2]: encoded sRGB in [0, 1].
@@ -72,10 +73,11 @@ using ScreenColour = std::function<Rgb(Rgb radiosity)>;
 /// Flat shading: the value of a patch at all its corners. The values must outlive the result.
 CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch);
 
-/// Builds the mesh of all sides with patches, except those of the sky: surface by surface, front before back, without
-/// covered_patches(). Patches of one side share the vertex of a common corner if their values [W/m^2] agree there.
-/// There are no cracks between sides: a patch with corners of other sides on its edges is split into triangles. `error`
-/// may be empty. Throws InputError for 2^31 vertices or more.
+/// Builds the mesh of the fronts of all surfaces but the sky and, if the scene is two-sided, of their backs: surface by
+/// surface, front before back. Patches that coplanar surfaces hide (covered_patches()) are left out. A vertex is shared
+/// only by patches of one side whose radiosity and error there are equal in single precision. There are no cracks: a
+/// patch with corners of other patches inside its edges is split into triangles around its centre. `error` may be an
+/// empty function; then PatchMesh::error is empty. Throws InputError for 2^31 vertices or more.
 PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads = 1);
 
 } // namespace multipath

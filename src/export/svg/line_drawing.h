@@ -18,12 +18,12 @@ struct DrawnSegment
     bool bold = false; ///< the segment carries power
 };
 
-/// A line and its hits, which are numbered from 1. A ring marks its start, an arrowhead its end.
+/// A line and the points where it meets surfaces. A ring marks its start, an arrowhead its end.
 struct DrawnLine
 {
     std::string label; ///< for the legend
     std::vector<DrawnSegment> segments;
-    std::vector<Vec3> crossings; ///< hits of surfaces
+    std::vector<Vec3> crossings; ///< points where the line meets surfaces, in the order of their numbers from 1
 };
 
 struct DrawnSphere
@@ -32,19 +32,20 @@ struct DrawnSphere
     double radius; ///< [scene units]
 };
 
-/// Everything in a drawing except the lines.
+/// Everything in a drawing besides the scene and the lines.
 struct LineDrawing
 {
     std::string title;
     std::string subtitle;
     Vec3 up = {0.0, 1.0, 0.0};
-    std::optional<DrawnSphere> sphere; ///< the lines are its chords
-    std::optional<Bounds> box;         ///< drawn like the sphere: the lines are its chords
+    /// The sphere or the box of which the lines are chords; at most one of them is set.
+    std::optional<DrawnSphere> sphere;
+    std::optional<Bounds> box;
     std::vector<std::string> comments; ///< go into the file, not into the picture
 };
 
 /// Draws lines as SVG in two views side by side, from above and from the side, with the outlines of the scene. Sources
-/// are yellow. Hits are numbered if there are at most eight lines.
+/// are yellow. The crossings of each line are numbered if there are at most eight lines.
 std::string draw_lines(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing);
 
 } // namespace multipath

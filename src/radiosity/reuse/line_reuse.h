@@ -10,25 +10,28 @@
 
 namespace multipath {
 
-/// The lines and rays of a line reuse.
+/// The numbers of lines and rays that reuse_lines() casts, and the items of the sequence (its points) that they use.
 struct ReusedLines
 {
-    std::uint64_t first_line_item = 0; ///< of the sequence, for the global lines
+    std::uint64_t first_line_item = 0; ///< index in the sequence of the first global line's item
     std::uint64_t cast = 0;            ///< number of global lines; below 2^32
-    std::uint64_t first_ray_item = 0;  ///< of the sequence, for the rays
+    std::uint64_t first_ray_item = 0;  ///< index in the sequence of the first ray's item
     std::uint64_t rays = 0;            ///< number of rays between pairs of patches
-    std::uint64_t seed = 0;            ///< of the rounding to whole rays
+    std::uint64_t seed = 0;            ///< seed for rounding expected numbers of rays to whole ones
 };
 
-/// [bytes] Memory that reuse_lines() needs for its pairs of patches. Pairs of surfaces take more than half of it if
-/// there are almost as many surfaces as patches.
+/// [bytes] Memory that reuse_lines() needs for its tables of pairs of patches and of pairs of blocks of patches
+/// (estimation_bytes()). The blocks take most of it if nearly every surface is one patch.
 double reuse_bytes(const Scene& scene);
 
-/// Distributes all unshot power by line reuse. Global lines show which patches see each other and how well, rays refine
-/// the pairs that matter, and the linear system (R1) is solved instead of carrying power along the lines. `unoccluded`:
-/// see UnoccludedExchange. Returns the number of global lines cast, fewer if the run is stopped: then the system is
-/// solved with their counts, except in a shard. The caller must save `state` in the checkpoint. Throws InputError if
-/// the equations have no solution.
+/// Distributes all unshot power (emitted or reflected, not yet sent on) by line reuse. Global lines estimate how much
+/// each pair of patches exchanges, and rays refine the estimates of pairs that exchange much light and are partly
+/// occluded. Then the linear system of the radiosities is solved, (R1) in docs/equations.md.
+///
+/// Returns the number of global lines cast: plan.cast, or fewer if the run is stopped. A stopped run still solves the
+/// system with the lines cast so far. One of several shards (RunControl) does not: its counts are in the checkpoint,
+/// and `state` remains unchanged. `state` itself is not saved here; a part of the caller must hold it. Throws
+/// InputError if (R1) has no solution.
 std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                           const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state);
 

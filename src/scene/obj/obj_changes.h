@@ -21,23 +21,24 @@ struct ObjChanges
 
     std::vector<Lamp> lamps;
     std::vector<std::string> ignored; ///< names whose faces are left out
-    double reflectance_limit = 1.0;   ///< [1] larger channels are lowered to this; if it is 1, larger ones are refused
+    double reflectance_limit = 1.0;   ///< [1] channels of reflectances above it are lowered to it; 1: they are refused
     double unit = 1.0;                ///< [m] unit of the file's coordinates
     bool lit_from_outside = false;    ///< a sky or sun is added, so no emitter is needed
-    std::string options = {};         ///< as on the command line, " --ignore glass", for commands in messages
+    /// The user's scene options, each after a space (" --ignore glass"), for commands that messages suggest.
+    std::string options = {};
 };
 
-/// A material of a mesh that is made a lamp.
+/// A material of a mesh that an ObjChanges::Lamp turned into an emitter.
 struct LampMaterial
 {
     std::uint32_t material; ///< index into ObjMesh::materials
     Rgb emittance;          ///< [W/m^2]
-    std::string object;     ///< object whose faces have it; empty if the lamp was named by its material
+    std::string object; ///< object or group whose faces have the material; empty if the lamp was named by its material
 };
 
-/// Removes the ignored faces from the mesh. Objects that are made lamps get their own copies of their materials, with
-/// the same names. Returns the materials of lamps. Throws SettingsError for a name that the mesh does not have or that
-/// has no faces, and if no faces are left.
+/// Removes the ignored faces from the mesh, and returns the materials of lamps. The faces of an object or group that is
+/// named as a lamp get copies of their materials under the same names, so that other faces with these materials do not
+/// emit. Throws SettingsError for a name that the mesh does not have or that has no faces, and if no faces are left.
 std::vector<LampMaterial> apply(const ObjChanges& changes, ObjMesh& mesh);
 
 } // namespace multipath

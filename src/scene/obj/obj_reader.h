@@ -8,10 +8,17 @@
 namespace multipath {
 
 /// Reads an OBJ file and the MTL files that it names. Lenient in syntax, strict in meaning: nothing that changes the
-/// light of the scene is dropped, guessed or clipped without a warning. A parallelogram becomes one surface, even if
-/// the file has it as two triangles; other polygons become triangles. Faces without a defined material are grey, with
-/// reflectance 0.5. SceneFile::materials holds only materials that faces use. Throws InputError for errors in the
-/// files, DarkScene if nothing emits (light_advice.h), and SettingsError for changes that do not fit the file.
+/// light of the scene is dropped, guessed or clipped without a warning. `emission_from`: the MTL key (Ke or Ka) that
+/// gives the emittance.
+///
+/// A parallelogram becomes one surface, even if the file has it as two triangles of the same material and group; other
+/// polygons become triangles, and so do textured parallelograms whose texture coordinates do not form one. Faces
+/// without a defined material are grey, with reflectance 0.5. SceneFile::materials holds only materials that faces of
+/// the file use.
+///
+/// Throws SettingsError if a name in `changes` is not in the file or no face is left (see apply()), InputError for
+/// errors in the files and for scenes without a finite solution, and DarkScene (light_advice.h) if nothing emits,
+/// unless changes.lit_from_outside is set.
 SceneFile read_obj(const std::string& path, EmissionFrom emission_from = EmissionFrom::ke,
                    const ObjChanges& changes = {});
 

@@ -8,10 +8,13 @@
 
 namespace multipath {
 
-/// Reads the textures of a scene's materials and maps them onto its surfaces. The reflectance of a textured material
-/// becomes the mean over its surfaces, its emittance the mean of `map_Ke` times `Ke`. A file that is missing or cannot
-/// be read leaves its material unchanged, with a warning. `definitions` and `pieces` have one entry per material and
-/// surface of the scene; `limit` [1] is the upper limit of Kd as the factor of a texture.
+/// Reads the textures of a scene's materials and maps them onto its surfaces. The reflectance of a material with
+/// `map_Kd` becomes Kd times the area-weighted mean of the texture over its surfaces, and the emittance of one with
+/// `map_Ke` becomes Ke times such a mean. Beside a map, a Kd that is 0 or missing and a missing Ke count as 1. A map
+/// whose file is missing or cannot be read is ignored; one warning reports all of them.
+///
+/// `definitions` has one entry per material of the scene, `pieces` one per surface. The channels of Kd are lowered to
+/// `limit` [1] before they multiply a texture (--reflectance-limit).
 void add_textures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
                   double limit, SceneFile& scene);
 
