@@ -87,10 +87,11 @@ std::array<Vec3, 4> corners(const Surface& s)
 
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces)
 {
+    const Bounds bounds = bounds_of(surfaces);
     LargeVector<Vec3> points;
     for (const Surface& surface : surfaces)
         for (const Vec3 corner : corners(surface))
-            points.push_back(corner);
+            points.push_back(snapped(corner, bounds));
     const LargeVector<std::uint32_t> welded = weld(points);
 
     using Edge = std::pair<std::uint32_t, std::uint32_t>;

@@ -31,7 +31,7 @@ CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most);
 
 /// Indices, ascending, of the surfaces with an open edge: one that no other surface has in the opposite direction.
 /// Light can leak through such an edge out of a room that is meant to be closed. A long edge along several shorter ones
-/// (a T-junction) counts as open. Corners are equal only if they have exactly the same position (weld()).
+/// (a T-junction) counts as open. Corners are equal if they snap to the same grid point (snapped()).
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces);
 
 } // namespace multipath

@@ -50,19 +50,12 @@ bool emits(const SceneFile& file, std::size_t surface)
 /// shares no edge with it or is a third surface at an edge, so it is not connected to the wall.
 std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bounds& bounds)
 {
-    // Corners that are computed from edges differ by rounding. Snapped to a grid they become equal; the offset keeps
-    // the borders between grid points away from common coordinates.
-    const double cell = 1e-7 * bounds.diagonal();
-    constexpr double offset = 0.1234567;
     LargeVector<Vec3> corners;
     std::vector<std::size_t> first_corner;
     for (const Surface& surface : surfaces) {
         first_corner.push_back(corners.size());
-        for (const Vec3 corner : corners_of(surface)) {
-            const Vec3 scaled = (1.0 / cell) * (corner - bounds.low);
-            corners.push_back(
-                {std::round(scaled.x + offset), std::round(scaled.y + offset), std::round(scaled.z + offset)});
-        }
+        for (const Vec3 corner : corners_of(surface))
+            corners.push_back(snapped(corner, bounds));
     }
     first_corner.push_back(corners.size());
     const LargeVector<std::uint32_t> welded = weld(corners);

@@ -7,6 +7,7 @@
 #include "parallel/memory.h"
 #include "parallel/mix_bits.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace multipath {
@@ -31,6 +32,14 @@ std::uint64_t hash_of(Vec3 p)
 }
 
 } // namespace
+
+Vec3 snapped(Vec3 point, const Bounds& bounds)
+{
+    const double cell = 1e-7 * bounds.diagonal();
+    constexpr double offset = 0.1234567; // keeps the borders between grid points away from common coordinates
+    const Vec3 scaled = (1.0 / cell) * (point - bounds.low);
+    return {std::round(scaled.x + offset), std::round(scaled.y + offset), std::round(scaled.z + offset)};
+}
 
 LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices)
 {

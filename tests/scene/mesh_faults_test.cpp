@@ -1,6 +1,9 @@
 #include "scene/mesh_faults.h"
+
+#include "sampling/sequence.h"
 #include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 namespace mesh_faults_test {
@@ -36,6 +39,34 @@ TEST_CASE("a closed room has no open edge, a room without one wall has four")
 
     surfaces.erase(surfaces.begin()); // the floor
     CHECK(surfaces_with_open_edges(surfaces) == std::vector<std::uint32_t>{1, 2, 3, 4});
+}
+
+// Corners are computed as origin + edge, which rounds.
+TEST_CASE("a turned room without one wall has four open edges, wherever it stands")
+{
+    std::uint64_t item = 0;
+    const auto sequence = make_sequence("random", 1);
+    for (int room = 0; room < 20; ++room) {
+        const Item at = sequence->item(item++);
+        const Item turn = sequence->item(item++);
+        const double a = 6.0 * turn[0];
+        const Vec3 x = {std::cos(a), 0.0, std::sin(a)};
+        const Vec3 z = {-std::sin(a), 0.0, std::cos(a)};
+        const auto corner = [&](int i, int j, int k) {
+            return 10.0 * Vec3{at[0], at[1], at[2]} + (1.0 + turn[1]) * i * x + Vec3{0.0, (1.0 + turn[2]) * j, 0.0} +
+                   (1.0 + turn[3]) * k * z;
+        };
+        SurfaceList surfaces;
+        const auto face = [&](Vec3 p, Vec3 q, Vec3 r) { surfaces.push_back({Shape::parallelogram, p, q - p, r - p}); };
+        face(corner(0, 0, 0), corner(0, 0, 1), corner(1, 0, 0));
+        face(corner(0, 1, 0), corner(1, 1, 0), corner(0, 1, 1));
+        face(corner(0, 0, 0), corner(1, 0, 0), corner(0, 1, 0));
+        face(corner(1, 0, 1), corner(0, 0, 1), corner(1, 1, 1));
+        face(corner(0, 0, 1), corner(0, 0, 0), corner(0, 1, 1));
+        CHECK(surfaces_with_open_edges(surfaces) == std::vector<std::uint32_t>{0, 1, 2, 3});
+        face(corner(1, 0, 0), corner(1, 0, 1), corner(1, 1, 0));
+        CHECK(surfaces_with_open_edges(surfaces).empty());
+    }
 }
 
 TEST_CASE("triangles are closed by triangles that run along their edges the other way")
