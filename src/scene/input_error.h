@@ -5,14 +5,15 @@
 
 namespace multipath {
 
-/// An error in what the user supplied. The message is one plain line, "file:line: what is wrong, what was expected".
+/// An error in what the user supplied. The message is one plain line. For an error in a file it is "file:line: what is
+/// wrong, what was expected", without the line if the file as a whole is meant.
 class InputError : public std::runtime_error
 {
 public:
     explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Options that do not fit a sound file: a usage error that can be detected only after the file was read.
+/// Options that do not fit a sound file. Only the contents of the file show that they do not fit.
 class SettingsError : public InputError
 {
 public:

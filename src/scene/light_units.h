@@ -4,15 +4,15 @@
 
 namespace multipath {
 
-/// Names of the units of results: photometric if emittances are given in lm/m^2, else radiometric. The numbers are
-/// computed in the same way.
+/// Names of the units of results: photometric if the emittances of the scene are in lm/m^2, else radiometric. The
+/// numbers are computed in the same way for both.
 struct LightUnits
 {
-    const char* power;
-    const char* per_area;
-    const char* per_area_utf8;
-    const char* per_area_latin1;
-    const char* squared; ///< unit of per_area squared, for mean square errors
+    const char* power;           ///< [W] or [lm]
+    const char* per_area;        ///< [W/m^2] or [lx], in ASCII
+    const char* per_area_utf8;   ///< the same in UTF-8
+    const char* per_area_latin1; ///< the same in ISO 8859-1
+    const char* squared;         ///< square of `per_area`, the unit of mean square errors
 };
 
 inline LightUnits light_units(const SceneFile& scene)

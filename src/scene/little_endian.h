@@ -6,7 +6,7 @@
 
 namespace multipath {
 
-/// Appends the four bytes of a number in little-endian order, on every machine.
+/// Appends the four bytes of a number, the lowest byte first, on every machine.
 inline void append_little_endian(std::string& bytes, std::uint32_t value)
 {
     const char four[4] = {static_cast<char>(value & 0xffu), static_cast<char>(value >> 8 & 0xffu),
@@ -14,6 +14,7 @@ inline void append_little_endian(std::string& bytes, std::uint32_t value)
     bytes.append(four, 4);
 }
 
+/// Appends the four bytes of a number in single precision (IEEE 754), the lowest byte first.
 inline void append_little_endian(std::string& bytes, float value)
 {
     std::uint32_t bits = 0;

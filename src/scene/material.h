@@ -7,20 +7,22 @@
 
 namespace multipath {
 
-/// The MTL statement that gives the emittance. Older exporters have no `Ke` and describe lamps by `Ka`.
+/// The statement of an MTL file that gives the emittance of a material: `Ke`, or `Ka` for files of older exporters,
+/// which have no `Ke` and describe lamps by `Ka`.
 enum class EmissionFrom { ke, ka };
 
 /// A diffuse (Lambertian) material that may emit light.
 struct Material
 {
     std::string name;
-    Rgb reflectance;    ///< [1] rho, 0 <= rho <= 1 in each channel; MTL `Kd`; if textured, the mean over its surfaces
-    Rgb emittance;      ///< [W/m^2] E, own emission per area (radiant exitance); MTL `Ke`
-    std::string source; ///< "file:line" of its definition, for messages
+    /// [1] rho, 0 <= rho <= 1 in each channel; MTL `Kd`. If textured: mean over all surfaces of the material.
+    Rgb reflectance;
+    Rgb emittance;      ///< [W/m^2] E, emitted power per area (radiant exitance); MTL `Ke`, times the mean of `map_Ke`
+    std::string source; ///< "file:line" of the definition of the material, for messages
 
     static constexpr std::uint32_t no_texture = 0xffffffffu;
-    std::uint32_t texture = no_texture; ///< index into SceneFile::textures; MTL `map_Kd`
-    Rgb texture_scale = {};             ///< [1] factor of the texture: the reflectance where it is white
+    std::uint32_t texture = no_texture; ///< index into SceneFile::textures, or no_texture; MTL `map_Kd`
+    Rgb texture_scale = {};             ///< [1] reflectance at white points of the texture: a factor of the texture
 };
 
 } // namespace multipath

@@ -1,6 +1,6 @@
 // Coincident faces are searched for at sample points of each surface: a point that lies on another surface, too, shows
-// an overlap. Open edges are found by sorting all directed edges, given by welded corners, and looking for the reverse
-// of each.
+// an overlap. To find open edges, all directed edges, given by welded corners, are sorted, and the reverse of each edge
+// is searched for.
 
 #include "scene/mesh_faults.h"
 

@@ -1,7 +1,8 @@
 // The winding number of a part of the scene around a point is the sum of the solid angles of its surfaces, over 4 pi,
-// with a sign: positive for a surface seen from behind (Jacobson, Kavan and Sorkine-Hornung 2013 generalise it to
-// meshes with holes). Inside a closed part it is 1 if the part faces outward and -1 if it faces inward; outside it is
-// 0. So the winding numbers at the emitters show which closed parts surround them and face the wrong way.
+// with a sign: positive for a surface seen from behind (Jacobson, Kavan and Sorkine-Hornung 2013 generalise the winding
+// number to meshes with holes). Around a point inside a closed part it is 1 if the part faces outward and -1 if the
+// part faces inward; around a point outside it is 0. So the winding numbers around the emitters show which closed parts
+// surround them and face the wrong way.
 
 #include "scene/room_shell.h"
 

@@ -1,6 +1,6 @@
 // A Scene joins three views of the same surfaces: the Intersector for rays and lines, the tessellation into patches,
-// and what each patch reflects and emits. What depends on the point of a surface (textures, shadows of the sun) is
-// averaged over the patch here, once, since radiosity is constant over a patch.
+// and what each patch reflects and emits. Quantities that vary over a surface (textures, shadows of the sun) are
+// averaged over each patch here, once, since radiosity is constant over a patch.
 
 #include "scene/scene.h"
 

@@ -1,6 +1,6 @@
-// A hash table with open addressing and linear probing, keyed by the bits of the coordinates. It is larger than the
-// caches for large meshes, so its slots are prefetched, and an entry holds some bits of the hash to avoid reading the
-// coordinates of other vertices.
+// A hash table with open addressing and linear probing, keyed by the bits of the coordinates. For a large mesh the
+// table is larger than the caches, so slots are prefetched, and an entry holds some bits of the hash, so that the
+// coordinates of other vertices are rarely read.
 
 #include "scene/vertex_weld.h"
 

@@ -1,3 +1,7 @@
+// Scenes so simple that the light in them is known from a formula: reflections in a closed room sum to a geometric
+// series, a few surfaces that see each other give equations that are solved by hand, and the light between two
+// rectangles has a closed form. The comment of each scene derives its answers.
+
 #include "selftest/known_scenes.h"
 
 #include "geometry/form_factor/gauss_legendre.h"

@@ -1,7 +1,7 @@
-// The lamp's polygon is clipped by the horizon of the point. Each blocker then removes its shadow: the part of the
-// polygon inside the pyramid from the point through the blocker's edges, and farther away than its plane. A plane cuts
-// a convex polygon into two convex ones, so the visible region is a list of convex polygons. Lambert's formula gives
-// the irradiance from each.
+// The polygon of the lamp is clipped by the horizon of the point. Each blocker then removes its shadow from what is
+// left: the part inside the pyramid from the point through the edges of the blocker, and farther away than the plane of
+// the blocker. A plane cuts a convex polygon into two convex ones, so the visible region is a list of convex polygons.
+// Lambert's formula gives the irradiance from each.
 
 #include "selftest/occluded_lamp.h"
 

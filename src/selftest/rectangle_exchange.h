@@ -7,22 +7,25 @@
 
 namespace multipath {
 
-// Closed forms of the exchange area A F [m^2] of two rectangles from Howell, A Catalog of Radiation Heat Transfer
-// Configuration Factors.
+// Closed forms of the exchange area A F [m^2] of two rectangles, the area of one times its form factor to the other:
+// A F = A_1 F_12 = A_2 F_21. From Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
 
+/// The coordinates [m] at which a rectangle begins and ends along one axis.
 struct Interval
 {
     double low;
     double high;
+    /// `low` for k = 0, `high` for k = 1.
     double operator[](int k) const { return k == 0 ? low : high; }
 };
 
+/// The sign of a term of the closed forms, which sum over both ends of four intervals: (-1)^(i + j + k + l).
 inline double sign_of(int i, int j, int k, int l)
 {
     return (i + j + k + l) % 2 == 0 ? 1.0 : -1.0;
 }
 
-/// A F of the rectangles x1 * y1 and x2 * y2 in parallel planes z apart (Howell C-13).
+/// [m^2] A F of the rectangles x1 * y1 and x2 * y2 in parallel planes at the distance z > 0 [m] (Howell C-13).
 inline double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interval y2, double z)
 {
     const auto term = [&](double u, double v) {
@@ -39,7 +42,8 @@ inline double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interva
     return sum / (2.0 * pi);
 }
 
-/// A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15).
+/// [m^2] A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15). Both rectangles
+/// lie on the positive side of the other's plane: y.low, z.low >= 0.
 inline double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z)
 {
     const auto term = [](double u, double c2) {

@@ -1,6 +1,6 @@
 // Every method solves every scene several times with independent lines. The mean of the runs is compared with the known
-// answer, or with the mean by local Monte Carlo; its standard error comes from the scatter of the runs. So the checks
-// are statistical tests (see SignificanceTest) that hold for any seed, not comparisons with stored numbers.
+// answer, or with the mean by local Monte Carlo. The standard error of the mean comes from the scatter of the runs. So
+// the checks are statistical tests (see SignificanceTest) that hold for any seed, not comparisons with stored numbers.
 
 #include "selftest/selftest.h"
 

@@ -9,22 +9,26 @@
 
 namespace multipath {
 
+/// The effort of a selftest.
 struct SelftestSettings
 {
     std::uint64_t seed = 1;
-    int replicates = 32;           ///< independent runs for each check, at least 2
-    std::uint64_t lines = 1 << 15; ///< of every run; methods with much noise take a multiple
+    int replicates = 32; ///< number of independent runs for each check, at least 2
+    /// Lines of every run; a run by `gathering`, which has much noise, takes 4 or 16 times as many.
+    std::uint64_t lines = 1 << 15;
     int threads = 1;
 };
 
-/// Solves every scene by every method with every sequence of the selftest, and compares the results with the known
-/// answers. The checks do not depend on the number of threads.
+/// Solves every scene by every method with every sequence of the selftest (SequenceKind::in_selftest), and compares the
+/// results with the known answers. Also checks that no power is gained or lost. The checks come scene by scene, and for
+/// each scene method by method. They do not depend on the number of threads. `progress` gets the finished share of the
+/// work.
 std::vector<Check> known_scene_checks(const std::vector<KnownScene>& scenes, const SelftestSettings& settings,
                                       const ProgressCallback& progress);
 
-/// Solves a scene without known answers by every method. Checks that no power is gained or lost, that the sources emit
-/// their power, that no patch reflects negative power, and that the brightest materials reflect the same power as by
-/// local Monte Carlo.
+/// Solves a scene without known answers by every method. Checks for each method that no power is gained or lost, that
+/// the sources emit their power, that no patch reflects negative power, and that the (at most four) materials that
+/// reflect most power reflect the same power as by local Monte Carlo. `progress` gets the finished share of the work.
 std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& settings, const ProgressCallback& progress);
 
 } // namespace multipath

@@ -1,7 +1,7 @@
-// All executions of all curves are independent tasks. Each solves the scene on one thread, with its own seed or its own
-// range of items, measures its error against the reference, and is recorded in the journal, so that an interrupted
-// study loses at most the runs in progress. At the end the executions with the same number of lines are averaged, and a
-// power law is fitted to each curve.
+// All executions of all curves are independent tasks. Each execution solves the scene on one thread, with its own seed
+// or its own range of items (points of the sequence). Its error against the reference is recorded in the journal, so
+// that an interrupted study loses at most the runs in progress. At the end the executions with the same number of lines
+// are averaged, and a power law is fitted to each curve.
 
 #include "study/convergence.h"
 

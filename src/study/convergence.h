@@ -15,13 +15,16 @@ namespace multipath {
 /// The solution against which the error of a study is measured.
 struct Reference
 {
-    std::vector<Rgb> radiosity;            ///< [W/m^2] per patch
-    std::optional<double> relative_square; ///< [1] its own relative MSE (1), estimated from its standard errors
-    /// Error of a radiosity per patch, if it is not measured by (1). Called by several threads.
+    std::vector<Rgb> radiosity; ///< [W/m^2] per patch
+    /// [1] Relative MSE of the reference itself, estimated from its standard errors.
+    std::optional<double> relative_square;
+    /// Measures the error of a solution, given its radiosity [W/m^2] per patch. If empty, the error is the MSE against
+    /// `radiosity`, (1) in docs/equations.md. Called by several threads at the same time.
     std::function<ErrorMeasure(const std::vector<Rgb>& radiosity)> measure{};
 };
 
-/// A curve to be measured. Lines, seed and skip of its options are set for each run.
+/// A curve to be measured. The options hold for all its runs, except that each run has its own lines, seed and range of
+/// items (points of the sequence, one for each line).
 struct CurvePlan
 {
     CurveKind kind;
@@ -31,18 +34,19 @@ struct CurvePlan
 struct StudyPlan
 {
     std::vector<CurvePlan> curves;
-    std::vector<std::uint64_t> line_counts; ///< increasing
-    int executions = 1;                     ///< for each number of lines
+    std::vector<std::uint64_t> line_counts; ///< lines of the points of every curve, increasing
+    int executions = 1;                     ///< number of runs for each point
     std::uint64_t seed = 1;
 };
 
 /// Runs all executions of a study, measures the error of each against the reference, and averages them for each number
-/// of lines. Executions are independent: of a sequence that the seed randomises, each has another seed, also for
-/// different numbers of lines; of other sequences, such as Sobol's, successive executions take successive ranges of
-/// items, starting with the first. Runs in the journal are not repeated. Each run has one thread and `threads` runs go
-/// on at a time, so that the measured seconds are comparable. A point is part of the fit if its error is more than ten
-/// times that of the reference. Throws what solve() throws, and what `progress` throws, which is called often during
-/// each run and at its end, by one thread at a time.
+/// of lines. The executions of a curve are independent. If the seed randomises the sequence, each execution has another
+/// seed, also for different numbers of lines. Of any other sequence, such as Sobol's, successive executions with the
+/// same number of lines take successive ranges of items, starting where the options say. Runs in the journal are not
+/// repeated. `threads` runs go on at the same time; the options of each should ask for one thread, so that the measured
+/// seconds are comparable. A point is part of the fit if its error is more than ten times that of the reference.
+/// `progress` is called often during each run and at its end, by one thread at a time. Throws what prepare(), solve(),
+/// the journal and `progress` throw.
 Study run_study(const Scene& scene, const Reference& reference, const StudyPlan& plan, Journal& journal, int threads,
                 const ProgressCallback& progress);
 

@@ -1,3 +1,7 @@
+// The plot is drawn in decimal logarithms: plotted_curve() converts the points, error bars and power law of each curve,
+// plot_of() chooses the ranges of the axes, and the rest writes SVG: grid, reference, guides, curves, axes, legend and
+// notes, from back to front.
+
 #include "study/convergence_plot.h"
 
 #include "export/svg/svg_plot.h"

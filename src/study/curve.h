@@ -7,28 +7,30 @@
 
 namespace multipath {
 
-/// y = factor * x^exponent, the line of a log-log plot (2).
+/// The power law y = factor * x^exponent, a straight line in a plot with two logarithmic axes ((2) in
+/// docs/equations.md).
 struct PowerLaw
 {
     double factor = 0.0;
-    double exponent = 0.0;       ///< the slope
-    double exponent_error = 0.0; ///< its standard error
-    int points = 0;
+    double exponent = 0.0;       ///< the slope of the line
+    double exponent_error = 0.0; ///< standard error of the exponent
+    int points = 0;              ///< number of points that the law was fitted to
 
+    /// The y of the law at x > 0.
     double at(double x) const;
 };
 
-/// Least-squares fit to the logarithms. All points have equal weight, since a mean of squares over a scene has nearly
-/// the same relative error at any number of lines. The standard error of the exponent is estimated from the scatter of
-/// the points about the line, so it is also large if a straight line does not describe them. Nothing for fewer than
-/// three different x. All values must be above 0.
+/// Fits a power law to the points (xs[k], ys[k]), by least squares of the logarithms. All points have equal weight,
+/// since a mean of squares over a scene has nearly the same relative error at any number of lines. The standard error
+/// of the exponent is estimated from the scatter of the points about the line, so it is also large if a straight line
+/// does not describe the points. Returns nothing for fewer than three different x. All values must be above 0.
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::vector<double>& ys);
 
-/// Half the width of the 95 % confidence interval of the exponent: Student's t for points - 2 degrees of freedom times
-/// the standard error.
+/// Half the width of the 95 % confidence interval of the exponent: the standard error times the quantile of Student's t
+/// distribution for points - 2 degrees of freedom.
 double exponent_interval(const PowerLaw& law);
 
-/// What the runs of a curve have in common: the method and the choice of its lines.
+/// What all runs of a curve have in common: the method and the choice of its lines.
 struct CurveKind
 {
     std::string method;     ///< as --method names it
@@ -40,35 +42,37 @@ struct CurveKind
 
 bool operator==(const CurveKind& a, const CurveKind& b);
 
-/// The mean of the executions with the same number of lines.
+/// The mean of the executions with the same number of lines. An execution is one run of the method.
 struct CurvePoint
 {
-    std::uint64_t lines = 0;     ///< N_l + N_g as asked for
-    double local_lines = 0.0;    ///< N_l, mean
-    double global_lines = 0.0;   ///< N_g, mean
-    double mean_square = 0.0;    ///< MSE (1) [W^2/m^4], mean
-    double relative = 0.0;       ///< the same over the square of the reference's mean radiosity [1]
-    double relative_error = 0.0; ///< standard error of `relative` [1]; 0 with one execution
-    double seconds = 0.0;        ///< [s] processor time of one execution on one thread, preparation included, mean
-    bool above_reference = true; ///< false: the reference's own error is not small beside it; it is left out of the fit
+    std::uint64_t lines = 0;     ///< N_l + N_g that each execution was asked for
+    double local_lines = 0.0;    ///< N_l, lines cast locally: mean
+    double global_lines = 0.0;   ///< N_g, lines cast globally: mean
+    double mean_square = 0.0;    ///< [W^2/m^4] MSE, (1) in docs/equations.md: mean
+    double relative = 0.0;       ///< [1] relative MSE: MSE over the square of the reference's mean radiosity; mean
+    double relative_error = 0.0; ///< [1] standard error of `relative`; 0 with one execution
+    double seconds = 0.0;        ///< [s] processor time of one execution on one thread, with preparation: mean
+    /// False: the error of the reference itself is not small beside the error of this point, which the fit leaves out.
+    bool above_reference = true;
 };
 
-/// Fits (2) to `relative` against lines, for the points above the reference.
+/// Fits the power law (2) to `relative` against `lines`, for the points with above_reference.
 std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points);
 
 struct Curve
 {
     CurveKind kind;
-    std::vector<CurvePoint> points; ///< by increasing number of lines
-    std::optional<PowerLaw> law;
+    std::vector<CurvePoint> points; ///< in order of increasing numbers of lines
+    std::optional<PowerLaw> law;    ///< fit(points)
 };
 
-/// The result of a study.
+/// The result of a convergence study: how the error of several methods falls with the number of lines.
 struct Study
 {
     std::vector<Curve> curves;
-    int executions = 1;                              ///< for each point
-    std::optional<double> reference_relative_square; ///< [1] estimated relative MSE of the reference
+    int executions = 1; ///< number of executions that each point is the mean of
+    /// [1] Estimated relative MSE of the reference; nothing if unknown.
+    std::optional<double> reference_relative_square;
 };
 
 } // namespace multipath

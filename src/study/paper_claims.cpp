@@ -1,3 +1,7 @@
+// Each statement of the paper becomes a measured number with a 95 % interval and a range in which the number must lie.
+// The statement holds if the interval lies inside the range, differs if it lies outside, and is undecided otherwise.
+// The result of formula (3), which has no interval, must agree with the printed one to 0.015.
+
 #include "geometry/elementary.h"
 #include "study/paper_report.h"
 

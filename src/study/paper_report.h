@@ -10,103 +10,110 @@
 #include <string>
 #include <vector>
 
-// The reproduction of the paper: the commands that compute its tables and figures, their results, and the report.
+// The reproduction of the paper (Castro, Martinez, Sbert 1998): the commands that compute the tables and figures of the
+// paper, the results of these commands, and the report.
 
 namespace multipath {
 
 /// One command of the reproduction.
 struct PaperStep
 {
-    std::vector<std::string> words;   ///< of the command, without outputs and options that do not change the result
-    std::vector<std::string> outputs; ///< names of the files that it makes
+    /// Words of the command line from the name of the command on, without outputs and without options that do not
+    /// change the result.
+    std::vector<std::string> words;
+    std::vector<std::string> outputs; ///< names of the files that the command makes, without a folder
 };
 
-/// The command line as a user would type it, outputs included.
+/// The command line as a user would type it, from "multipath" on, with one `-o` for each output. Words are not quoted.
 std::string typed(const PaperStep& step);
 
-/// The commands for all tables and figures of the paper, and for the results beyond it, in the order in which they are
-/// run: a later step may read what an earlier one has written into `folder`. `scenes` is the folder of the bundled
-/// scenes. The quick set differs only in the numbers of lines and executions.
+/// The commands for all tables and figures of the paper, and for the results beyond it, in the order in which they must
+/// be run: a later step may read a file that an earlier one has written into `folder`. `scenes` is the folder of the
+/// bundled scenes. The quick set differs from the full one only in the numbers of lines and executions.
 std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder);
 
-// Numbers printed in the paper (Castro, Martinez, Sbert 1998), for comparison with those of the program.
+// Numbers printed in the paper, for comparison with those of the program.
 
 /// A row of Table 1: the slopes of log MSE against log N.
 struct PublishedSlope
 {
     const char* sequence; ///< as --sequence names it
-    double five_cubes;
-    double four_chairs;
+    double five_cubes;    ///< slope for the scene 5CUBES
+    double four_chairs;   ///< slope for the scene 4CHAIRS
 };
 
 constexpr std::array<PublishedSlope, 3> published_slopes = {
     {{"halton:2,7,3,5", -1.098, -0.998}, {"halton:11,13,17,19", -0.844, -1.113}, {"sobol", -1.102, -1.122}}};
 
-/// Section 4.2: the arguments of (3), and its result.
+/// Section 4.2: the arguments and the result of formula (3), the ratio of local to global lines (docs/equations.md).
+/// All numbers are without a unit.
 struct PublishedBudget
 {
-    double average_reflectance;   ///< R_ave
-    double secondary_reflectance; ///< R_s'
-    double lit_fraction;          ///< f
-    double intersections;         ///< n_int
+    double average_reflectance;   ///< R_ave: mean over the scene
+    double secondary_reflectance; ///< R_s': mean over the surfaces that the lamp lights
+    double lit_fraction;          ///< f: share of the area that the lamp lights
+    double intersections;         ///< n_int: surfaces that a line through the convex hull of the scene crosses, mean
     double ratio;                 ///< N_l / N_g
 };
 
-constexpr PublishedBudget published_up = {0.577, 0.7, 0.073, 2.1, 0.41};       ///< first shot, lit upwards
-constexpr PublishedBudget published_down = {0.577, 0.65, 0.67, 2.1, 0.85};     ///< first shot, lit downwards
+constexpr PublishedBudget published_up = {0.577, 0.7, 0.073, 2.1, 0.41};       ///< first shot, lamp shines upwards
+constexpr PublishedBudget published_down = {0.577, 0.65, 0.67, 2.1, 0.85};     ///< first shot, lamp shines downwards
 constexpr PublishedBudget published_extended = {0.577, 0.577, 1.0, 2.1, 1.06}; ///< extended first shot, both
 
-/// The figures that the program measures for one scene.
+/// The numbers that the program measures for one scene.
 struct SceneFindings
 {
-    std::string name; ///< "4CHAIRS, lit upwards"
-    std::uint32_t patches = 0;
+    std::string name;          ///< such as "4CHAIRS, lit upwards"
+    std::uint32_t patches = 0; ///< number of patches
     SceneReport report;
 };
 
-/// All results of the reproduction of the paper, for its report.
+/// All results of the reproduction, from which the report is written.
 struct PaperFindings
 {
-    bool quick = false;
-    std::vector<std::string> facts; ///< about the run: version, machine, date, duration
+    bool quick = false;             ///< true if the quick set of steps was run
+    std::vector<std::string> facts; ///< "name: value" about the run: version, machine, date, duration
     SceneFindings five_cubes;
-    SceneFindings four_chairs;
-    SceneFindings four_chairs_up;
-    std::map<std::string, Study> studies;        ///< by file name without extension
-    std::map<std::string, std::string> commands; ///< the command that made a file, by the name of the file
+    SceneFindings four_chairs;                   ///< lit downwards
+    SceneFindings four_chairs_up;                ///< lit upwards
+    std::map<std::string, Study> studies;        ///< by the name of their table file without ".csv"
+    std::map<std::string, std::string> commands; ///< command line that made a file, by the name of the file
 
+    /// The study with this name. Throws std::out_of_range if there is none.
     const Study& study(const std::string& name) const { return studies.at(name); }
 };
 
-/// The first curve of a study with this method and sequence, and with this line order and pairing unless they are
-/// empty. Throws std::out_of_range if there is none.
+/// The first curve of a study with this method and sequence; also with this line order and this pairing, where they are
+/// not empty. Throws std::out_of_range if there is none.
 const Curve& curve_of(const Study& study, const std::string& method, const std::string& sequence,
                       const std::string& line_order = "", const std::string& pairing = "");
 
-/// Verdict on a statement. It is undecided if the 95 % interval of the measured number contains values for and against
-/// it.
+/// Verdict on a statement, from agreement to contradiction. It is undecided if the 95 % interval of the measured number
+/// contains values that agree with the statement and values that contradict it.
 enum class Verdict { holds, undecided, differs };
 
+/// "holds", "undecided" or "differs".
 std::string verdict_word(Verdict verdict);
 
-/// A statement of the paper and the result for it.
+/// A statement of the paper, and the result of the program for it.
 struct Claim
 {
     std::string statement;
-    std::string expected;
-    std::string found;
+    std::string expected; ///< what the paper reports
+    std::string found;    ///< what the program measured
     Verdict verdict = Verdict::differs;
-    std::string remark; ///< may be empty
+    std::string remark; ///< explanation for the report; may be empty
 };
 
-/// The statements in the order of the paper.
+/// Judges the statements of the paper, in the order of the paper. Throws std::out_of_range if a study or curve is
+/// missing, and std::bad_optional_access if a scene has no ratio (3).
 std::vector<Claim> paper_claims(const PaperFindings& findings);
 
-/// The same as lines for a terminal.
+/// Formats claims for a terminal, without their remarks.
 std::string claims_text(const std::vector<Claim>& claims);
 
-/// The report of the reproduction: the statements of the paper beside the results, then every table and figure with an
-/// explanation.
+/// Writes the report of the reproduction: the statements of the paper beside the results, then every table and figure
+/// with an explanation. Throws like paper_claims(), and std::out_of_range if the command of a figure is missing.
 Report paper_report(const PaperFindings& findings);
 
 } // namespace multipath

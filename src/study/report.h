@@ -5,13 +5,13 @@
 #include <vector>
 
 // A report of text, tables and figures, written as one self-contained HTML file or as Markdown that refers to the files
-// of the figures. In all texts `...` is code and *...* is emphasis.
+// of the figures. In headings, paragraphs, cells and captions `...` is code and *...* is emphasis.
 
 namespace multipath {
 
 struct ReportHeading
 {
-    int level = 2; ///< 1 is the title
+    int level = 2; ///< 1 for the title, 2 for a section
     std::string text;
 };
 
@@ -20,7 +20,7 @@ struct ReportParagraph
     std::string text;
 };
 
-/// Every row has as many cells as the header.
+/// A table. Every row must have as many cells as the header.
 struct ReportTable
 {
     std::vector<std::string> header;
@@ -29,12 +29,12 @@ struct ReportTable
 
 struct ReportFigure
 {
-    std::string file; ///< .svg or .png in the report's folder
+    std::string file; ///< name of the .svg or .png file in the folder of the report
     std::string caption;
-    std::string command; ///< that made it
+    std::string command; ///< command line that made the file
 };
 
-/// Figures side by side, as many in a row as the page has room for.
+/// Figures side by side, as many in a row as fit into the width of the page.
 struct ReportFigures
 {
     std::vector<ReportFigure> figures;
@@ -43,11 +43,11 @@ struct ReportFigures
 using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportTable, ReportFigures>;
 using Report = std::vector<ReportBlock>;
 
-/// The report as a self-contained page. `folder` is the folder of the figures; the comments go into the head of the
-/// page. Throws InputError for a figure that cannot be read.
+/// Formats the report as a self-contained HTML page. `folder` is the folder that holds the files of the figures. The
+/// comments go into the head of the page. Throws InputError if the file of a figure cannot be read.
 std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments);
 
-/// The report as Markdown; the comments are at its end.
+/// Formats the report as Markdown. The comments are at its end.
 std::string report_markdown(const Report& report, const std::vector<std::string>& comments);
 
 } // namespace multipath

@@ -8,33 +8,39 @@
 
 namespace multipath {
 
-/// A number with this many decimals. A negative one begins with a minus sign (U+2212), not a hyphen.
+/// Formats a number with this many decimals. A negative number begins with a minus sign (U+2212) instead of a hyphen,
+/// unless all its digits are 0.
 std::string fixed(double value, int decimals);
 
-/// "1.2·10⁻⁴"
+/// Formats a number with two significant digits and a power of ten: "1.2·10⁻⁴".
 std::string scientific(double value);
 
-/// "−1.100 ± 0.020": the slope and half the width of its 95 % interval; "none" without a law.
+/// Formats the slope of a law and half the width of its 95 % interval: "−1.100 ± 0.020". "none" if there is no law.
 std::string slope_words(const std::optional<PowerLaw>& law);
 
-/// Label of a curve: "first-shot, sobol", or only the name for another program's curve. Pairing, chords and line order
-/// are appended if another curve of the same method differs in them; the pairing also if it is not 4d.
+/// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
+/// Pairing, chords and line order are appended if another curve of the same method differs in them. A pairing other
+/// than 4d is always appended.
 std::string curve_label(const Study& study, const Curve& curve);
 
-/// Reads the curve of another program: a table with one row per point and the columns `lines` and `relative_mse` (1);
-/// optional columns are `standard_error` (of relative_mse) and `seconds`. Throws InputError for a file that is no such
-/// table, for numbers that are not above 0, and for lines that do not increase.
+/// Reads the curve of another program, called `name`, and fits it. The file is a table with one row per point and the
+/// columns `lines` and `relative_mse` [1]; optional columns are `standard_error` (of relative_mse; a field may be
+/// empty) and `seconds`. Throws InputError for a file that is no such table or has no row; for lines, relative_mse or
+/// seconds that are not above 0; and for lines that are not whole numbers or do not increase.
 Curve read_curve(const std::string& path, const std::string& name);
 
-/// A report for the terminal: every point, and the slope of each curve with its standard error.
+/// Formats a study for the terminal: every point, and the slope of each curve with its standard error and its 95 %
+/// interval.
 std::string study_text(const Study& study);
 
-/// A table with one row per point: method, sequence, lines, local_lines, global_lines, mse [W^2/m^4], relative_mse,
-/// standard_error (of relative_mse; empty with one execution), seconds, slope and slope_error of the curve (empty
-/// without a fit), in_fit (1 or 0), replicates, pairing, chords and line_order.
+/// Formats a study as CSV with one row per point and the columns method, sequence, lines, local_lines, global_lines,
+/// mse [W^2/m^4], relative_mse [1], standard_error (of relative_mse; empty with one execution), seconds [s], slope and
+/// slope_error (of the curve; empty without a fit), in_fit (1 if the fit uses the point, else 0), replicates (number of
+/// executions), pairing, chords and line_order. The comments come first.
 std::string study_csv(const Study& study, const std::vector<std::string>& comments);
 
-/// Reads a study that study_csv() wrote, and repeats the fits. Throws InputError for a file that is no such table.
+/// Reads a study from a file that study_csv() wrote, and repeats the fits. Throws InputError for a file that is no
+/// table or whose rows lack one of the columns.
 Study read_study(const std::string& path);
 
 } // namespace multipath

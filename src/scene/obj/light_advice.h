@@ -15,25 +15,27 @@ namespace multipath {
 /// A material or object that could be made a lamp.
 struct LampCandidate
 {
-    std::string name;
-    bool is_group;
-    std::uint32_t number; ///< index into the materials or groups of the mesh
-    double area;          ///< [m^2]
+    std::string name;     ///< as --lamp takes it; "default" for faces without a material
+    bool is_group;        ///< true for an object or group, false for a material
+    std::uint32_t number; ///< index into ObjMesh::groups or ObjMesh::materials
+    double area;          ///< [m^2] area of all its surfaces
 };
 
-/// Candidates whose names suggest lamps or windows, the most likely first, and all materials, the largest first.
+/// The candidates for lamps of a scene. Only those with area are listed.
 struct LampCandidates
 {
-    std::vector<LampCandidate> by_name;
-    std::vector<LampCandidate> materials;
+    std::vector<LampCandidate> by_name;   ///< names that suggest lamps or windows, the most likely first
+    std::vector<LampCandidate> materials; ///< all materials, the largest first
 };
 
-/// Here and below, `scene` holds the faces of the mesh as surfaces, with the mesh's indices of materials and groups.
+/// Lists the candidates. Here and below, `scene` holds the faces of the mesh as surfaces, and its indices of materials
+/// and groups are those of the mesh.
 LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene);
 
-constexpr double advised_emittance = 10.0; ///< [W/m^2] of lamps and sky
+constexpr double advised_emittance = 10.0; ///< [W/m^2] of proposed lamps and skies
 
-/// Options for a command line, each preceded by a space. The sun stands in the south-south-east.
+/// Options for a command line, quoted for a shell and preceded by a space: a lamp of the material or object `name`, a
+/// sky, and a sun in the south-south-east.
 std::string lamp_option(const std::string& name);
 std::string sky_option();
 std::string sun_option();
@@ -41,28 +43,33 @@ std::string sun_option();
 /// A proposal how to light a scene that has no light.
 struct LightAdvice
 {
-    std::string lamp;                ///< material or object to make a lamp; empty: use a sky
-    double lamp_area = 0.0;          ///< [m^2] of its surfaces
-    std::vector<std::string> others; ///< other candidates by name
-    double lit_share = 0.0;          ///< [1] estimate: share of the light of this lamp or sky that reaches a front
+    std::string lamp;                ///< material or object to be made a lamp; empty: use a sky
+    double lamp_area = 0.0;          ///< [m^2] area of the surfaces of the lamp
+    std::vector<std::string> others; ///< the other candidates by name, the most likely first
+    /// [1] Estimate: share of the light of the lamp that reaches fronts; for a sky, share of the light of fronts that
+    /// would leave the scene.
+    double lit_share = 0.0;
 };
 
-/// Prefers a candidate by name, then a sky if fronts see out of the scene, then one of the largest materials. A choice
-/// is good enough if 5 % of its light reaches a front; if none is, the best of those tried counts.
+/// Proposes a candidate by name, else a sky if fronts see out of the scene, else one of the largest materials. Up to
+/// four candidates of either list are tried. The first choice whose lit_share is at least 5 % is taken; if there is
+/// none, the choice with the largest share.
 LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& scene);
 
-/// An option that lights a scene, with estimates of the power.
+/// An option that lights a scene, with estimates of the light.
 struct LightYield
 {
     std::string option; ///< quoted for a shell, preceded by a space
-    double emitted;     ///< [W]; NaN for sky and sun
-    double arriving;    ///< [W] on fronts, before reflection
+    double emitted;     ///< [W]; NaN for a sky or sun
+    double arriving;    ///< [W] that reaches fronts directly, before any reflection
 };
 
-/// The yields of up to 12 lamps (candidates by name, then the largest materials), a sky and a sun.
+/// The yields of up to 12 lamps (the candidates by name, then the largest materials), followed by those of a sky and a
+/// sun.
 std::vector<LightYield> light_yields(const LampCandidates& candidates, const SceneFile& scene);
 
-/// A scene without emitters; the message proposes one.
+/// Thrown for a scene without emitters. The message proposes a command that lights it. `candidates` and `scene` are the
+/// arguments for light_yields().
 class DarkScene : public InputError
 {
 public:

@@ -1,6 +1,6 @@
 // How a face is cut: corners on straight sides are removed first. Three remaining corners are a triangle. A convex quad
-// stays whole if it is a parallelogram, and is cut along a diagonal otherwise. Ear clipping does the rest. Polygons
-// that are not planar or intersect themselves are cut, too, but counted for a warning.
+// stays whole if it is a parallelogram, and is cut along a diagonal otherwise. Ear clipping cuts all other polygons.
+// Polygons that are not planar or intersect themselves are cut, too, but counted for a warning.
 
 #include "scene/obj/mesh_pieces.h"
 

@@ -1,6 +1,6 @@
-// An MTL file is a list of statements, one per line. `newmtl` begins a material; the statements after it describe it.
-// Only Kd, Ke (or Ka) and their textures matter for diffuse light; all others are ignored, with a warning that names
-// them.
+// An MTL file is a list of statements, one per line. `newmtl` begins a material; the statements after it describe this
+// material. Only Kd, Ke (or Ka) and their textures matter for diffuse light. All other statements are ignored, with a
+// warning that names the first 16 keywords; Ka, d and Tr are recorded for other messages.
 
 #include "scene/obj/mtl_reader.h"
 

@@ -11,56 +11,58 @@
 
 namespace multipath {
 
-/// A `map_Kd` or `map_Ke` statement.
+/// A `map_Kd` or `map_Ke` statement. The texture is read at scale * (s, t) + offset.
 struct TextureMap
 {
-    std::string file;     ///< name in the statement, without blanks around it
-    std::string found;    ///< path of the file; empty if there is none
-    double scale_s = 1.0; ///< `-s`, factor of texture coordinates
+    std::string file;     ///< name in the statement, without blanks or quotes around it
+    std::string found;    ///< path of the file; empty if it was not found
+    double scale_s = 1.0; ///< `-s`
     double scale_t = 1.0;
-    double offset_s = 0.0; ///< `-o`, added to the scaled coordinates
+    double offset_s = 0.0; ///< `-o`
     double offset_t = 0.0;
     bool repeats = true;    ///< false after `-clamp on`
-    std::uint32_t line = 0; ///< 0 if the statement is missing
+    std::uint32_t line = 0; ///< line of the statement; 0 if the material has none
 };
 
 /// A material as its file defines it, with details for messages.
 struct MtlMaterial
 {
     Material material;
-    double opacity = 1.0;      ///< [1] `d`, or 1 - `Tr` if there is no `d`; only for messages: all surfaces are opaque
-    Rgb ambient;               ///< `Ka`; some files describe lamps by it
-    std::uint32_t kd_line = 0; ///< 0 if missing: the material reflects nothing
-    std::string flaw;          ///< "file:line: what is wrong" for a reflectance above 1; otherwise empty
-    std::uint32_t emission_line = 0; ///< of the `Ke` or `Ka` used as emittance; 0 if missing
+    /// [1] `d`, or 1 - `Tr` if there is no `d`, ignoring `Tr 1`; for messages only, since all surfaces are opaque.
+    double opacity = 1.0;
+    Rgb ambient;                     ///< `Ka`; some files describe lamps by it; for messages only
+    std::uint32_t kd_line = 0;       ///< line of `Kd`; 0 if missing: without a texture the material reflects nothing
+    std::string flaw;                ///< "file:line: what is wrong" if the reflectance is above 1; otherwise empty
+    std::uint32_t emission_line = 0; ///< line of the `Ke` or `Ka` that gives the emittance; 0 if missing
     TextureMap reflectance_map;      ///< `map_Kd`
     TextureMap emission_map;         ///< `map_Ke`
-    bool emission_too_small = false; ///< a channel is positive but too small, and counts as 0
+    bool emission_too_small = false; ///< true if a channel was positive but below 1e-30, which counts as 0
 };
 
 /// The materials of all MTL files of a scene.
 struct MaterialLibrary
 {
-    std::vector<MtlMaterial> materials; ///< in the order of their first definition
-    std::unordered_map<std::string, std::uint32_t> number_of_name;
+    std::vector<MtlMaterial> materials;                            ///< in the order of their first definition
+    std::unordered_map<std::string, std::uint32_t> number_of_name; ///< index into `materials`
     std::vector<std::string> warnings;
 };
 
 /// Adds the materials of an MTL file to a library. A later definition of a name replaces an earlier one, with a
-/// warning. Throws InputError for a negative reflectance, an emission that is negative or above 1e30, and malformed
-/// statements.
+/// warning. Other statements than Kd, the emission and their textures are ignored, with a warning. Throws InputError
+/// for a file that cannot be read; for a reflectance or an emission that is malformed, negative or before the first
+/// `newmtl`; for an emission above 1e30; and for a texture before the first `newmtl`.
 void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library);
 
-/// The files named by a `mtllib` statement.
+/// The files that a `mtllib` statement names.
 struct MtlFiles
 {
-    std::vector<std::string> found;   ///< paths that can be opened
-    std::vector<std::string> missing; ///< names without a file
+    std::vector<std::string> found;   ///< paths of existing regular files
+    std::vector<std::string> missing; ///< names for which there is no file
 };
 
-/// Finds the files named by the argument of `mtllib`, relative to the folder of the OBJ file. There may be several
-/// names; they may be quoted, contain blanks or backslashes, or be in the wrong case. Throws InputError, with the line
-/// `place`, for no name or more than 32 words.
+/// Finds the files that the argument `names` of a `mtllib` statement names, relative to the folder of the OBJ file.
+/// Several names may be given. A name may be quoted, contain blanks or backslashes, or be in the wrong case. Throws
+/// InputError for no name or more than 32 words. `place` is the location of the statement in the OBJ file.
 MtlFiles find_mtl_files(std::string_view names, TextLocation place);
 
 } // namespace multipath

@@ -11,16 +11,17 @@
 
 namespace multipath {
 
-/// A polygon of an OBJ file; its corners are the next `corner_count` entries of ObjMesh::corners.
+/// A polygon of an OBJ file. The corners of all faces are stored in ObjMesh::corners, face after face.
 struct ObjFace
 {
-    std::uint32_t corner_count = 0; ///< at least 3
-    std::uint32_t line = 0;
-    std::uint32_t material = 0; ///< index into ObjMesh::materials
-    std::uint32_t group = 0;    ///< index into ObjMesh::groups
+    std::uint32_t corner_count = 0; ///< number of corners of this face, at least 3
+    std::uint32_t line = 0;         ///< line of the face in the file
+    std::uint32_t material = 0;     ///< index into ObjMesh::materials
+    std::uint32_t group = 0;        ///< index into ObjMesh::groups
 };
 
-/// A name and the line of its first use.
+/// A name of a material and the line of the first face that uses it, or the argument of a `mtllib` statement and its
+/// line.
 struct ObjName
 {
     std::string name;
@@ -35,21 +36,27 @@ struct ObjMesh
     std::string path;
     LargeVector<Vec3> vertices;
     LargeVector<std::uint32_t> corners; ///< vertex indices, all valid, face after face
-    /// The index of the texture point of each corner, or no_point; empty if no corner has one.
+    /// The index of the texture point of each corner, or no_point. Empty if no corner refers to one.
     LargeVector<std::uint32_t> corner_points;
     LargeVector<TexturePoint> texture_points;
     LargeVector<ObjFace> faces;
-    std::vector<ObjName> materials;        ///< names in `usemtl` that faces use; "" before the first `usemtl`
-    std::vector<std::string> groups;       ///< names in `o` and `g` that faces use, in order of appearance
-    std::vector<ObjName> libraries;        ///< arguments of `mtllib`, not yet split into names
-    std::size_t faces_without_corners = 0; ///< dropped: fewer than three vertices
+    /// Names in `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first `usemtl`.
+    std::vector<ObjName> materials;
+    /// Names in `o` and `g` that apply to a face, dropped or not, in order of appearance; "" before the first.
+    std::vector<std::string> groups;
+    std::vector<ObjName> libraries;        ///< different arguments of `mtllib`, not yet split into file names
+    std::size_t faces_without_corners = 0; ///< number of faces with fewer than three vertices, which were dropped
     std::vector<std::string> warnings;
-    std::vector<bool> textured = {}; ///< per material: true if it has a texture; empty before MTL files are read
+    /// Per material: true if the file of its `map_Kd` was found; empty before MTL files are read.
+    std::vector<bool> textured = {};
 
     bool is_textured(const ObjFace& face) const { return !textured.empty() && textured[face.material]; }
 };
 
-/// Parses an OBJ file. Throws InputError for any error in its text, and for a file without faces.
+/// Parses an OBJ file. Throws InputError for a file that cannot be read, malformed vertices and faces, coordinates
+/// beyond 1e9, free-form surfaces and included files, and a file without faces. Unknown statements and weights of
+/// vertices cause a warning. A malformed texture coordinate counts as 0, and a reference to a missing texture point is
+/// ignored.
 ObjMesh parse_obj(const std::string& path);
 
 } // namespace multipath

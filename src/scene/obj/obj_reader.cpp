@@ -1,6 +1,7 @@
-// From text to surfaces: parse_obj() parses the file, cut_into_pieces() cuts its polygons into triangles and
-// parallelograms, merge_triangles() rejoins rectangles that the exporter cut, and the MTL files give the materials. In
-// the end require_physics() refuses scenes that have no meaningful result, and suggests a command that works.
+// From text to surfaces: parse_obj() parses the file, and apply() makes the changes of the user. cut_into_pieces() cuts
+// polygons into triangles and parallelograms, and merge_triangles() rejoins rectangles that the exporter cut. The MTL
+// files give the materials, and add_textures() reads their images. In the end require_physics() refuses a scene that
+// has no meaningful result, and suggests a command that works.
 
 #include "scene/obj/obj_reader.h"
 

@@ -1,9 +1,9 @@
 // Ear clipping. A corner of a simple polygon is an ear if it is convex and no other part of the polygon reaches into
-// the triangle of the corner and its two neighbours; that triangle can be cut off. Every simple polygon has an ear
-// (Meisters 1975), so n - 2 cuts are enough. Only reflex corners have to be tested against the triangle, and cutting
+// the triangle of the corner and its two neighbours. The triangle of an ear can be cut off. Every simple polygon has an
+// ear (Meisters 1975), so n - 2 cuts are enough. Only reflex corners have to be tested against a triangle, and cutting
 // off an ear affects only its two neighbours, so each corner is tested about three times. The polygon is projected
 // along the largest component of its normal: coordinates are copied, not computed, so corners that are straight or
-// equal in space are so in the projection.
+// equal in space stay so in the projection.
 
 #include "scene/obj/polygon.h"
 

@@ -18,20 +18,21 @@ format(const char* pattern, ...);
 /// A number with its digits in groups of three: "4,194,304".
 std::string grouped(std::uint64_t count);
 
-/// "a, b, c".
+/// Joins texts with a separator: "a, b, c".
 std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
-/// Quotes a word for a POSIX shell, on one line: unquoted if possible, else in '...', or in $'...' (POSIX 2024) with
-/// octal escapes if it contains control characters.
+/// Quotes a word for a POSIX shell. The result has no line ends. A word of harmless characters stays as it is; others
+/// are put in '...', or in $'...' (POSIX 2024) with octal escapes if they contain control characters.
 std::string shell_word(std::string_view text);
 
-/// " --name value" with the value quoted for a shell; " --name=value" if the value begins with "--".
+/// " --name value", or " --name=value" if the value begins with "--". The value is quoted for a shell.
 std::string option_text(std::string_view name, std::string_view value);
 
-/// The length in bytes of the UTF-8 character at the beginning of a text (RFC 3629); 0 if it is malformed or missing.
+/// The length [bytes] of the UTF-8 character at the beginning of a text (RFC 3629); 0 if the text is empty or does not
+/// begin with a complete, valid character.
 std::size_t utf8_character_size(std::string_view text);
 
-/// The width of a UTF-8 text on the screen, at one column per character: its bytes that are not continuation bytes.
+/// The width of a UTF-8 text on the screen [columns], at one column per character.
 std::size_t column_count(std::string_view text);
 
 } // namespace multipath

@@ -10,46 +10,48 @@
 
 namespace multipath {
 
-/// The position of a line in a text file, for messages. The path must outlive it.
+/// A line of a text file, for messages. The path is not copied: it must outlive this object.
 struct TextLocation
 {
     std::string_view path;
-    std::uint32_t line = 0; ///< from 1; 0 means the file as a whole
+    std::uint32_t line = 0; ///< counted from 1; 0 means the file as a whole
 };
 
 /// "room.obj:12", or "room.obj" for the file as a whole.
 std::string name_of(TextLocation place);
 
-/// Throws InputError with the message "room.obj:12: problem".
+/// Throws InputError with a message such as "room.obj:12: problem".
 [[noreturn]] void refuse(TextLocation place, const std::string& problem);
 
-/// A word of a file, made safe for a message: in backquotes, `?` for control characters, cut after 60 bytes.
+/// A word of a file, made safe for a message: in backquotes, with `?` for control characters, and cut after 60 bytes
+/// with "..." at the end.
 std::string in_quotes(std::string_view word);
 
 /// A statement of a file, without its line end.
 struct TextLine
 {
     std::string_view text; ///< valid until the next line is read
-    TextLocation place;    ///< its first line, if it was continued
-    bool ended = true;     ///< false only for a last line without a line end
+    TextLocation place;    ///< the first line of the statement
+    bool ended = true;     ///< false only if the last line of the file has no line end
 };
 
 /// Reads the statements of a Wavefront OBJ or MTL file one by one. Accepts any kind of line end and UTF-8 with or
-/// without a byte order mark, and joins lines continued by a backslash (except in names and comments). Memory is
-/// proportional to the longest line.
+/// without a byte order mark. A backslash at the end of a line continues the statement on the next line, unless the
+/// statement takes a name or contains a `#`. Memory is proportional to the longest line.
 class TextLines
 {
 public:
-    static constexpr std::size_t longest_line = std::size_t{16} << 20; ///< [byte]
+    static constexpr std::size_t longest_line = std::size_t{16} << 20; ///< [bytes]
 
-    /// Throws InputError for a file that cannot be read, is a directory or is not UTF-8 text.
+    /// Throws InputError for a file that cannot be read, a directory, and a file that looks like UTF-16.
     explicit TextLines(const std::string& path);
 
-    /// Reads the next statement; returns false after the last. Throws InputError for binary data, a line longer than
-    /// longest_line, and a file that ends after a continuation backslash.
+    /// Reads the next statement; returns false after the last one. Throws InputError for a control character other than
+    /// blanks and line ends, a line longer than longest_line, a file that ends after a continuation backslash, and an
+    /// error in reading.
     bool next(TextLine& line);
 
-    /// [1] The share of the file that was returned so far; 0 if the size of the file is not known.
+    /// [1] The share of the file that was returned so far; 0 if the size of the file is unknown or 0.
     double share_read() const;
 
 private:
@@ -67,14 +69,14 @@ private:
     std::string path_;
     std::unique_ptr<std::FILE, Closer> file_;
     std::vector<char> buffer_;
-    double size_ = 0.0;          ///< [byte] of the file, 0 if not known
-    std::uint64_t buffered_ = 0; ///< [byte] read into the buffer so far
-    std::size_t begin_ = 0;      ///< [begin_, end_) of the buffer is not yet returned
+    double size_ = 0.0;          ///< size of the file [bytes]; 0 if unknown
+    std::uint64_t buffered_ = 0; ///< bytes read into the buffer so far
+    std::size_t begin_ = 0;      ///< the bytes [begin_, end_) of the buffer are not yet returned
     std::size_t end_ = 0;
-    std::uint32_t number_ = 0;
-    bool after_carriage_return_ = false;
-    bool ended_ = true;
-    std::string joined_;
+    std::uint32_t number_ = 0;           ///< of the last line that was returned
+    bool after_carriage_return_ = false; ///< the last line ended in CR, so that an LF belongs to its line end
+    bool ended_ = true;                  ///< see TextLine::ended
+    std::string joined_;                 ///< the last statement, if it was continued
 };
 
 } // namespace multipath

@@ -15,41 +15,45 @@ inline bool is_blank(char c)
     return c == ' ' || (c <= '\f' && (c == '\t' || c == '\v' || c == '\f'));
 }
 
-/// The text without blanks at either end.
+/// The text without blanks at its beginning and end.
 std::string_view trimmed(std::string_view text);
 
-/// Removes the first word from `rest` and returns it; empty if only blanks are left.
+/// Removes the first word, and blanks before it, from `rest` and returns the word; empty if only blanks are left.
 std::string_view next_word(std::string_view& rest);
 
 /// The text before the first `#`, for statements whose arguments are numbers.
 std::string_view without_comment(std::string_view text);
 
-/// The name in the argument of a statement; it may contain blanks. Here a `#` begins a comment only with a blank (or an
-/// end of the text) on both sides, because exporters write names such as "Material #25".
+/// The name in the argument of a statement. A name may contain blanks. Since exporters write names such as "Material
+/// #25", a `#` begins a comment only if it has a blank, or the beginning or end of the text, on both sides.
 std::string_view name_in(std::string_view rest);
 
-/// Parses a finite decimal number, correctly rounded and independent of the locale; nothing for any other word.
+/// Parses a finite decimal number, correctly rounded; returns nothing for any other word. The decimal point is always
+/// ".".
 std::optional<double> to_number(std::string_view word);
 
-/// Like to_number(), but throws InputError with the reason if `word` is not such a number. `owner` names the quantity.
+/// Like to_number(), but throws InputError with the reason if `word` is not such a number. The message begins with the
+/// location `place` and the quantity `owner`, for example "vertex".
 double read_number(std::string_view word, const TextLocation& place, std::string_view owner);
 
-/// The keywords that a reader ignores, for a single warning.
+/// Collects the keywords that a reader ignores, for a single warning.
 class IgnoredKeywords
 {
 public:
-    /// At most `most` keywords are named.
+    /// The warning names at most `most` different keywords, the first ones of the file.
     explicit IgnoredKeywords(std::size_t most) : most_(most) {}
 
+    /// Records an ignored keyword and its location.
     void note(std::string_view keyword, TextLocation place);
 
-    /// "room.obj:12: problem: `a`, `b`", with the line of the first keyword; nothing if no keyword was noted.
+    /// Returns the warning "room.obj:12: problem: `a`, `b`" with the line of the first keyword; nothing if no keyword
+    /// was recorded.
     std::optional<std::string> warning(const std::string& problem) const;
 
 private:
     std::size_t most_;
-    std::vector<std::string> names_;
-    TextLocation first_;
+    std::vector<std::string> names_; ///< different keywords in backquotes
+    TextLocation first_;             ///< of the first keyword
 };
 
 } // namespace multipath

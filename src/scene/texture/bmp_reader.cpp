@@ -1,4 +1,5 @@
-// Reader of Windows bitmaps with a BITMAPCOREHEADER, or a BITMAPINFOHEADER in any of its versions, which begin alike.
+// Reader of Windows bitmaps with a BITMAPCOREHEADER or with a BITMAPINFOHEADER, whose later versions only append
+// fields.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"

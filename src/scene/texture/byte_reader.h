@@ -8,15 +8,17 @@
 
 namespace multipath {
 
-/// Reads the bytes of a file in order. Every function throws ImageError if too few bytes are left.
+/// Reads the bytes of a file in order. Functions that read throw ImageError if fewer bytes are left than they need. The
+/// bytes are not copied and must outlive this object.
 class ByteReader
 {
 public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
+    /// The number of bytes that are not yet read.
     std::size_t left() const { return rest_.size(); }
 
-    /// The next `count` bytes; the pointer is valid as long as the bytes of the file.
+    /// Reads `count` bytes and returns a pointer to them, which stays valid as long as the bytes of the file.
     const std::uint8_t* bytes(std::size_t count)
     {
         if (count > rest_.size())

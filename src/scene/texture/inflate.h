@@ -7,8 +7,9 @@
 
 namespace multipath {
 
-/// Decompresses a zlib stream (RFC 1950) whose contents must be `size` bytes; never decompresses more. Bytes after the
-/// stream are ignored. Throws ImageError if the stream is damaged, truncated or of another size.
+/// Decompresses a zlib stream (RFC 1950) whose contents must be `size` bytes; never decompresses more than that. Bytes
+/// after the end of the stream are ignored. Throws ImageError if the stream is damaged or truncated, or if its contents
+/// have another size.
 std::vector<std::uint8_t> inflate(std::string_view stream, std::size_t size);
 
 } // namespace multipath

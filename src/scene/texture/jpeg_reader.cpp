@@ -11,7 +11,8 @@
 // like libjpeg's default ("islow", "fancy upsampling"), so both decoders agree in every pixel of a sound file.
 //
 // If the file, or the data before a marker, ends too early, the blocks decoded so far are kept and the rest is grey.
-// Any other violation of the standard is an error.
+// Bytes between segments and the numbers of restart markers are ignored. Any other violation of the standard is an
+// error.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"

@@ -1,4 +1,4 @@
-// The mean of a texture over a polygon P is an integral over its border only (Green's theorem): with
+// The mean of a texture T over a polygon P is an integral over the border of P only (Green's theorem): with
 // S(s, t) = integral of T(s', t) ds' from a fixed s to s,
 //
 //   integral of T over P = integral of S dt around P.

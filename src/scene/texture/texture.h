@@ -11,28 +11,30 @@
 
 namespace multipath {
 
-/// A point of a texture: (0, 0) is the lower left corner of the image, (1, 1) the upper right.
+/// A point in texture coordinates: (0, 0) is the lower left corner of the image, (1, 1) the upper right one.
 struct TexturePoint
 {
     double s = 0.0;
     double t = 0.0;
 };
 
-/// An encoded image in a format of browsers and glTF.
+/// An encoded image in a format that browsers and glTF accept.
 struct ImageFile
 {
     std::string type; ///< "image/png" or "image/jpeg"
     std::string bytes;
 };
 
-/// The affine map from a surface to a texture: (u, v) to origin + u along_u + v along_v.
+/// The affine map from a surface to a texture: the point (u, v) of the surface shows the point origin + u * along_u + v
+/// * along_v of the texture.
 struct TextureFrame
 {
     TexturePoint origin;
     TexturePoint along_u;
     TexturePoint along_v;
-    bool known = false; ///< false: the surface shows the mean of the texture
+    bool known = false; ///< false: no texture coordinates, so the surface has the mean colour of the texture
 
+    /// The point of the texture at (u, v) of the surface.
     TexturePoint at(double u, double v) const
     {
         return {origin.s + u * along_u.s + v * along_v.s, origin.t + u * along_u.t + v * along_v.t};
@@ -42,29 +44,32 @@ struct TextureFrame
 /// A triangle or parallelogram in texture coordinates.
 struct TextureFootprint
 {
-    std::array<TexturePoint, 4> corners;
-    std::size_t count = 4; ///< or 3
+    std::array<TexturePoint, 4> corners; ///< in order around the border, in either direction; a triangle has three
+    std::size_t count = 4;               ///< number of corners: 3 or 4
 };
 
-/// An image as a colour in linear light [1] that varies over a surface. It is constant within each pixel (except in
-/// at()); outside its square it repeats, or continues the pixels of its border.
+/// A colour in linear light [1] that varies over a surface, given by an image. Outside the square between (0, 0) and
+/// (1, 1) the image repeats, or the pixels of its border continue. For mean() the colour is constant within each pixel;
+/// at() interpolates.
 class Texture
 {
 public:
-    /// `bytes` is the contents of an image file. Throws ImageError.
+    /// Decodes an image file, whose contents are `bytes`; `name` is its file name. `repeats`: true if the image repeats
+    /// outside its square. Throws ImageError like read_image().
     Texture(std::string name, std::string bytes, bool repeats);
 
     const std::string& name() const { return name_; }
     const std::string& bytes() const { return bytes_; }
     bool repeats() const { return repeats_; }
-    std::uint64_t hash() const { return hash_; } ///< of the pixels and `repeats`
+    std::uint64_t hash() const { return hash_; } ///< of the size, the pixels and `repeats`
     const Bitmap& bitmap() const { return bitmap_; }
 
-    Rgb mean() const { return mean_; }
-    /// The mean over a polygon: exact, by Green's theorem, in time proportional to the pixels along its border. Without
-    /// area it is the pixel at the middle; with a border of 10^6 pixels or more it is the mean of the whole texture.
+    Rgb mean() const { return mean_; } ///< [1] over the whole image
+    /// [1] The mean over a polygon: exact, by Green's theorem, in time proportional to the number of pixels along its
+    /// border. For a polygon without area it is the pixel at the middle of the corners. For a border of 10^6 pixels or
+    /// more it is the mean of the whole image.
     Rgb mean(const TextureFootprint& footprint) const;
-    /// The colour at a point, by bilinear interpolation between the centres of four pixels.
+    /// [1] The colour at a point, interpolated bilinearly between the centres of four pixels.
     Rgb at(TexturePoint point) const;
 
 private:
@@ -81,17 +86,19 @@ private:
     bool repeats_;
     Bitmap bitmap_;
     std::uint64_t hash_ = 0;
-    std::vector<std::uint32_t> sums_; ///< of a row's pixels before every 16th one, three channels each
-    std::size_t sums_per_row_ = 0;
+    /// Prefix sums of each row, three channels: at every 16th pixel, of the pixels before it.
+    std::vector<std::uint32_t> sums_;
+    std::size_t sums_per_row_ = 0; ///< prefix sums in a row; each has three channels
     Rgb mean_;
 };
 
-/// [1] The mean of a texture over the polygon with these (u, v) corners on a surface; `corners`, 3 or 4, is their
-/// number. With an unknown frame it is the mean of the whole texture.
+/// [1] The mean of a texture over a polygon on a surface. `uv` holds the (u, v) coordinates of the corners in order
+/// around the polygon; `corners`, 3 or 4, is their number. With an unknown frame it is the mean of the whole image.
 Rgb texture_mean(const Texture& texture, const TextureFrame& frame, std::size_t corners,
                  const std::array<std::array<double, 2>, 4>& uv);
 
-/// [1] Linear light of an 8-bit sRGB colour (IEC 61966-2-1).
+/// [1] Linear light of an 8-bit sRGB colour (IEC 61966-2-1), rounded to multiples of 1/65535. `rgb` points to three
+/// bytes.
 Rgb linear_colour(const std::uint8_t* rgb);
 
 } // namespace multipath
