@@ -2,8 +2,8 @@
 // the corners at several heights, outside each wall (whose back is transparent), and in front of each side of the
 // scene. A coarse grid of rays scores each candidate, a finer grid the best ones. If the scene can be seen from outside
 // without looking through a wall, only those candidates compete. At first all surfaces count as lit. If the best view
-// shows many unlit ones, the search is repeated with unlit surfaces counted as unseen: a house with lamps inside is not
-// shown from the garden. If that fails, too, as for a small house in a large garden, the search is restricted to the
+// shows many unlit surfaces, the search is repeated with unlit surfaces counted as unseen: a house with lamps inside is
+// not shown from the garden. This may fail for a small house in a large garden. Then the search is restricted to the
 // part of the scene that contains the light.
 
 #include "image/automatic_camera.h"

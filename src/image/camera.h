@@ -25,18 +25,21 @@ struct Camera
     double field_of_view = 60.0; ///< [degrees] vertical, between 0 and 180
 };
 
-/// [pixels] The bytes of a square picture of this size, three per pixel, fit into one PNG chunk.
+/// [pixels] Largest width and height of a picture. The bytes of a square picture of this size, three per pixel, fit
+/// into one PNG chunk.
 constexpr int largest_picture_side = 16384;
 
-/// Camera for a crop: its picture with `rows` rows is the middle of the original picture with `rows_before` rows.
+/// Camera for a crop of a picture: a picture of `rows` rows by the returned camera equals the middle rows of a picture
+/// of `rows_before` rows by `camera`.
 Camera cropped(Camera camera, int rows_before, int rows);
 
 /// The rays of a camera through a picture of width x height square pixels.
 class PixelRays
 {
 public:
-    /// Throws SettingsError for a camera that is not finite, has no viewing direction, has `up` parallel to it, or has
-    /// a field of view outside (0, 180) degrees, and for a picture side that is not 1 ... largest_picture_side.
+    /// Throws SettingsError for a camera that is not finite, has no viewing direction, has an `up` of length zero or
+    /// parallel to that direction, or has a field of view outside (0, 180) degrees. Also throws it for a width or
+    /// height that is not 1 ... largest_picture_side.
     PixelRays(const Camera& camera, int width, int height);
 
     /// Ray through the point (x, y) of the picture, with a unit direction. (x, y) is in pixels from the top left
@@ -45,22 +48,24 @@ public:
 
 private:
     Vec3 eye_;
-    Vec3 top_left_; ///< from the eye, on the image plane at distance one
-    Vec3 per_x_;    ///< one pixel to the right
-    Vec3 per_y_;    ///< one pixel down
+    Vec3 top_left_; ///< vector from the eye to the top left corner of the picture, on the image plane at distance one
+    Vec3 per_x_;    ///< step of one pixel to the right on that plane
+    Vec3 per_y_;    ///< step of one pixel down on that plane
 };
 
 /// Finds the first visible hit of each ray. The backs of one-sided surfaces are transparent, so that a closed room can
-/// be seen from outside. Holds reusable buffers: one object per thread.
+/// be seen from outside; the back of the sky is transparent in every scene. Holds reusable buffers: use one object per
+/// thread. The scene must outlive the object.
 class VisibleHits
 {
 public:
     explicit VisibleHits(const Scene& scene) : scene_(scene) {}
 
-    /// The first visible hit of each ray, or nothing. The reference is valid until the next call.
+    /// The first visible hit of each ray, in the order of the rays; nothing if a ray meets no visible side. The
+    /// reference is valid until the next call.
     const std::vector<std::optional<Hit>>& first(const std::vector<Line>& rays);
 
-    /// The first hit of each ray of the last call, visible or not.
+    /// The first hit of each ray of the last call of first(), visible or not.
     const FirstHits& nearest() const { return nearest_; }
 
 private:
@@ -68,15 +73,16 @@ private:
     void look_through_backs(const std::vector<Line>& rays);
 
     const Scene& scene_;
-    std::vector<std::uint32_t> from_; ///< no_surface for every ray
+    std::vector<std::uint32_t> from_; ///< per ray: Intersector::no_surface, since the rays start in free space
     FirstHits nearest_;
     std::vector<std::optional<Hit>> seen_;
     std::vector<std::size_t> back_first_; ///< indices of the rays whose first hit is not visible
-    std::vector<Line> lines_;             ///< a batch of these rays
+    std::vector<Line> lines_;             ///< rays of back_first_ that are traced together
     HitLists hits_;
 };
 
-/// Traces the rays through the pixel centres of row y and calls visit(x, hit) for each, from left to right.
+/// Traces the rays through the pixel centres of row y, which has `width` pixels. Calls visit(x, hit) for each pixel
+/// from left to right; the hit is a std::optional, empty where nothing is visible. `visible`: reusable buffers.
 template <class Visit>
 void for_each_visible(const PixelRays& pixels, int width, int y, VisibleHits& visible, const Visit& visit)
 {

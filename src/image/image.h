@@ -30,7 +30,7 @@ struct ScreenImage
 {
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> bytes; ///< 3 * width * height
+    std::vector<std::uint8_t> bytes; ///< red, green and blue of each pixel: 3 * width * height bytes
 
     std::uint8_t* at(int x, int y) { return &bytes[3 * pixel_index(width, x, y)]; } ///< the three bytes of a pixel
 };

@@ -9,11 +9,12 @@
 
 namespace multipath {
 
-/// Bytes of a PNG file with 8 bits per channel, sRGB. The comment becomes a text chunk, in which control characters
-/// other than line feeds and bytes that are not UTF-8 become '?'; there is no chunk if it is empty.
+/// Bytes of a PNG file with 8 bits per channel, sRGB. A comment that is not empty becomes a text chunk. In the chunk,
+/// ASCII control characters other than line feeds and bytes that are not UTF-8 are replaced by '?'.
 std::string png_bytes(const ScreenImage& image, const std::string& comment = "");
 
-/// The scene's textures as files for browsers and glTF: PNG and JPEG files unchanged, other formats as PNG.
+/// The scene's textures, in the order of SceneFile::textures, as files for browsers and glTF: PNG and JPEG files
+/// unchanged, other formats converted to PNG.
 std::vector<ImageFile> texture_files(const Scene& scene);
 
 } // namespace multipath

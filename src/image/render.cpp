@@ -1,6 +1,6 @@
 // Every pixel is the mean of k x k samples. Their positions are distributed like a tent filter two pixels wide (filter
-// importance sampling), so that the unweighted mean is the filtered picture. All pixels use the same pattern: random
-// patterns would roughen long straight edges, of which rooms are full.
+// importance sampling), so that the unweighted mean is the filtered picture. All pixels use the same pattern of
+// samples: random patterns would roughen the long straight edges of rooms.
 
 #include "image/render.h"
 

@@ -22,43 +22,45 @@ struct RenderOptions
 {
     int width = 800;
     int height = 600;
-    int samples_per_pixel = 9; ///< rounded up to a square number
+    int samples_per_pixel = 9; ///< rounded up to a square number k * k
     Shading shading = Shading::smooth;
-    /// Final gathering: rays per pixel for indirect light, and twice as many to the sources, divided among its samples.
+    /// Final gathering: hemisphere rays at each point where indirect light is sampled. Twice as many shadow rays per
+    /// pixel go to the sources; they are divided among the samples of the pixel, rounded up.
     int gather_rays = 64;
-    bool indirect = true; ///< final gathering includes indirect light
+    bool indirect = true; ///< final gathering includes indirect light; false leaves direct light only
     int threads = 1;
     /// [W/m^2] Samples are clamped to this value before they are averaged. Pictures for a screen set it to the
-    /// radiosity shown as white; otherwise the edge of a lamp a thousand times brighter than the room would not be
-    /// antialiased.
+    /// radiosity that is shown as white. Without the clamp, the edge of a lamp a thousand times brighter than the room
+    /// would not be antialiased.
     double white = std::numeric_limits<double>::infinity();
 };
 
-/// Renders a scene with the given radiosity [W/m^2] per patch; black where a ray meets nothing. The backs of one-sided
-/// surfaces are transparent. With final gathering, `radiosity` must be a solution; its last reflection is computed
-/// anew. The result does not depend on the number of threads. Throws SettingsError for an invalid camera or picture
-/// size (PixelRays).
+/// Renders a scene with the given radiosity [W/m^2] per patch. Where a ray meets nothing, the picture is black, or
+/// shows the radiosity of the sky in a scene with a sky. The backs of one-sided surfaces are transparent. With final
+/// gathering, `radiosity` must be a solution, whose last reflection is computed anew. The result does not depend on the
+/// number of threads. Throws SettingsError for an invalid camera or picture size (PixelRays).
 Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options);
 
 /// Options for the conversion of radiosity to brightness on the screen.
 struct ToneMapOptions
 {
     ToneOperator tone = ToneOperator::reinhard;
-    double exposure = 0.0; ///< [stops] added to the automatic or given scale
-    /// [m^2/W] Factor from radiosity to the operator's input; chosen by automatic_scale() if absent.
+    double exposure = 0.0; ///< [stops] the automatic or given scale is multiplied by 2^exposure
+    /// [m^2/W] Factor from radiosity to the tone operator's input; chosen by automatic_scale() if absent.
     std::optional<double> scale = std::nullopt;
 };
 
-/// Options for a small preview of the same picture, flat-shaded with one sample per pixel, to measure the exposure on.
+/// Options for a small preview of the same picture, on which the exposure is measured: sides of at most 160 pixels,
+/// flat shading, one sample per pixel, no clamping.
 RenderOptions preview_options(RenderOptions options);
 
-/// [m^2/W] Factor from radiosity to the input of the tone operator in picture(): the given or automatic scale, times
-/// 2^exposure.
+/// [m^2/W] The factor from radiosity to the input of the tone operator that picture() uses: the given or automatic
+/// scale, times 2^exposure.
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                      const RenderOptions& options, const ToneMapOptions& tone);
 
-/// Renders a tone-mapped picture for the screen. options.white is not used: samples are clamped to the radiosity that
-/// the tone operator shows as white at this exposure.
+/// Renders a tone-mapped picture for the screen. options.white is ignored: samples are clamped to the radiosity that
+/// the tone operator shows as white at this exposure. Throws like render().
 ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                     const RenderOptions& options, const ToneMapOptions& tone);
 

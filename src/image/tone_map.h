@@ -14,17 +14,17 @@ namespace multipath {
 double srgb_encoded(double linear);
 Rgb srgb_encoded(Rgb linear);
 
-/// Inverse of the sRGB transfer function.
+/// Linear light of sRGB values: the inverse of srgb_encoded(), for each channel in [0, 1].
 Rgb srgb_decoded(Rgb encoded);
 
-/// The sRGB byte of a channel of linear light, rounded to the nearest.
+/// The sRGB byte of a channel of linear light, rounded to the nearest. Light is clamped like in srgb_encoded().
 std::uint8_t screen_byte(double linear);
 
 enum class ToneOperator {
     linear,     ///< clipped at white
     reinhard,   ///< soft shoulder, natural colours (Reinhard et al. 2002)
     aces,       ///< S-shaped film curve (Narkowicz 2015)
-    percentile, ///< linear, with white at a high percentile of the room without its lamps
+    percentile, ///< linear, with white at the 98th percentile of the luminance, lamps left out
 };
 
 struct NamedToneOperator
@@ -39,18 +39,20 @@ inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard"
                                                                      {"aces", ToneOperator::aces},
                                                                      {"percentile", ToneOperator::percentile}}};
 
-/// [m^2/W] Automatic exposure: the scale at which `tone` shows the mid-tones of the image as middle grey, or for
-/// ToneOperator::percentile its brightest part below the lamps as white. Black pixels are ignored, and lamps and dark
-/// corners have little influence. 1 for a black image.
+/// [m^2/W] Automatic exposure: the scale at which `tone` shows the mid-tones of the image as middle grey. For
+/// ToneOperator::percentile it is the scale that shows the brightest part of the room, below its lamps, as white. Black
+/// pixels are ignored, and lamps and dark corners have little influence. Returns 1 for a black image.
 double automatic_scale(const Image& image, ToneOperator tone);
 
-/// [1] The input at which the tone operator's output reaches white.
+/// [1] The input at which the output of the tone operator reaches white (1).
 double white_point(ToneOperator tone);
 
-/// [1] Linear light on the screen for radiosity [W/m^2] at a scale [m^2/W], clamped to [0, 1]; 1 is white.
+/// [1] Linear light on the screen for a radiosity [W/m^2] at a scale [m^2/W], clamped to [0, 1]. 1 is white; NaN
+/// becomes 0.
 Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale);
 
-/// Converts an image to a picture for the screen, with ordered dithering so that smooth walls show no bands.
+/// Converts an image [W/m^2] at a scale [m^2/W] to a picture for the screen, with ordered dithering so that smooth
+/// walls show no bands.
 ScreenImage tone_map(const Image& image, ToneOperator tone, double scale);
 
 } // namespace multipath

@@ -13,12 +13,12 @@ struct OkLab
     double blue_yellow = 0.0;
 };
 
-/// The colour in linear light. Channels lie outside [0, 1] if a screen cannot show it.
+/// The colour in linear light. Some channels lie outside [0, 1] if a screen cannot show the colour.
 Rgb linear_light(OkLab colour);
 
 /// Colour (linear light) for a share of the scale, clamped to [0, 1]: from dark blue at 0 to light yellow at 1. Equal
-/// steps look about equally large, and lightness increases along the scale, so that it can be read without seeing hues.
-/// The map does not contain black.
+/// steps of the share look about equally large. Lightness increases along the scale, so that the scale can be read
+/// without seeing hues. Black is not in the map.
 Rgb map_colour(double share);
 
 } // namespace multipath

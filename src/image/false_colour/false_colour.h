@@ -10,16 +10,18 @@
 
 namespace multipath {
 
-/// Renders the scene with a given colour per patch (linear light, 0 ... 1), black where a ray meets nothing. There is
-/// no interpolation and no exposure: options.shading and options.white are not used.
+/// Renders the scene with a given colour per patch (linear light, 0 ... 1). Where a ray meets nothing, the picture is
+/// black, or has the colour of the sky in a scene with a sky. There is no interpolation and no exposure:
+/// options.shading and options.white are ignored. Throws SettingsError like render().
 ScreenImage flat_picture(const Scene& scene, const std::vector<Rgb>& colours, const Camera& camera,
                          RenderOptions options);
 
-/// Renders a quantity in false colours: the mean of its channels as one colour per patch, black where a patch has no
-/// value, and a legend below if there is room. The scale goes from 0 to a round number at or above the 99th percentile
-/// of the visible values, or above twice the 90th percentile if that is less, so that a small very bright spot does not
-/// make the rest dark. If the quantity has contours, they follow the interpolated values (SmoothShading) at the numbers
-/// of the legend.
+/// Renders a quantity in false colours: one colour per patch for the mean of its channels, black where a patch has no
+/// value. The picture has the size that the options give. If there is room, its lowest rows are a legend. The scale
+/// goes from 0 to a round number at or above the 99th percentile of the visible values, or at or above twice their 90th
+/// percentile if that is less and not 0, so that a small very bright spot does not make the rest dark. If the quantity
+/// has contours, contour lines follow the interpolated values (SmoothShading) at the numbers of the legend, except on
+/// sources. Throws SettingsError like render().
 ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Camera& camera, RenderOptions options);
 
 } // namespace multipath

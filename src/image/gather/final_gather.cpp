@@ -1,7 +1,8 @@
 // Direct light has sharp shadows, so every camera ray samples the sources. Indirect light varies slowly, so it is
-// gathered at few points and interpolated (IndirectGrid). The cache is filled in two passes over the pixel centres:
-// first every second pixel in x and y, then those of the others whose neighbours are not sufficient. A third pass
-// stores the interpolated indirect light per pixel, where it is almost constant within the pixel.
+// gathered at few points and interpolated (IndirectGrid). The cache is filled in two passes over the pixel centres. The
+// first pass samples every second pixel in x and y. The second samples each other pixel for which the samples of the
+// first pass do not suffice. A third pass stores the interpolated indirect light of each pixel in which it is almost
+// constant.
 
 #include "image/gather/final_gather.h"
 

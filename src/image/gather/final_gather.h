@@ -17,26 +17,28 @@
 
 namespace multipath {
 
-/// Number of rays for one point.
+/// Numbers of rays that FinalGather casts.
 struct GatherRays
 {
-    int to_sources = 16; ///< shadow rays
-    int around = 64;     ///< hemisphere rays for indirect light, cached for neighbouring pixels; 0 leaves it out
+    int to_sources = 16; ///< shadow rays per camera ray
+    /// Hemisphere rays per sample of indirect light, cached for neighbouring pixels; 0: no indirect light.
+    int around = 64;
 };
 
 /// Final gathering for one picture: the radiosity of each visible point is computed from the light that arrives there,
-/// so that patches are not visible. Direct light is sampled for every point; indirect light comes from an irradiance
-/// cache. Immutable after construction and safe to share between threads.
+/// so that patches are not visible. Direct light is sampled for every point. Indirect light comes from an irradiance
+/// cache (IndirectGrid), or is gathered where the cache has no valid sample. Immutable after construction and safe to
+/// share between threads.
 class FinalGather
 {
 public:
-    /// Fills the irradiance cache for all pixels. `radiosity`: the solution [W/m^2] per patch. The scene must outlive
-    /// this object.
+    /// Fills the irradiance cache for the pixels of a picture of width x height pixels. `radiosity`: the solution
+    /// [W/m^2] per patch. The scene must outlive this object.
     FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width, int height,
                 GatherRays rays, int threads);
 
-    /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y). `sample`: index of the ray in its
-    /// pixel, 0 <= sample < samples. `fan`: reusable buffers.
+    /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y), emitted light included. `sample`: index
+    /// of the ray among the `samples` rays of its pixel. `fan`: reusable buffers of one thread.
     Rgb at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const;
 
 private:
@@ -44,7 +46,7 @@ private:
     struct PixelCentre
     {
         std::optional<Hit> hit;
-        std::optional<Rgb> indirect; ///< [W/m^2] irradiance, where it is almost constant within the pixel
+        std::optional<Rgb> indirect; ///< [W/m^2] indirect irradiance; absent where it may vary within the pixel
     };
 
     void trace_pixel_centres(const PixelRays& pixels, int threads);

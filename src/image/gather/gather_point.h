@@ -17,13 +17,13 @@ struct GatherPoint
 {
     static constexpr std::uint32_t free = Intersector::no_surface; ///< value of `surface` in free space
 
-    std::uint32_t surface = 0;
+    std::uint32_t surface = 0; ///< index of the surface, or `free`
     Vec3 point;
     Vec3 normal;                           ///< unit vector on the receiving side
-    std::uint32_t patch = Scene::no_patch; ///< no_patch if unknown
+    std::uint32_t patch = Scene::no_patch; ///< patch that contains the point; Scene::no_patch if unknown
 };
 
-/// The point of a hit on the side that was hit.
+/// The point of a hit, on the side of the surface that was hit.
 inline GatherPoint gather_point(const Scene& scene, const Hit& hit)
 {
     const Surface& surface = scene.surfaces()[hit.surface];
@@ -31,15 +31,16 @@ inline GatherPoint gather_point(const Scene& scene, const Hit& hit)
             scene.patch_at(hit.surface, hit.u, hit.v, hit.front)};
 }
 
-/// A bundle of rays from one point, traced together, which is faster than one by one. Its buffers are reusable.
+/// A bundle of rays from one point. Tracing them together is faster than one by one. Holds reusable buffers: use one
+/// object per thread.
 class RayFan
 {
 public:
-    std::vector<Item> items; ///< one sequence item per ray
+    std::vector<Item> items; ///< one item (a point of the sequence, sequence.h) per ray
     std::vector<Line> rays;
 
-    /// The first hit of each ray. The rays start on `surface`, or in free space (GatherPoint::free). The reference is
-    /// valid until the next call.
+    /// The first hit of each ray in `rays`. The rays start on `surface`, or in free space (GatherPoint::free). The
+    /// reference is valid until the next call.
     const FirstHits& trace(const Scene& scene, std::uint32_t surface)
     {
         from_.assign(rays.size(), surface);

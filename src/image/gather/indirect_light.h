@@ -16,12 +16,14 @@ namespace multipath {
 struct IndirectSample
 {
     GatherPoint receiver;
-    Rgb irradiance;        ///< [W/m^2]
-    double distance = 0.0; ///< [scene units] harmonic mean distance to the surfaces seen
+    Rgb irradiance; ///< [W/m^2]
+    /// [scene units] harmonic mean of the distances to the surfaces that the rays meet; 0: no sample.
+    double distance = 0.0;
 };
 
-/// Indirect light, which was reflected at least once. It is gathered with cosine-distributed rays over the hemisphere,
-/// which look up the reflected part of the solution. Immutable and safe to share between threads.
+/// Indirect light, which was reflected at least once before it arrives. It is gathered with cosine-distributed rays
+/// over the hemisphere. A ray looks up the reflected part of the solution where it ends, interpolated by SmoothShading.
+/// Immutable and safe to share between threads.
 class IndirectLight
 {
 public:
@@ -31,8 +33,9 @@ public:
     IndirectLight(const IndirectLight&) = delete;
     IndirectLight& operator=(const IndirectLight&) = delete;
 
-    /// Gathers at a point with the items number * rays ... (number + 1) * rays - 1 of the sequence, so that the rays of
-    /// points with consecutive numbers are stratified together. `fan`: reusable buffers.
+    /// Gathers at a point with the items number * rays ... (number + 1) * rays - 1 of the sequence (an item is one of
+    /// its points, sequence.h), so that the rays of points with consecutive numbers are stratified together. `fan`:
+    /// reusable buffers of one thread.
     IndirectSample at(const GatherPoint& receiver, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
 
 private:
@@ -43,31 +46,32 @@ private:
 };
 
 /// Irradiance cache in image space: samples of indirect light at the points seen through pixel centres, interpolated at
-/// nearby points. Indirect light varies slowly, except near other surfaces (G. Ward, F. Rubinstein, R. Clear: A ray
+/// nearby points. Indirect light varies slowly except near other surfaces (G. Ward, F. Rubinstein, R. Clear: A ray
 /// tracing solution for diffuse interreflection, SIGGRAPH 1988).
 class IndirectGrid
 {
 public:
+    /// A grid of width x height pixels without samples.
     IndirectGrid(int width, int height);
 
     /// Stores the sample of pixel (x, y). Threads may set different pixels at the same time.
     void set(int x, int y, const IndirectSample& sample);
 
-    /// [W/m^2] Irradiance of a point seen through pixel (x, y), interpolated from the samples of pixels around; nothing
-    /// if none of them is valid there.
+    /// [W/m^2] Irradiance of a point seen through pixel (x, y), interpolated from the samples of the pixels around it.
+    /// Nothing if the estimated error of every sample at the point is too large.
     std::optional<Rgb> irradiance(const GatherPoint& receiver, int x, int y) const;
 
-    /// True if the samples of the pixels with even coordinates suffice for a point seen through pixel (x, y). Reads no
-    /// others, so that these may be set at the same time.
+    /// True if the samples of pixels with even coordinates alone suffice for a point seen through pixel (x, y). Reads
+    /// no other samples, so that threads may set those at the same time.
     bool is_supported(const GatherPoint& receiver, int x, int y) const;
 
 private:
-    /// A weighted sum of samples.
+    /// A weighted sum of the samples around a pixel.
     struct Shared
     {
-        Rgb irradiance; ///< [W/m^2] times the weights
-        double weights = 0.0;
-        int pixels = 0; ///< number of pixels visited, with or without a sample
+        Rgb irradiance;       ///< [W/m^2] sum of weight * irradiance
+        double weights = 0.0; ///< sum of the weights
+        int pixels = 0;       ///< number of pixels visited, with or without a sample
     };
 
     static bool is_enough(const Shared& found);

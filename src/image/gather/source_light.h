@@ -12,18 +12,18 @@
 
 namespace multipath {
 
-/// Conservative test of full visibility between patches and target surfaces: they see each other entirely if no other
-/// surface reaches into their convex hull (shaft culling, Haines and Wallace 1991). Results are computed on first use
-/// and cached, so that only the patches in a picture are tested. Safe to share between threads.
+/// Conservative test of full visibility between patches and target surfaces. A patch and a target see each other
+/// entirely if no other surface reaches into their convex hull (shaft culling, Haines and Wallace 1991). Results are
+/// computed on first use and cached, so that only the patches in a picture are tested. Safe to share between threads.
 class ShaftVisibility
 {
 public:
-    /// `targets`: indices of surfaces. The scene must outlive this object. In large scenes, where the test would cost
-    /// more than it saves, no pair counts as fully visible.
+    /// `targets`: indices of surfaces. The scene must outlive this object. In a large scene the test would cost more
+    /// than it saves, so that no pair counts as fully visible.
     ShaftVisibility(const Scene& scene, std::vector<std::uint32_t> targets);
 
-    /// True if certainly nothing lies between any point of the patch and any point of the target (an index into
-    /// `targets`). False for Scene::no_patch.
+    /// True if certainly nothing lies between any point of the patch and any point of the target, false if something
+    /// may. `target`: index into `targets`. False for Scene::no_patch.
     bool is_fully_visible(std::uint32_t patch, std::size_t target) const;
 
 private:
@@ -31,29 +31,32 @@ private:
 
     const Scene& scene_;
     std::vector<std::uint32_t> targets_;
-    double touching_; ///< [scene units] surfaces that reach less deep into the hull only touch it
-    mutable std::vector<std::atomic<std::uint8_t>> known_; ///< per patch and target: 0 unknown, 1 false, 2 true
+    double touching_; ///< [scene units] a surface that reaches less deep into the hull only touches it
+    /// Per patch and target: 0 unknown, 1 false, 2 true; empty in a large scene.
+    mutable std::vector<std::atomic<std::uint8_t>> known_;
 };
 
-/// Direct light: the irradiance of points by the sources of a scene. The unoccluded irradiance has a closed form, and
-/// shadow rays estimate the visible share of sources that may be occluded. There is no noise where all sources, or
-/// none, are visible, unless they are so many that only some are sampled. Immutable and safe to share between threads.
+/// Direct light: the irradiance of points by the sources of a scene, that is, by all surfaces with emittance (the sky
+/// included, the sun not). The unoccluded irradiance has a closed form. Shadow rays estimate the visible share of
+/// sources that may be occluded. There is no noise where all sources, or none, are visible, unless the scene has more
+/// than 32 sources: then only about 32 are sampled per point. Immutable and safe to share between threads.
 class SourceLight
 {
 public:
     /// The scene must outlive this object.
     explicit SourceLight(const Scene& scene);
 
-    /// Consecutive items of a sequence, one per shadow ray, of which the first two numbers are used.
+    /// Consecutive items of a sequence (an item is one of its points, sequence.h). Each shadow ray uses the first two
+    /// numbers of one item.
     struct Items
     {
         const Sequence& sequence;
-        std::uint64_t first;
-        std::size_t count;
+        std::uint64_t first; ///< index of the first item
+        std::size_t count;   ///< number of shadow rays
     };
 
-    /// [W/m^2] Irradiance of a point by all sources. `offset` in [0, 1) shifts the systematic sampling of the sources
-    /// and should differ from point to point. `fan`: reusable buffers.
+    /// [W/m^2] Irradiance of a point by all sources. `offset` in [0, 1) shifts the systematic sampling of sources and
+    /// rays, and should differ from point to point. `fan`: reusable buffers of one thread.
     Rgb irradiance(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const;
 
 private:
@@ -63,16 +66,16 @@ private:
         Rgb emittance; ///< [W/m^2]
         double power;  ///< [W] mean of the channels
         Vec3 centre;
-        double radius; ///< [scene units] of a bounding sphere around the centre
+        double radius; ///< [scene units] radius of a bounding sphere around the centre
     };
 
-    /// A source seen from a point without occlusion.
+    /// A source as seen from a receiving point, without occluders.
     struct View
     {
         std::uint32_t surface;
-        FlatPolygon outline; ///< the part above the horizon
-        double form_factor;  ///< [1] from the point to the outline
-        Rgb irradiance;      ///< [W/m^2] unoccluded
+        FlatPolygon outline; ///< the part of the source above the horizon of the point
+        double form_factor;  ///< [1] form factor from the point to the outline
+        Rgb irradiance;      ///< [W/m^2] unoccluded, divided by the probability of choosing the source
     };
 
     /// The sources above the horizon of a point.

@@ -14,8 +14,9 @@
 
 namespace multipath {
 
-/// A cell and the index of one of its corners, counter-clockwise from the cell's origin: 0 ... 3, or 0 ... 2 in a
-/// triangle. `on_edge` stands for a hanging node, a corner of smaller cells inside an edge of this cell.
+/// A cell of a tessellation (tessellation.h; where quadtrees divide the grid, the cells are their leaves) and the index
+/// of one of its corners: 0 ... 3, or 0 ... 2 in a triangle, counter-clockwise from the origin of the cell. The index
+/// `on_edge` marks a hanging node: a corner of smaller cells that lies inside an edge of this cell.
 struct CellCorner
 {
     static constexpr std::uint32_t on_edge = 4;
@@ -24,11 +25,12 @@ struct CellCorner
     std::uint32_t number;
 };
 
-/// The corners of the cells of one surface. Corner (i, j) lies at u = i / grid_u, v = j / grid_v of the tessellation.
+/// The corners of the cells of one surface. Corner (i, j) lies at u = i / grid_u, v = j / grid_v, on the grid of the
+/// smallest cells of the tessellation.
 class CornerLattice
 {
 public:
-    static constexpr std::size_t per_cell = 4; ///< slots in arrays of corner values per cell; a triangle uses three
+    static constexpr std::size_t per_cell = 4; ///< slots per cell in arrays of corner values; a triangle uses three
 
     explicit CornerLattice(const Tessellation& tessellation) : tessellation_(tessellation) {}
 
@@ -37,16 +39,18 @@ public:
     double u(std::uint32_t i) const { return static_cast<double>(i) / tessellation_.grid_u(); }
     double v(std::uint32_t j) const { return static_cast<double>(j) / tessellation_.grid_v(); }
 
-    /// The corners in rows first_row ... end_row - 1, row by row, each once.
+    /// The corners in rows j = first_row ... end_row - 1, each once, row by row and by increasing i.
     std::vector<GridPoint> points(std::uint32_t first_row, std::uint32_t end_row) const;
 
-    /// The cells around corner (i, j), counter-clockwise: most_around() entries, empty beyond the border. On a
-    /// parallelogram, cells 0 and 1 share the same row j, and so do cells 2 and 3.
+    /// The cells around corner (i, j), counter-clockwise. The first most_around() entries are used, and those beyond
+    /// the border of the surface are empty. In a parallelogram, entries 0 and 1 lie below the corner (smaller v),
+    /// entries 2 and 3 above. A cell that has the corner as a hanging node may appear twice.
     std::array<std::optional<CellCorner>, 6> around(std::uint32_t i, std::uint32_t j) const;
+    /// Largest number of cells around a corner.
     std::size_t most_around() const { return triangle() ? 6 : 4; }
 
     /// Interpolates between the corners of the cell at (u, v): bilinear in a parallelogram, barycentric in a triangle.
-    /// `values`: per_cell entries for each cell.
+    /// `values`: per_cell entries for each cell, in the order of the cells.
     Rgb interpolated(const Rgb* values, double u, double v) const;
 
 private:
@@ -56,33 +60,37 @@ private:
     Tessellation tessellation_;
 };
 
-/// Patches on one side of a surface that meet at a corner without an occluder between them. They share one value there.
+/// Patches on one side of a surface that meet at a corner without an occluder between them. The patches share one value
+/// at the corner.
 struct CornerGroup
 {
     std::uint32_t surface = 0;
     Vec3 normal; ///< unit normal of the side
     Vec3 corner;
-    std::vector<std::size_t> slots; ///< CornerLattice::per_cell * patch + index of the corner
+    /// Per_cell (CornerLattice) * patch + index of the corner in the patch; without hanging nodes.
+    std::vector<std::size_t> slots;
     Rgb value;
-    double weight = 0.0; ///< [1] sum of the open shares of the patches
-    /// For each patch an uncovered point near the corner and one near its centre, if there are any. Only on the border
-    /// of the surface, or if requested.
+    double weight = 0.0; ///< [1] sum of the open shares (VisiblePatches) of the patches in `slots`
+    /// Uncovered points of each patch, one near the corner and one near the centre of the patch, as far as they exist.
+    /// Empty for corners inside the surface unless corner_groups() was asked for points.
     std::vector<OpenPoint> points;
     bool on_border = false; ///< the corner lies on the border of the surface
 
-    /// The edge of a larger patch of the group that has the corner as a hanging node.
+    /// An edge of a larger patch of the group, inside which the corner lies as a hanging node.
     struct Edge
     {
-        std::size_t from; ///< slots of its ends
-        std::size_t to;
+        std::size_t from;   ///< slot of the value at the begin of the edge
+        std::size_t to;     ///< slot of the value at the end of the edge
         double share;       ///< [1] position of the corner along the edge
-        std::uint8_t level; ///< of the larger patch
+        std::uint8_t level; ///< quadtree level of the larger patch
     };
     std::optional<Edge> edge; ///< if set, the final value is interpolated between the ends of this edge
 };
 
 /// The groups at the corners of one side of a surface, in rows first_row ... end_row - 1 of its lattice. The value of a
-/// group is the mean of the linear functions of its patches at the corner, weighted by their open shares.
+/// group is the mean of the linear functions of its patches at the corner, each at least 0, weighted by the open shares
+/// of the patches. A group of weight 0 gets the mean of the other groups at the corner. `with_points`: also store
+/// points for corners inside the surface.
 std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes,
                                        std::uint32_t surface, bool front, std::uint32_t first_row,
                                        std::uint32_t end_row, bool with_points);

@@ -13,26 +13,28 @@
 namespace multipath {
 
 /// Interpolates one value per patch to a continuous function on the surfaces of a scene. Patches share a value at a
-/// common corner if they have the same material, lie in one smoothing group, and no occluder separates them. Parts that
-/// are covered by furniture are ignored. Sources are interpolated like other surfaces. A linear ramp is reproduced.
+/// common corner if they have the same material, lie in one smoothing group (smoothing_groups.h), and no occluder
+/// separates them. Parts of patches that furniture covers are ignored. Sources are interpolated like other surfaces. A
+/// linear ramp is reproduced.
 class SmoothShading
 {
 public:
-    /// The scene and the values, one per patch, must outlive this object. `shown`: nonzero for the surfaces that at()
-    /// and at_corners() will be called for, which saves time if they are few; empty means all.
+    /// The scene and the values, one per patch, must outlive this object. `shown`: per surface, nonzero if at() or
+    /// at_corners() will be called for it; empty means all surfaces. Few shown surfaces save time.
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   const std::vector<char>& shown = {});
 
-    /// For all surfaces. Also computes a residual per patch, an indicator of the interpolation error: the mean square,
-    /// over corners and channels, of the difference between the corner values and the patch's own linear function, plus
-    /// a multiple of its bend (patch_slopes), times the open share of the patch.
+    /// The same for all surfaces. `residuals` receives an indicator of the interpolation error per patch: the mean
+    /// square, over corners and channels, of the difference between the corner values and the linear function of the
+    /// patch (patch_slopes). A multiple of the bend of the patch is added, and the sum is multiplied by its open share
+    /// (VisiblePatches).
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   std::vector<double>& residuals);
 
     /// The interpolated value at a hit on a side that has patches.
     Rgb at(const Hit& hit) const;
 
-    /// The values at the corners of a patch, in the order of Scene::corners(). For a triangle the fourth is unused.
+    /// The values at the corners of a patch, in the order of Scene::corners(). For a triangle the fourth value is 0.
     std::array<Rgb, 4> at_corners(std::uint32_t patch) const;
 
 private:

@@ -9,36 +9,38 @@
 
 namespace multipath {
 
-// Smoothing groups: surfaces that look like one, such as the triangles of a sphere, and are shaded as one.
+// Smoothing groups: surfaces that look like one surface, such as the triangles of a sphere, and are shaded as one.
 
-/// An uncovered point of a surface with the unit normal of its side.
+/// An uncovered point of a surface (visible_patches.h) with the unit normal of its side.
 struct OpenPoint
 {
     Vec3 point;
     Vec3 normal;
 };
 
-/// True if surfaces with these unit normals can belong to one smoothing group: they differ by at most 30 degrees.
+/// True if surfaces with these unit normals can belong to one smoothing group: the normals differ by at most 30
+/// degrees.
 bool same_smoothing_group(Vec3 a, Vec3 b);
 
-/// Hash of a position, rounded to a millionth of the scene's diagonal, and a number `kind`.
+/// Hash of a position, rounded to a millionth of the diagonal of the scene, and a number `kind`. Positions that differ
+/// by rounding errors almost always have the same hash.
 std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind);
 
-/// True if an occluder, such as a wall on a floor, separates two nearby points of one smoothing group. Surfaces that
-/// fit into the smoothing group of either point do not count as occluders.
+/// True if an occluder, such as a wall on a floor, separates two nearby points of one smoothing group. A surface whose
+/// front normal fits into the smoothing group of either point is no occluder.
 bool occluded_between(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
 
-/// Accelerates occluded_between() for many pairs out of a set of nearby points. Tests only the surfaces close to them
-/// that do not fit into the smoothing group of all of them.
+/// Accelerates occluded_between() for many pairs of points from one set of nearby points. Tests only the surfaces that
+/// are close to the set and do not fit into the smoothing groups of all its points.
 class NearbyOccluders
 {
 public:
-    /// `normals`: of all surfaces. `points`: the set from which pairs are tested. The scene must outlive this object.
+    /// `normals`: unit front normals of all surfaces. `points`: the set. The scene must outlive this object.
     NearbyOccluders(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points);
 
-    /// True if there are certainly no occluders between any two of the points.
+    /// True if there are certainly no occluders between any two of the points; false if there may be some.
     bool empty() const { return near_ && near_->empty(); }
-    /// occluded_between() for two of the points.
+    /// Equal to occluded_between() for two of the points.
     bool separate(const OpenPoint& a, const OpenPoint& b) const;
 
 private:
@@ -50,7 +52,7 @@ private:
     };
 
     const Scene& scene_;
-    std::optional<std::vector<Near>> near_; ///< the candidates; nothing means all surfaces
+    std::optional<std::vector<Near>> near_; ///< the candidates; no list means all surfaces
 };
 
 } // namespace multipath

@@ -10,27 +10,29 @@
 
 namespace multipath {
 
-/// True if a point of `surface` is covered by something that stands on it: test rays in five directions all end at once
-/// or at the inside of a solid. `shape`: the surface or a part of it, with its front on the side to be tested.
+/// True if a point of `surface` is covered by something that stands on it. Test rays in five directions then all end
+/// within a rounding error of the point, or (in a one-sided scene) at the back of a surface, inside a solid. `shape`:
+/// the surface or a part of it, with its front on the side to be tested.
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point);
 
 /// The uncovered ("open") parts of the patches. The part of a patch on which furniture stands is dark, so that the
-/// value on its open part is larger than its mean. Coverage is sampled with up to 64 points per patch. In scenes with
-/// very many patches the small ones count as open, to save time.
+/// value on its open part is larger than its mean. Coverage is sampled with 64 points per patch. In scenes with very
+/// many patches small patches get fewer points, and the smallest count as open, to save time.
 class VisiblePatches
 {
 public:
-    /// `values`: one per patch, 0 on covered parts. The scene and the values must outlive this object.
+    /// `values`: one per patch, the mean over the patch, to which covered parts contribute 0. The scene and the values
+    /// must outlive this object.
     VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads);
 
     const Scene& scene() const { return scene_; }
 
     /// [1] Share of the patch that nothing covers.
     double open_share(std::uint32_t patch) const;
-    /// Value on the open part: the patch's value divided by its open share. The unchanged value of the patch if it is a
-    /// source or entirely covered.
+    /// Value on the open part: the value of the patch divided by its open share. A patch that is a source or entirely
+    /// covered keeps its value.
     Rgb value(std::uint32_t patch) const;
-    /// The open sample point nearest to `corner`; nothing if the patch is covered.
+    /// The open sample point of the patch nearest to `corner`; nothing if the patch is entirely covered.
     std::optional<Vec3> open_point_near(std::uint32_t patch, Vec3 corner) const;
 
 private:
@@ -38,7 +40,7 @@ private:
 
     const Scene& scene_;
     const std::vector<Rgb>& values_;
-    double points_per_area_;          ///< [1/m^2] upper bound of the density of sample points
+    double points_per_area_; ///< [1/m^2] upper bound of the density of sample points; infinite if there are few patches
     std::vector<std::uint64_t> open_; ///< per patch: one bit per sample point, set if it is open
 };
 
