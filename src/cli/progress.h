@@ -8,26 +8,28 @@
 namespace multipath {
 
 enum class ProgressStyle {
-    none,
+    none,  ///< nothing is shown
     bar,   ///< one line that is redrawn, for a terminal
-    lines, ///< a plain line every ten seconds, for a log file
+    lines, ///< a plain line at most every ten seconds, for a log file
 };
 
 /// The option --progress for the tables of commands.
 Option progress_option();
 
-/// The style that the options --progress and --quiet ask for: a bar if stderr is a terminal, lines otherwise. A run of
-/// a few seconds prints no lines.
+/// The style that the options --progress and --quiet ask for: a bar if stderr is a terminal, lines otherwise. Nothing
+/// is shown with --progress never, or with --quiet unless --progress always is given.
 ProgressStyle progress_style(const CommandLine& line);
 
-/// Shows on stderr how much of the work is done and how long the rest will take.
+/// Shows on stderr how much of the work is done and how long the rest will take. A run of a few seconds prints no
+/// lines.
 class Progress
 {
 public:
+    /// `what`: name of the work, which begins the bar and every line.
     Progress(std::string what, ProgressStyle style);
     ~Progress(); ///< clears the bar
 
-    void show(double done); ///< share of the work, 0 ... 1
+    void show(double done); ///< `done`: share of the work, 0 ... 1
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -9,12 +9,13 @@
 
 namespace multipath {
 
-/// Origin of an output: version, the command that reproduces it, seed, and hash of the scene. Options that do not
-/// change the result (threads, outputs, messages) are left out, so that the same result has the same bytes. The command
-/// is one line that a POSIX shell reads back as the same words.
+/// Origin of an output, one line per fact: version, the command that reproduces the output, seed, hash of the scene,
+/// and the unit of light if it is lux. Options that do not change the result (threads, outputs, messages) are left out
+/// of the command, so that the same result has the same bytes. The command is one line that a POSIX shell reads back as
+/// the same words.
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line, const Scene& scene);
 
-/// The same for outputs made without a scene.
+/// The same for outputs made without a scene: version, command and seed.
 std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line);
 
 /// True if provenance() records the option of this long name.

@@ -7,7 +7,7 @@ namespace multipath {
 /// "multipath 0.1.0"
 std::string version();
 
-/// Checksum and size of the sources that the program was built from, to distinguish builds of the same version.
+/// Checksum and size of the sources from which the program was built, to distinguish builds of the same version.
 std::string sources_checksum();
 
 /// Version, compiler and usable instruction sets, a line each.

@@ -8,8 +8,8 @@
 
 namespace multipath {
 
-/// A command of the program: its table and the function that runs it, which returns the exit code 0, exit_failed or
-/// exit_interrupted.
+/// A command of the program: its table, and the function that runs it. The function returns the exit code 0,
+/// exit_failed or exit_interrupted.
 struct Command
 {
     CommandTable table;
@@ -22,6 +22,7 @@ std::vector<Command> commands();
 /// The command of this name. Throws UsageError if there is none.
 Command command_named(const std::string& name);
 
+/// The tables of the commands, in the same order.
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands);
 
 /// All topics of `multipath help`, in reading order.
@@ -37,6 +38,6 @@ Command paper_command();
 Command points_command();
 Command explain_command();
 Command selftest_command();
-Command help_command(const std::vector<Command>& others); ///< explains the other commands too
+Command help_command(const std::vector<Command>& others); ///< explains the `others`, which are all other commands
 
 } // namespace multipath

@@ -8,12 +8,13 @@
 namespace multipath {
 
 /// Builds a JSON object. Members appear in the order of the calls, which can be chained. Bytes of texts that are not
-/// UTF-8 are taken for Latin-1.
+/// UTF-8 are taken for Latin-1. A number has the shortest form of 15 to 17 digits from which the same double is read
+/// back; a number that is not finite becomes null.
 class JsonObject
 {
 public:
     JsonObject& text(std::string_view key, std::string_view value);
-    JsonObject& number(std::string_view key, double value); ///< null if not finite, which JSON cannot represent
+    JsonObject& number(std::string_view key, double value);
     JsonObject& count(std::string_view key, std::uint64_t value);
     JsonObject& boolean(std::string_view key, bool value);
     JsonObject& null(std::string_view key);
@@ -22,14 +23,15 @@ public:
     JsonObject& object(std::string_view key, const JsonObject& value);
     JsonObject& objects(std::string_view key, const std::vector<JsonObject>& values);
 
-    /// The text of a JSON file: one line per member of the object, indented.
+    /// The text of a JSON file: one indented line per member of the object, and one line per entry of a list by
+    /// objects().
     std::string document() const;
 
 private:
     JsonObject& add(std::string_view key, const std::string& value);
     std::string inline_form() const;
 
-    std::vector<std::string> members_; ///< "\"key\": value"
+    std::vector<std::string> members_; ///< each as text: "key": value
 };
 
 } // namespace multipath

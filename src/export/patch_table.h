@@ -11,28 +11,31 @@
 namespace multipath {
 
 /// A solution as CSV, one row per patch: surface, material, centre, normal, area, reflectance, emittance and radiosity
-/// [W/m^2], with 17 significant digits, from which the same doubles are read back. If `standard_error` is not empty, it
-/// fills three more columns. Patches of the sky have area 0. The comments become `# ` lines before the header.
+/// [W/m^2]. Numbers have 17 significant digits, from which the same doubles are read back. `standard_error` [W/m^2]
+/// fills three more columns unless it is empty. Patches of the sky have area 0. The comments become `# ` lines before
+/// the header.
 std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
                         const std::vector<std::string>& comments, int threads = 1);
 
 /// A solution read from a file of patch_table(). The lists have one entry per patch.
 struct PatchTable
 {
-    std::string path;
-    std::vector<std::string> comments; ///< without "# "; comment_value() searches them
-    std::vector<std::uint32_t> surfaces;
-    std::vector<std::string> materials; ///< names
-    std::vector<Vec3> centres;          ///< [m]
-    std::vector<double> areas;          ///< [m^2] not negative, 0 for the sky; not all are 0
-    std::vector<Rgb> radiosity;         ///< [W/m^2]
-    std::vector<Rgb> standard_error;    ///< [W/m^2] of the radiosity, not negative; empty if the table has none
+    std::string path;                    ///< name of the file in messages
+    std::vector<std::string> comments;   ///< without "# "; comment_value() searches them
+    std::vector<std::uint32_t> surfaces; ///< indices of the surfaces
+    std::vector<std::string> materials;  ///< names
+    std::vector<Vec3> centres;           ///< [m]
+    std::vector<double> areas;           ///< [m^2] not negative; 0 for the sky, but not for all patches
+    std::vector<Rgb> radiosity;          ///< [W/m^2]
+    std::vector<Rgb> standard_error;     ///< [W/m^2] not negative; empty if the table has none
 };
 
 /// Reads a table; columns are found by name, and columns with other names are ignored. Throws InputError for a file
-/// that is no such table, whose patches are not numbered 0, 1, 2 ..., or whose areas are all 0. A table without areas,
-/// for example by another program, needs only the columns `patch` and `radiosity` [W/m^2], or `radiosity_r`, `_g`,
-/// `_b`. All else is then copied from `beside`, which must have as many patches.
+/// that is no such table, and for one without rows, with patches that are not numbered 0, 1, 2 ..., with negative areas
+/// or standard errors, or with areas that are all 0.
+/// If `beside` is given, a table without areas, for example by another program, needs only the columns `patch` and
+/// `radiosity` [W/m^2], or `radiosity_r`, `_g`, `_b`; the columns of the standard error are optional. Everything else
+/// is copied from `beside`. InputError is thrown unless both tables have the same number of patches.
 PatchTable read_patch_table(const std::string& path, const PatchTable* beside = nullptr);
 
 } // namespace multipath

@@ -1,7 +1,7 @@
 // The sources of the page are an ordinary web page: page.html refers to its style sheet and its scripts, each on a line
-// of its own. Here the texts of these files replace the lines, and the data of the room, a JSON document, replace a
-// comment, so that the result is one self-contained file. The page holds surfaces and their grids of cells, not
-// patches: room.js cuts them as Tessellation does. docs/viewer.md describes the document.
+// of its own. Here the texts of these files replace the lines. The data of the room, a JSON document, replace a comment
+// of the page, so that the result is one self-contained file. The document holds surfaces and their grids of cells, not
+// patches: room.js cuts the surfaces into patches as Tessellation does. docs/viewer.md describes the document.
 
 #include "viewer/viewer_page.h"
 
@@ -266,8 +266,7 @@ std::string packed_colour_map()
     return packed_bytes(bytes);
 }
 
-/// The legend of a quantity. Its scale reaches at least to the 99th percentile of the patches, like that of
-/// false-colour pictures for what they show.
+/// The legend of a quantity. Its scale reaches at least to the 99th percentile of the values of the patches.
 JsonObject legend_json(const std::vector<double>& values)
 {
     std::vector<double> sorted;

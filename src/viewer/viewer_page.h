@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-// Content of the page in plain lists: the viewer does not know how any of it was computed.
+// Content of the page in plain lists. The viewer does not know how the content was computed.
 
 namespace multipath {
 
@@ -21,39 +21,40 @@ enum class ViewerColours {
     scale  ///< false colours of the mean of the channels, with a legend
 };
 
-/// A quantity with a value for every patch.
+/// A quantity with one value per patch.
 struct ViewerQuantity
 {
     std::string key;   ///< for scripts: "radiosity"
     std::string title; ///< for people, UTF-8
     std::string unit;  ///< for people, UTF-8
     ViewerColours colours;
-    std::vector<Rgb> values; ///< per patch, >= 0; NaN where a patch has none
+    std::vector<Rgb> values; ///< per patch, >= 0; NaN where a patch has no value
 };
 
-/// The radiosity of a run with fewer lines.
+/// The radiosity after a run with fewer lines.
 struct ViewerStage
 {
     std::uint64_t lines;
     std::vector<Rgb> radiosity; ///< [W/m^2] per patch
 };
 
-/// Power that is sent along one segment of a traced line, between two successive hits.
+/// Power that a patch sends along one segment of a traced line, between two successive hits. The power sent is
+/// `forecast` + `held`.
 struct ViewerTransfer
 {
     std::size_t segment; ///< index among the segments of the line
-    std::uint32_t from;  ///< patch
-    std::uint32_t to;    ///< patch, or Scene::no_patch if the power is lost
-    Rgb forecast;        ///< [W] part of the sent power that is the forecast (G3)
-    Rgb held;            ///< [W] part that the patch had received and reflected before
-    Rgb counted;         ///< [W] power that the receiver counts as arrived
+    std::uint32_t from;  ///< patch that sends the power
+    std::uint32_t to;    ///< patch that receives the power; Scene::no_patch if the power is lost
+    Rgb forecast;        ///< [W] forecast part of the sent power, see (G3) in docs/equations.md; only on global lines
+    Rgb held;    ///< [W] rest of the sent power: what the patch has received and reflected, or what a ray carries
+    Rgb counted; ///< [W] power counted as arrived, or as lost if there is no receiver
 };
 
 /// A traced line.
 struct ViewerLine
 {
-    DrawnLine shape;
-    std::vector<ViewerTransfer> transfers;
+    DrawnLine shape;                       ///< segments and hits of the line
+    std::vector<ViewerTransfer> transfers; ///< in the order in which they happen
 };
 
 /// Traces of successive lines of one stage of a run.
@@ -70,32 +71,35 @@ struct ViewerContent
     std::vector<std::string> record;        ///< provenance: "command: multipath ..."
     Camera camera;                          ///< initial camera
     RenderOptions render;                   ///< picture for which the exposure is measured, and initial shading
-    ToneMapOptions tone;                    ///< initial tone map
-    std::vector<ViewerQuantity> quantities; ///< the radiosity [W/m^2] first
+    ToneMapOptions tone;                    ///< initial tone operator and exposure; `scale` is ignored
+    std::vector<ViewerQuantity> quantities; ///< the first is the radiosity [W/m^2], shown as light
     std::size_t shown = 0;                  ///< index of the initial quantity
-    std::uint64_t lines = 0;                ///< number of lines of the radiosity
-    std::vector<ViewerStage> stages;        ///< with fewer lines, increasing
+    std::uint64_t lines = 0;                ///< number of lines of the run that computed the radiosity
+    std::vector<ViewerStage> stages;        ///< runs with fewer lines, by increasing number of lines
     std::vector<ViewerChapter> chapters;
 };
 
-/// Begin and end of the data of the room in a page.
+/// The texts before and after the JSON data of the room in a page.
 constexpr const char* room_data_begin = "<script type=\"application/json\" id=\"room\">";
 constexpr const char* room_data_end = "</script>";
 
-/// A self-contained page (HTML) to walk through the solved room in a browser; it loads no other file.
+/// A self-contained page (HTML) to walk through the solved room in a browser. The page loads no other file.
 std::string viewer_page(const Scene& scene, const ViewerContent& content);
 
 /// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading). Most patches share the
-/// value at a grid point of their surface. Where they do not, as on both sides of a wall that stands on the surface, a
-/// patch has its own value.
+/// value at a grid point of their surface. In some places they do not, as on both sides of a wall that stands on the
+/// surface; a patch then has its own value.
 struct CornerValues
 {
-    std::vector<Rgb> shared;          ///< at every grid point, surface by surface, fronts first; row by row with j
-    std::vector<std::uint32_t> slots; ///< 4 * patch + index of its corner, in the order of Scene::corners()
-    std::vector<Rgb> own;             ///< own value for each of these slots
+    /// Fronts of all surfaces, then backs; for each the grid points, row by row (increasing j).
+    std::vector<Rgb> shared;
+    /// Corners with an own value: 4 * patch + index of the corner in Scene::corners().
+    std::vector<std::uint32_t> slots;
+    std::vector<Rgb> own; ///< own value for each entry of `slots`
 };
 
-/// Computes the corner values. On a surface that is cut by quadtrees, every patch has four shared values for itself.
+/// Computes the corner values. On a surface that quadtrees divide (tessellation.h), `shared` holds four values for each
+/// patch instead of grid points, and no patch shares them.
 CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
 /// The text of a file of the folder src/viewer/page. The Makefile embeds these files in the program. Throws

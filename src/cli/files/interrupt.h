@@ -9,28 +9,30 @@ constexpr int exit_interrupted = 130;
 // The signals below are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed). Signals that the program was
 // started to ignore (background jobs of a shell, nohup) stay ignored.
 
-/// From now on a signal ends the program at once: removes incomplete outputs, prints one line on stderr and exits with
-/// exit_interrupted.
+/// From now on a signal ends the program at once: it removes all temporary output files, prints one line on stderr and
+/// exits with exit_interrupted.
 void end_at_interrupts();
 
-/// Makes end_at_interrupts() permanent: watch_interrupts() has no effect any more, also when called by commands that
-/// this one runs. `hint`: a string literal to append to the line; that of the first call counts.
+/// Disables watch_interrupts() for the rest of the program, for commands that run other commands. `hint`: a string
+/// literal that end_at_interrupts() appends to its line. Only the hint of the first call counts.
 void always_end_at_interrupts(const char* hint = "");
 
-/// From now on a signal sets interrupted(), so that the work can stop and write its partial results. The program ends
-/// in any case two seconds later, or at once at a second signal: outputs that are complete by then are renamed to their
-/// targets; one line names the others, whose old files stay. No effect after always_end_at_interrupts().
+/// From now on a signal makes interrupted() true, so that the work can stop and write its partial results. The program
+/// ends in any case two seconds later (see InterruptDelay), or at once at a second signal. Outputs that are complete by
+/// then are renamed to their targets. One line names the other outputs, whose old files stay. No effect after
+/// always_end_at_interrupts() or a received signal.
 void watch_interrupts();
 
-/// True if a watched signal has been received.
+/// True if a signal has been received since watch_interrupts().
 bool interrupted();
 
-/// From now on SIGBUS ends the program at once: removes incomplete outputs, prints one line and exits with exit_failed.
-/// The signal is raised when a memory-mapped file is truncated while it is read, or its disk fails.
+/// From now on SIGBUS ends the program at once: it removes all temporary output files, prints one line on stderr and
+/// exits with exit_failed. The system raises the signal when a memory-mapped file is truncated while it is read, or the
+/// disk of the file fails.
 void end_at_bus_errors();
 
-/// While an object exists, the limit of two seconds is extended: a state gets the time to reach the disk. A second
-/// signal still ends the program.
+/// While an object exists, the limit of two seconds of watch_interrupts() is extended, so that a state has the time to
+/// reach the disk. A second signal still ends the program at once.
 class InterruptDelay
 {
 public:

@@ -18,29 +18,30 @@ public:
     explicit OutputError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// The reader of standard output has closed it (EPIPE), as `head` does: exit code 1, but no message.
+/// The reader of standard output has closed it (EPIPE), as `head` does. The exit code is 1, but no message is printed.
 class ReaderGone : public OutputError
 {
 public:
     using OutputError::OutputError;
 };
 
-/// Resolves the symbolic links at the end of a path, even if the last one points to a file that does not exist yet.
-/// Throws OutputError for circular links.
+/// Resolves the symbolic links at the end of a path, even if the last link points to a file that does not exist yet.
+/// Throws OutputError for circular links and chains of 40 links or more.
 std::string follow_links(const std::string& path);
 
-/// Makes the folder if it does not exist. Throws OutputError if that fails, or the path is something else.
+/// Makes the folder if it does not exist. Throws OutputError if that fails, or if the path is something else than a
+/// folder.
 void make_folder(const std::string& path);
 
 /// An output that appears under its name only when it is complete. The constructor checks that the target can be
-/// written; call it before the work. The bytes go to a temporary file in the same folder, which commit() renames and
-/// the destructor removes. `-` is standard output. Devices and pipes are written directly; a symbolic link is followed,
-/// not replaced.
+/// written; call it before the work. The bytes go to a temporary file in the folder of the target. commit() renames the
+/// temporary file; without commit() the destructor removes it. The path `-` is standard output. Devices and pipes are
+/// written directly. A symbolic link is followed, not replaced.
 class OutputFile
 {
 public:
-    /// Throws OutputError, like write(), complete() and commit(). An existing target is unchanged then, unless only the
-    /// sync of its folder failed.
+    /// Like write(), complete() and commit(), throws OutputError. After an error an existing target is unchanged,
+    /// unless only the sync of its folder failed.
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
@@ -48,11 +49,11 @@ public:
     /// Appends the bytes.
     void write(std::string_view bytes);
 
-    /// Flushes all bytes to the disk (fsync). Only the rename is left then, for commit() or for the signal handler of
-    /// watch_interrupts().
+    /// Flushes all bytes to the disk (fsync). After that only the rename is left, for commit() or for the signal
+    /// handler of watch_interrupts().
     void complete();
 
-    /// Completes the file and gives it the target's name. Nothing may be written afterwards.
+    /// Completes the file and renames it to the target. Nothing may be written afterwards.
     void commit();
 
     /// The name as the user gave it; "standard output" for `-`.
@@ -63,26 +64,28 @@ private:
 
     std::string name_;
     std::string target_;    ///< path without symbolic links at its end
-    std::string temporary_; ///< empty: written directly, or committed
+    std::string temporary_; ///< empty: the target is written directly, or the file was committed
     Unfinished unfinished_; ///< registers the temporary file with the signal handlers
-    int descriptor_ = -1;   ///< -1: committed or moved from
+    int descriptor_ = -1;   ///< -1: committed, discarded or moved from
 };
 
-/// An output that the user asked for: opened before the work, written after it.
+/// An output that the user asked for. It is opened before the work and written after it.
 struct PlannedOutput
 {
-    std::string_view extension; ///< ".csv"; one of those that the command writes
+    std::string_view extension; ///< ".csv"; one of the extensions that the command writes
     OutputFile file;
     std::size_t view = 0; ///< index of the view that a picture shows
 };
 
-/// The entry of `extensions` (string literals such as ".csv") that a file's name ends with, in upper or lower case; the
-/// first entry for `-`. An entry that begins with "_", such as "_lightmap.glb", is a longer ending and takes precedence
-/// over the plain extension. Throws UsageError with the list if there is none.
+/// The entry of `extensions` (string literals such as ".csv") with which the name of a file ends; the first entry for
+/// `-`. The extension of the file may be in upper or lower case. An entry that begins with "_", such as
+/// "_lightmap.glb", is a longer ending: it takes precedence over the plain extension, and its part before the dot must
+/// match exactly. Throws UsageError with the list of entries if none fits.
 std::string_view output_extension(const std::string& path, const std::vector<std::string_view>& extensions);
 
 /// Opens all outputs, so that an unwritable one is reported before the work. Throws UsageError for an extension that is
-/// not among `extensions`, a file named twice, or one that is also an input; OutputError for an unwritable file.
+/// not among `extensions`, for a file named twice, and for a file that is also among the `inputs`. Throws OutputError
+/// for an unwritable file.
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,
                                         const std::vector<std::string_view>& extensions);
 
@@ -90,10 +93,11 @@ std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, c
 /// files that a scene names.
 void require_no_input(const std::vector<PlannedOutput>& outputs, const std::vector<std::string>& inputs);
 
-/// Commits all outputs: none gets its name before the bytes of all are on the disk. Throws OutputError.
+/// Commits all outputs. None gets its name before the bytes of all are on the disk. Throws OutputError.
 void commit(std::vector<PlannedOutput>& outputs);
 
-/// True if both names refer to the same file. If one does not exist yet, folders and names are compared.
+/// True if both names refer to the same file. If one of the files does not exist yet, folders and names are compared.
+/// Throws OutputError for circular links.
 bool same_file(const std::string& a, const std::string& b);
 
 } // namespace multipath

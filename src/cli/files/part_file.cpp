@@ -1,6 +1,7 @@
-// A part file is locked while the program that made it runs; one that is not locked is abandoned and may be removed.
-// This works however a run ends, even by SIGKILL, which runs no destructors. O_TMPFILE (a file without a name until it
-// is complete) does not work on every file system; and with names users can see the space that a killed run has taken.
+// A part file is locked while the program that made it runs. A part file that is not locked is abandoned and may be
+// removed. This works however a run ends, even by SIGKILL, which runs no destructors. O_TMPFILE (a file without a name
+// until it is complete) does not work on every file system; and with names users can see the space that a killed run
+// has taken.
 
 #include "cli/files/part_file.h"
 

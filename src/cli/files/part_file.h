@@ -5,24 +5,24 @@
 
 namespace multipath {
 
-/// A temporary output file: ".NAME.XXXXXX.part" in the folder of its target, locked (flock) while its descriptor is
-/// open.
+/// A temporary output file: ".NAME.XXXXXX.part" in the folder of its target. It is locked (flock) while its descriptor
+/// is open.
 struct PartFile
 {
     std::string path;
-    int descriptor = -1; ///< for writing; -1: not created, see errno
+    int descriptor = -1; ///< open for writing; -1: the file could not be created, see errno
 };
 
-/// Creates an empty part file. First removes abandoned ones of the same target, which killed runs have left and nobody
-/// locks any more.
+/// Creates an empty part file with these permissions. First removes abandoned part files of the same target: killed
+/// runs have left them, and nobody locks them any more.
 PartFile create_part_file(const std::string& target, mode_t mode);
 
 /// The folder of a path, including the last slash; "" for the working directory.
 std::string folder_of(const std::string& path);
 
 /// Registers a part file with the signal handlers, since a signal ends the program without running destructors. While
-/// the object exists, remove_unfinished() removes the file. At most 64 files can be registered at a time; others are
-/// left for the next run to remove.
+/// the object exists, remove_unfinished() removes the file. At most 64 files with paths below 4096 bytes can be
+/// registered at a time; a signal leaves other files for the next run to remove.
 class Unfinished
 {
 public:
@@ -44,11 +44,11 @@ private:
     int slot_ = none;
 };
 
-/// Removes all registered files. Async-signal-safe.
+/// Removes all registered files, complete or not. Async-signal-safe.
 void remove_unfinished() noexcept;
 
-/// Renames the complete files to their targets and removes the others, for each of which it calls `not_written` with
-/// the target. Async-signal-safe.
+/// Renames the complete files to their targets and removes the others. Calls `not_written` with the target of each file
+/// that was not renamed. Async-signal-safe.
 void settle_unfinished(void (*not_written)(const char* target)) noexcept;
 
 } // namespace multipath

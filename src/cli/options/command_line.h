@@ -11,15 +11,15 @@
 
 namespace multipath {
 
-/// One option of a command. Views refer to string literals and tables of constants.
+/// One option of a command. The views refer to string literals and tables of constants.
 struct Option
 {
     std::string_view name;                      ///< long form without the dashes
-    char short_name = 0;                        ///< 0: long form only
-    std::string_view argument = {};             ///< what the help calls the value, such as FILE; empty: a flag
-    std::string_view default_text = {};         ///< value when not given; empty: none
-    std::string help = {};                      ///< wrapped by help_text(), which adds choices and default in brackets
-    bool repeatable = false;                    ///< may be given more than once
+    char short_name = 0;                        ///< 0: the option has a long form only
+    std::string_view argument = {};             ///< name of the value in the help, such as FILE; empty: a flag
+    std::string_view default_text = {};         ///< value if the option is not given; empty: no default
+    std::string help = {};                      ///< help_text() wraps it and adds choices and default in brackets
+    bool repeatable = false;                    ///< true: the option may be given more than once
     std::vector<std::string_view> choices = {}; ///< allowed values; empty: any text
 };
 
@@ -29,14 +29,15 @@ struct OptionGroup
     std::vector<Option> options;
 };
 
-/// An argument that is not an option. Only the last one may be repeatable (one or more) or optional.
+/// An argument that is not an option. Only the last operand of a command may be repeatable (given once or more often)
+/// or optional.
 struct Operand
 {
     std::string_view name; ///< "SCENE.obj"
     bool repeatable = false;
     bool optional = false;
-    std::vector<std::string_view> extensions = {}; ///< of the files that completion offers, ".obj"; empty: any file
-    std::vector<std::string_view> choices = {};    ///< allowed words, if it is not a file; empty: any text
+    std::vector<std::string_view> extensions = {}; ///< completion offers files with these, ".obj"; empty: any file
+    std::vector<std::string_view> choices = {};    ///< allowed words of an operand that is no file; empty: any text
 };
 
 /// The description of a command from which parser, help, man page and completion are made.
@@ -53,15 +54,15 @@ struct CommandTable
 /// The operand as the usage line shows it: "SCENE.obj", "STATE...", "[SCENE.obj]".
 std::string operand_text(const Operand& operand);
 
-/// A copy of the table, or the group, without the options of these long names.
+/// A copy of the table, or of the group, without the options of these long names.
 CommandTable without_options(CommandTable table, const std::vector<std::string>& names);
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names);
 
 /// The option with this long name; nullptr if the table has none.
 const Option* find_option(const CommandTable& table, std::string_view name);
 
-/// A word that an option allows, and its value. Arrays of such rows, or of any rows with a `name`, provide the choices
-/// of an option (names_of) and the row of the user's word (CommandLine::choice).
+/// A word that an option allows, and the value of the word. Arrays of such rows, or of any rows with a `name`, provide
+/// the choices of an option (names_of) and the row of the word that the user gave (CommandLine::choice).
 template <typename Value>
 struct NamedValue
 {
@@ -69,6 +70,7 @@ struct NamedValue
     Value value;
 };
 
+/// The names of all rows, in order.
 template <typename Rows>
 std::vector<std::string_view> names_of(const Rows& rows)
 {
@@ -78,7 +80,7 @@ std::vector<std::string_view> names_of(const Rows& rows)
     return names;
 }
 
-/// The row with this name. Throws UsageError with the list of names if there is none; `option` begins the message.
+/// The row with this name. Throws UsageError with the list of names if there is none; the message begins with `option`.
 template <typename Rows>
 auto row_named(const Rows& rows, std::string_view option, std::string_view name)
 {
@@ -86,7 +88,7 @@ auto row_named(const Rows& rows, std::string_view option, std::string_view name)
     return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
 }
 
-/// The name of a value. One of the rows must have it.
+/// The name of the first row with this value. One of the rows must have it.
 template <typename Rows, typename Value>
 std::string name_of(const Rows& rows, Value value)
 {
@@ -94,24 +96,25 @@ std::string name_of(const Rows& rows, Value value)
         std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.value == value; })->name);
 }
 
-/// The arguments after the command's name, checked against the command's table.
+/// The arguments after the name of a command, checked against the table of the command.
 class CommandLine
 {
 public:
-    /// Reads the arguments that follow the command's name, GNU style. Throws UsageError.
-    /// Stops at `--help` or `-h`: then has("help") holds and nothing else has been checked.
+    /// Reads the arguments that follow the name of the command, GNU style. Throws UsageError. Stops at `--help` or
+    /// `-h`: has("help") is true then, and neither the arguments after it nor the number of operands have been checked.
     CommandLine(const CommandTable& table, const std::vector<std::string>& arguments);
 
-    /// True if the option (or flag) was given; a default does not count.
+    /// True if the option was given; its default does not count. The command must have the option.
     bool has(std::string_view name) const;
 
-    /// The value given, else the default, else "".
+    /// The value given (the last one of a repeatable option), or else the default, or else "". The command must have
+    /// the option.
     std::string text(std::string_view name) const;
 
-    /// Replaces the default of an option, for one that depends on data read later, such as the scene.
+    /// Replaces the default of an option. For a default that depends on data read later, such as the scene.
     void settle_default(std::string_view name, std::string text) { settled_[std::string(name)] = std::move(text); }
 
-    /// The row whose name is the value of the option. Throws UsageError if there is none.
+    /// The row whose name is the value of the option. Throws UsageError if there is no such row.
     template <typename Rows>
     auto choice(std::string_view name, const Rows& rows) const
     {
@@ -121,13 +124,14 @@ public:
     /// True if the command has this option.
     bool knows(std::string_view name) const { return find_option(table_, name) != nullptr; }
 
-    /// The default in the table of an option that the command has; "" if there is none.
+    /// The default in the table of the command, not one of settle_default(); "" if there is none. The command must have
+    /// the option.
     std::string default_text(std::string_view name) const;
 
-    /// All values given, in the user's order. Empty if the option was not given, whatever its default.
+    /// All values given, in the order of the user. Empty if the option was not given, whatever its default.
     std::vector<std::string> all(std::string_view name) const;
 
-    /// Operands in order; their number agrees with the table unless has("help").
+    /// The operands in order. Their number agrees with the table unless has("help").
     const std::vector<std::string>& operands() const { return operands_; }
 
 private:

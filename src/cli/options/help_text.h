@@ -9,9 +9,9 @@
 
 namespace multipath {
 
-/// Breaks a text at spaces into lines of at most `width` columns, each with its line feed; a longer word gets a line of
-/// its own. The first line continues one that the caller has filled up to `column`; the others begin with `indent`
-/// spaces.
+/// Breaks a text at spaces into lines of at most `width` columns, each with its line feed. A word that is longer gets a
+/// line of its own. The first line continues a line that the caller has filled up to `column`, at least with the first
+/// word. The other lines begin with `indent` spaces.
 std::string wrapped_text(std::string_view text, std::size_t column, std::size_t indent, std::size_t width);
 
 /// A subject that `multipath help` explains besides the commands.
@@ -28,35 +28,36 @@ inline const std::string program_summary =
 
 constexpr std::size_t page_width = 90; ///< [columns] of the help of commands
 
-/// `left`, and `right` wrapped into the columns from `indent` to `width`; on the next line if `left` is too long.
+/// Two columns of text: `left`, and `right` wrapped into the columns from `indent` to `width`. `right` begins on the
+/// next line if `left` is too long.
 std::string two_columns(const std::string& left, std::string_view right, std::size_t indent,
                         std::size_t width = page_width);
 
-/// The option's help, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
+/// The help of an option, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
 std::string option_help(const Option& option);
 
 /// `multipath solve [OPTIONS] SCENE.obj`
 std::string usage_line(const CommandTable& table);
 
-/// `try 'multipath solve --help'`; with an empty command name `try 'multipath --help'`.
+/// `try 'multipath solve --help'`; for an empty command name `try 'multipath --help'`.
 std::string help_hint(std::string_view command);
 
-/// The output of `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes. At most 90
-/// columns wide, except for the notes.
+/// The output of `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes. Summary and
+/// options are wrapped to 90 columns; the notes are printed as they are.
 std::string help_text(const CommandTable& table);
 
 /// The output of `multipath --help`.
 std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
 
-/// One line per command: name and summary, aligned.
+/// One entry per command: name and summary, aligned.
 std::string command_list(const std::vector<CommandTable>& tables);
 
-/// The manual page (roff with the macros of man(7)): every command with its options, then every topic. It carries the
-/// version but no date, so that the same tables give the same bytes.
+/// The manual page (roff with the macros of man(7)): every command with its options, then every topic. The page carries
+/// the version but no date, so that the same tables give the same bytes.
 std::string man_page(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
 
-/// A bash script for the completion of commands, their options and choices, and files with the extensions that an
-/// operand takes. An option whose argument is called FILE takes a file, FOLDER a folder.
+/// A bash script that completes commands, their options and choices, and files with the extensions that the last
+/// operand takes. After an option whose argument is called FILE it offers files, for FOLDER folders.
 std::string bash_completion(const std::vector<CommandTable>& tables);
 
 } // namespace multipath

@@ -7,22 +7,22 @@
 
 namespace multipath {
 
-/// The command line is wrong (exit code 2). The message is one line without the name of the program; main(), which
-/// knows the command, adds help_hint().
+/// The command line is wrong (exit code 2). The message is one line without the name of the program. main(), which
+/// knows the command, adds help_hint() to it.
 class UsageError : public std::runtime_error
 {
 public:
     explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// The user's text in single quotes, with '?' for control characters, so that a message stays one line.
+/// The text that the user gave, in single quotes and with '?' for control characters, so that a message stays one line.
 std::string quoted_argument(std::string_view text);
 
-/// The text "; did you mean CANDIDATE?" with the candidate that `word` most likely misspells (a few letters wrong,
-/// swapped, missing or too many) or begins; "" if none is close.
+/// The text "; did you mean CANDIDATE?" with the candidate that `word` most likely misspells or begins; "" if none is
+/// close. In a misspelt word a third of the letters, or one, may be wrong, swapped, missing or too many.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// The words as a list: "a, b, c", or "a, b or c" if `before_last` is " or ".
+/// The words as a list: "a, b, c". `before_last` replaces the last comma: "a, b or c" for " or ".
 std::string listed(const std::vector<std::string_view>& words, std::string_view before_last = ", ");
 
 /// Throws UsageError "OPTION: expected one of A, B, C, got 'WORD'; did you mean A?" unless `word` is among the choices.

@@ -7,7 +7,9 @@
 
 namespace multipath {
 
-// Traced lines as lines of a drawing. Rays that leave the scene are drawn for a fifth of its diagonal.
+// Traced lines (explain/line_trace.h) as lines of a drawing, in the order of the trace. A segment of a
+// ray, particle or walk is bold if it ends on a patch, a segment of a global line if it joins two patches.
+// A ray that leaves the scene is drawn for a fifth of the diagonal of the scene.
 
 std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines);
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace);

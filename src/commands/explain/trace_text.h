@@ -5,32 +5,35 @@
 #include <string>
 #include <vector>
 
-// Traces of a run in words.
+// Traces of a run (explain/line_trace.h) in words.
 
 namespace multipath {
 
-/// Breaks a text between words into lines of at most 110 columns. The first line begins with `first` spaces, the others
-/// with `others`.
+/// Breaks a text between words into lines of at most 110 columns; only a longer word exceeds them. The first line
+/// begins with `first` spaces, the others with `others` spaces.
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others);
 
-/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ. Its spaces are tied: wrapped() does not break at them.
+/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ. The spaces are tied: wrapped() does not break a line at
+/// them.
 std::string watts(Rgb power);
 
-/// "table_top (line 12)", as `check` names surfaces: the group and its line, or the material if the group has no name.
+/// "table_top (line 12)", as `check` names surfaces: the group, or the material if the group has no name, and the line
+/// of the scene file.
 std::string surface_name(const Scene& scene, std::uint32_t surface);
 /// "patch 12 of table_top (line 12)", with ", its back" for a patch on the back of a surface.
 std::string patch_name(const Scene& scene, std::uint32_t patch);
 
-/// The run to which the lines of a trace belong.
+/// The run to which the lines of a trace belong. Scene and options must outlive the object.
 struct TracedRun
 {
     const Scene& scene;
     const SolveOptions& options;
     std::string method;   ///< name for --method
-    std::string sequence; ///< full name
+    std::string sequence; ///< full name of the sequence
 };
 
-/// The trace as plain text, at most 110 columns wide, for readers who do not know the paper.
+/// The trace as plain text, wrapped to 110 columns, for readers who do not know the paper. Rows of tables are not
+/// wrapped and may be longer where coordinates are large.
 std::string trace_text(const TracedRun& run, const GlobalTrace& trace);
 std::string trace_text(const TracedRun& run, const BundleTrace& trace);
 std::string trace_text(const TracedRun& run, const ShotTrace& trace);

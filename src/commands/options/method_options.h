@@ -10,25 +10,27 @@
 
 namespace multipath {
 
-/// The options of the method, for every command that solves or traces a run. `line_count` is the command's own option
-/// for the total number of lines. With `with_reuse` all methods are choices and `reuse` is the default; otherwise only
-/// methods whose lines can be traced.
+/// The options of the method, for every command that solves or traces a run. `line_count`: the command's own option for
+/// the total number of lines. `with_reuse`: all methods are choices, `reuse` is the default, and --direct and --denoise
+/// are included. Without it, only methods whose lines `explain` can trace are choices, and `first-shot` is the default.
 OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 
-/// The same for `solve`, with the options --lines and --important.
+/// The options of the method for `solve`, with `reuse` and the options --lines and --important.
 OptionGroup solve_method_group();
 
-/// Reads the options of the method. `line_count`: name of the option for the total number of lines. Throws UsageError.
+/// Reads the options of the method. `line_count`: name of the option for the total number of lines. `--lines auto` is
+/// left to settle_lines(), since it depends on the scene. Throws UsageError.
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count);
 
-/// The same without method, sequence, pairing, line order, chords and number of lines.
+/// Reads the options of the method except method, sequence, pairing, line order, chords and number of lines. Throws
+/// UsageError.
 SolveOptions read_settings(const CommandLine& line);
 
-/// The number of lines that `--lines auto` takes for the scene, as text such as "2^21": at least 2^20, and at least 24
-/// per patch.
+/// The number of lines that `--lines auto` takes for the scene, as text such as "2^21": the smallest power of two that
+/// is at least 2^20 and gives each patch at least 24 lines.
 std::string usual_lines(const Scene& scene);
 
-/// Replaces `--lines auto` by usual_lines(), in the command line and in the options.
+/// Replaces `--lines auto` by usual_lines(), in the command line and in the options. Does nothing for other values.
 void settle_lines(const Scene& scene, CommandLine& line, SolveOptions& options);
 
 // Values of --chords, --pairing and --line-order.
@@ -39,15 +41,17 @@ inline constexpr std::array<NamedValue<Pairing>, 2> pairing_choices = {
 inline constexpr std::array<NamedValue<LineOrder>, 2> line_order_choices = {
     {{"shuffled", LineOrder::shuffled}, {"sequence", LineOrder::sequence}}};
 
-/// Throws UsageError for an option that has no effect with the method, unless its value is the default.
+/// Throws UsageError if an option of the methods is given that has no effect with the method of the command line. An
+/// option with its default value is accepted.
 void require_options_with_effect(const CommandLine& line);
 
-/// The same for several methods: the option must have an effect with one of them. `given`: what the user wrote, such as
-/// "--methods local,global".
+/// The same for several methods: every option must have an effect with at least one of them. `given`: what the user
+/// wrote, such as "--methods local,global", for the message.
 void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
                                  const std::string& given);
 
-/// The full name of the sequence. Throws UsageError, which names `option`, if it cannot be made.
+/// The full name of the sequence in the options. Throws UsageError if the sequence cannot be made; the message begins
+/// with `option`.
 std::string checked_sequence_name(const SolveOptions& options, const std::string& option = "--sequence");
 
 } // namespace multipath

@@ -12,37 +12,40 @@ namespace multipath {
 /// The options of every command that reads an OBJ scene.
 OptionGroup scene_option_group();
 
-/// Path of the scene file that the first operand names: the file itself, or the bundled scene of that name.
+/// Path of the scene file that the first operand names: the file itself, or else the bundled scene of that name. If
+/// neither exists, the operand unchanged.
 std::string scene_path(const CommandLine& line);
 
-/// An option that the user gave.
+/// An option that the user gave, with one value.
 struct GivenOption
 {
     std::string name;
-    std::string value; ///< empty: takes none
+    std::string value; ///< empty for an option without value
 };
 
-/// The given scene options that change the content of the scene, such as --flip or --unit: all but those for the size
-/// of patches and the memory. Values equal to the default are left out.
+/// The given scene options that change the content of the scene, such as --flip or --unit; not those for the size of
+/// patches and the memory. Values equal to the default are left out.
 std::vector<GivenOption> reading_options(const CommandLine& line);
 
-/// Reads the scene of the first operand and cuts it into patches as the options say; with adaptive patches, into the
-/// coarse ones from which refinement begins. Throws UsageError, InputError.
+/// Reads the scene of the first operand and cuts it into patches as the options say. If patches are adaptive, these are
+/// the coarse patches from which refinement begins. Throws UsageError, and InputError for a faulty file or too little
+/// memory.
 Scene read_scene(const CommandLine& line, int threads = 1);
 
-/// Number of adaptive patches that the options ask for, or that `solve` chooses without --patches and --patch-size.
-/// 0: patches are not adaptive. Throws UsageError.
+/// Number of adaptive patches that --adaptive asks for, or that `solve` chooses without --adaptive, --patches and
+/// --patch-size. 0 if patches are not adaptive: for other commands, for --patches or --patch-size, and by default for a
+/// scene of more than a million surfaces. Throws UsageError.
 std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces);
 
 /// The option --threads for the tables of commands.
 Option threads_option();
 
-/// The value of --threads; all processors by default.
+/// The value of --threads; all processors by default. Throws UsageError.
 int thread_count(const CommandLine& line);
 
-/// The folder of the scenes that come with the program: PREFIX/share/multipath/scenes of an installed program, or the
-/// folder `scenes` beside one that was built from sources. Empty if there is neither, or the path of the program is
-/// unknown.
+/// The folder of the scenes that come with the program: PREFIX/share/multipath/scenes for an installed program, or the
+/// folder `scenes` beside a program that was built from sources. Empty if there is neither, or if the path of the
+/// program is unknown.
 std::string bundled_scenes_folder();
 
 } // namespace multipath

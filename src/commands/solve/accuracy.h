@@ -12,43 +12,47 @@ namespace multipath {
 struct Accuracy
 {
     int replicates = 1;
-    std::optional<double> tolerance;         ///< [1] root of the relative total MSE to reach
-    std::optional<double> patch_error;       ///< [1] root of the part of it that the patches cause, once known
+    std::optional<double> tolerance;         ///< [1] root of the relative total MSE (patches and noise) to reach
+    std::optional<double> patch_error;       ///< [1] root of the relative MSE caused by the patches, once known
     std::optional<double> seconds;           ///< [s] time to solve
-    std::optional<std::uint64_t> most_lines; ///< limit for the last round, with a tolerance or a time
+    std::optional<std::uint64_t> most_lines; ///< limit of lines for the last round; only with a tolerance or a time
 
     /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
-    /// [1] Root of the relative MSE that the tolerance leaves for the noise, beside that of the patches; at least half
-    /// of the tolerance, since patches with a larger error are the user's choice or the largest number allowed.
+    /// [1] Root of the relative MSE that the tolerance, which must be given, leaves for the noise after that of the
+    /// patches; at least half of the tolerance. The bound is for patches with a larger error: they are the user's
+    /// choice, or there are already as many patches as allowed.
     double noise_tolerance() const;
 };
 
-/// Stopping rule of the rounds: the tolerance is reached, or another round, twice as long as the last, would exceed the
-/// time or the lines.
+/// Stopping rule of the rounds of solve_in_rounds(). They end if the tolerance is reached, or if another round, twice
+/// as long as the last, would exceed the time or the lines.
 class RoundLimit
 {
 public:
     /// Estimates of the error from fewer than `least_lines` lines are not trusted.
     RoundLimit(const Accuracy& accuracy, std::uint64_t least_lines) : accuracy_(accuracy), least_lines_(least_lines) {}
 
-    /// True if another round is to follow. Called after each round; `seconds` since the start of the first one.
+    /// True if another round is to follow. To be called after each round. `seconds`: [s] since the start of the first
+    /// round.
     bool go_on(const Round& round, double seconds);
 
 private:
     Accuracy accuracy_;
     std::uint64_t least_lines_;
-    double round_start_ = 0.0; ///< [s]
+    double round_start_ = 0.0; ///< [s] end of the last round, since the start of the first
 };
 
-/// --adaptive, --replicates, --tolerance and --time.
+/// The options --adaptive, --replicates, --tolerance and --time.
 OptionGroup accuracy_option_group();
 
-/// Reads the options of the accuracy, --adaptive excepted. Throws UsageError.
+/// Reads the options of the accuracy except --adaptive. Throws UsageError.
 Accuracy read_accuracy(const CommandLine& line);
 
-/// Solves once, in replicates, or in rounds until RoundLimit stops them. A shard requires a run without replicates.
+/// Solves once, in replicates (solve_incrementally), or in rounds until RoundLimit stops them. `shard`: the part of the
+/// work to do, if the run is split over several computers. A shard requires a run without replicates, tolerance and
+/// time.
 Solution solve_accurately(const Scene& scene, const SolveOptions& options, const Accuracy& accuracy,
                           const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 

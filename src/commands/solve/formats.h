@@ -18,14 +18,15 @@
 
 namespace multipath {
 
-/// A solution and everything that the formats need. Data that several files share are computed once, when first needed.
+/// A solution and everything that the formats need. Data that several files share are computed once, when they are
+/// first needed.
 class SolvedScene
 {
 public:
-    /// Makes the bytes of a file that cannot be made from the solution alone; called at most once for each file.
+    /// Makes the bytes of a file that cannot be made from the solution alone. Called at most once for each file.
     using Bytes = std::function<std::string()>;
 
-    /// The arguments passed by reference must outlive the object.
+    /// `origin`: provenance of the outputs. The arguments passed by reference must outlive the object.
     SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
                 const std::vector<std::string>& origin, Bytes state_bytes, Bytes page_bytes);
 
@@ -33,29 +34,29 @@ public:
     const Solution& solution;
     const PictureOptions& options;
     const std::vector<std::string>& comments; ///< provenance, for formats that can hold text
-    const Bytes state;
-    const Bytes page;
+    const Bytes state;                        ///< bytes of a state file
+    const Bytes page;                         ///< bytes of a page
 
-    void show(std::size_t view); ///< selects one of the options' views; initially the first
+    void show(std::size_t view); ///< selects the view with this index in options.views; initially the first
 
     std::string one_comment() const;        ///< all comments in one line
-    const std::vector<Rgb>& shown_values(); ///< per patch, of the quantity that pictures show
-    Image light();                          ///< the picture as numbers
+    const std::vector<Rgb>& shown_values(); ///< [W/m^2] per patch, of the quantity that pictures show (colours: [1])
+    Image light();                          ///< the picture of these values, not tone-mapped
     const ScreenImage& screen();            ///< the picture for a screen
-    const LightGrid& grid();                ///< of --grid, which must be given
-    /// One line for the user with mean, least and uniformity of the grid; empty if grid() was not called.
+    const LightGrid& grid();                ///< the grid of --grid, which must be given
+    /// One line for the user with the statistics of the grid; empty if grid() was not called.
     std::string grid_summary() const;
-    const Lightmap& lightmap();
-    double
-    linear_colour_scale() const; ///< [m^2/W] from radiosity to linear colours, at most 1, of meshes and lightmaps
+    const Lightmap& lightmap(); ///< of the radiosity
+    /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
+    double linear_colour_scale() const;
     std::string lightmap_png();
     std::string file_name;         ///< name of the current output, without folder
     const PatchMesh& mesh();       ///< with the radiosity at its corners
-    const PatchMesh& plain_mesh(); ///< the same without the detail of textures
-    double mesh_scale();           ///< [m^2/W] exposure of the mesh's colours, equal to that of pictures
-    ScreenColour mesh_colour();
+    const PatchMesh& plain_mesh(); ///< the same with the radiosity without the detail of textures
+    double mesh_scale();           ///< [m^2/W] exposure of the colours of PLY and OBJ meshes, equal to that of pictures
+    ScreenColour mesh_colour();    ///< colour of these meshes for a radiosity
     std::vector<GlbCamera> mesh_cameras();    ///< one for each view
-    std::vector<std::string> mesh_comments(); ///< the comments and mesh_scale()
+    std::vector<std::string> mesh_comments(); ///< the comments, and one with mesh_scale()
 
 private:
     const Camera& camera();
@@ -71,46 +72,48 @@ private:
     std::optional<double> mesh_scale_;
 };
 
-/// Kinds of formats in the order in which files are made: the quickest first. If a signal ends the program, the others
-/// can be made from the state.
+/// Kinds of formats in the order in which files are made: the quickest first. If a signal ends the program, the
+/// remaining files can be made from the state.
 enum class FormatKind { state, table, mesh, picture, page };
 
 /// A format: one row of the table in formats.cpp. A new format is a function in `image` or `export` and a row.
 struct OutputFormat
 {
-    std::string_view extension; ///< ".ppm"
+    std::string_view extension; ///< ".ppm" or "_lightmap.glb", see output_extension()
     FormatKind kind;
-    std::string_view summary; ///< a few words
-    bool by_default;          ///< written if no output is named
-    std::string (*bytes)(SolvedScene&);
+    std::string_view summary;           ///< a few words
+    bool by_default;                    ///< true: written if no output is named
+    std::string (*bytes)(SolvedScene&); ///< makes the content of a file
 };
 
-/// All formats; the first one is used for standard output.
+/// All formats. The first one is used for standard output.
 std::vector<OutputFormat> output_formats();
 
-/// The kind of the format that a file's extension names. Throws UsageError with the list of extensions if there is
-/// none.
+/// The kind of the format that the ending of a file name selects. Throws UsageError with the list of extensions if
+/// there is none.
 FormatKind kind_of(const std::string& path);
 
 /// True if one of the outputs is of this kind.
 bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind);
 
-/// True if one of the outputs needs a camera: it shows the scene, or has the exposure of a picture.
+/// True if one of the outputs needs a camera: a mesh, a picture or a page.
 bool has_view(const std::vector<PlannedOutput>& outputs);
 
-/// --output, --quiet, ... of every command that writes solutions.
+/// The options --output, --quiet, ... of every command that writes solutions.
 OptionGroup solution_output_group();
 
 /// The default outputs for an input NAME.*: NAME.ppm and NAME.png in the working directory.
 std::vector<std::string> default_outputs(const std::string& path);
 
-/// Calls open_outputs() with these formats. With several views, every picture becomes one for each view: "room.png"
-/// becomes "room-door.png" for the view `door`.
+/// Calls open_outputs() with these formats and throws the same errors. If there are several views, every picture
+/// becomes one file for each view: "room.png" becomes "room-door.png" for the view `door`. Throws UsageError for a
+/// picture on standard output then.
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
                                                  const std::vector<std::string>& inputs,
                                                  const std::vector<View>& views);
 
-/// Writes every output in its format and commits all. Throws OutputError.
+/// Writes every output in its format and commits all. Throws OutputError, and InputError for a result that a format
+/// cannot hold or a grid without points.
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);
 
 } // namespace multipath

@@ -1,7 +1,8 @@
 // A state file begins with the description of its run: the options that change the result, as words of a command line,
 // the scene, and the shard. The names of the parts of the run that are in progress follow, and then the arrays of these
-// parts (parallel/checkpoint.h). A resumed run must have the same description; only lines, tolerance and time may
-// differ. To resume, the program starts the run again, and every part restores what it finds under its name.
+// parts (parallel/checkpoint.h). A resumed run must have the same description, except that lines, tolerance and time
+// may differ. To resume, the program starts the run again, and every part restores the arrays that are stored under its
+// name.
 
 #include "commands/solve/saved_run.h"
 

@@ -15,20 +15,20 @@
 
 namespace multipath {
 
-/// The state options of a command line.
+/// The state options of a command line. A state is a file from which a run can resume.
 struct StateOptions
 {
-    std::string path;         ///< file in which the state is kept; empty: it is not kept
-    std::string from;         ///< state to resume from; empty: the run begins anew
-    double save_every = 60.0; ///< [s]
-    Shard shard;
+    std::string path;         ///< file in which the state is kept; empty: no state is kept
+    std::string from;         ///< state file to resume from; empty: the run begins anew
+    double save_every = 60.0; ///< [s] interval between saves
+    Shard shard;              ///< part of the work to do; by default all of it
 };
 
-/// --state, --resume, --shard, ...
+/// The options --state, --resume, --shard, ...
 OptionGroup state_option_group();
 
-/// Reads these options. Throws UsageError; InputError if the --state file exists and --resume is not given: the state
-/// would be lost.
+/// Reads these options. Throws UsageError. Throws InputError if the --state file exists and --resume is not given,
+/// since the state would be lost.
 StateOptions read_state_options(const CommandLine& line);
 
 /// Scene, options and shard of a run, as stored at the head of its state file.
@@ -38,21 +38,24 @@ struct RunDescription
     ArchivedScene scene;
     Shard shard;
 
+    /// Writes or reads all members. Throws ArchiveError for values that no run has.
     void visit(Archive& archive);
 };
 
 /// The description of the run that a command line of `solve` asks for.
 RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard);
 
-/// The command line of `solve` that a state was made with, with more words of the user, such as outputs.
+/// The command line of `solve` that the description records. `more_words`: further options, such as outputs, that are
+/// put in front.
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words);
 
-/// The options given on a command line, as words for another command that has the same options.
+/// The options given on a command line, as words for another command that has the same options. `table`: the table of
+/// the first command.
 std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line);
 
-/// Throws InputError "run.state: the state of another run: made with --sequence sobol, not with --sequence halton; ..."
-/// if the state belongs to another run than the wanted one. The wanted run may have other lines, tolerance and time,
-/// unless the state is of a shard.
+/// Throws InputError if the saved state belongs to another run than the wanted one: "run.state: the state of another
+/// run: made with --sequence sobol, not with --sequence halton; ...". The wanted run may have other values of --lines,
+/// --tolerance and --time, unless the state is of a shard. `path`: name of the state in the message.
 void require_same_run(const RunDescription& saved, const std::string& path, const RunDescription& wanted);
 
 /// A state file that has been read: the description of its run, and the state in which the run was saved.
@@ -60,26 +63,29 @@ struct SavedRun
 {
     std::unique_ptr<StateReader> arrays;
     RunDescription description;
-    std::vector<std::string> parts; ///< parts of the run that were in progress, the outermost first
+    /// Names of the parts of the run that were in progress (checkpoint.h), outermost first.
+    std::vector<std::string> parts;
 
     const std::string& name() const { return arrays->name(); }
 };
 
-/// Reads a state file. Throws ArchiveError.
+/// Reads a state file. Throws ArchiveError for a file that is none, or is damaged.
 SavedRun read_saved_run(const std::string& path);
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 
-/// True if the run has cast all lines that it was asked for.
+/// True if the run had cast all lines that it was asked for when it was saved.
 bool is_finished(const SavedRun& saved);
 
-/// The solution from the finished pieces of the run. Throws InputError if there are none.
+/// The solution of a saved run, averaged over its finished pieces (runs of a part of the lines). Throws InputError if
+/// no piece is finished.
 Solution finished_solution(const SavedRun& saved, const Scene& scene);
 
-/// Saves the state of a run at intervals, at its end, and when the user interrupts it, which stops the run.
+/// Saves the state of a run in its file: at intervals, at the end of the run, and when the user interrupts it, which
+/// stops the run. A large state is saved less often, so that saving takes at most about a tenth of the time.
 class StateKeeper : public Checkpoint
 {
 public:
-    /// `keep_last`: also keeps the last saved state in memory, for an output.
+    /// `keep_last`: also keep the last saved state in memory, for an output.
     StateKeeper(StateOptions options, bool keep_last, RunDescription description);
 
     /// Lets the run resume from this state.
@@ -88,10 +94,11 @@ public:
     bool wants_pause() const override;
 
     const std::string& path() const { return options_.path; }
-    /// The last saved state, if it is kept in memory.
+    /// The last saved state; empty unless it is kept in memory.
     const std::string& last_bytes() const { return last_bytes_; }
+    /// True if resume() was called.
     bool resumed() const { return resumed_.has_value(); }
-    /// True if the shard is finished and its state saved for `merge`.
+    /// True if the shard is finished and its state was saved for `merge`.
     bool published() const { return published_; }
 
 protected:
@@ -113,7 +120,7 @@ private:
     Clock::time_point next_save_;
     std::string last_bytes_;
     bool published_ = false;
-    mutable std::atomic<bool> worked_{false}; ///< false: the resumed state was complete already
+    mutable std::atomic<bool> worked_{false}; ///< false: nothing was done since the state was resumed
 };
 
 } // namespace multipath

@@ -1,7 +1,8 @@
 // The course of `solve` and `merge` after the scene has been read: solve (once, in replicates or in rounds), write the
-// outputs, print the summary. A run that the user interrupts still writes its partial results; a shard writes only its
-// state, or the results of its own lines. The summary warns of results that are wrong or noisy: too few lines, unshot
-// or lost power, sequences that do not sample the sources uniformly.
+// outputs, print the summary. A run that the user interrupts still writes its partial results. A shard (one part of a
+// run that is split over several computers) writes only its state, or the results of its own lines. The summary warns
+// of results that are wrong or noisy: too few lines, unshot or lost power, sequences that do not sample the sources
+// uniformly.
 
 #include "commands/solve/solve_job.h"
 

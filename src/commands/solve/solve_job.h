@@ -24,23 +24,27 @@ struct SolveJob
     SolveOptions options;
     Accuracy accuracy;
     PictureOptions pictures;
-    std::string sequence; ///< full name
-    bool quiet = false;
+    std::string sequence; ///< full name of the sequence
+    bool quiet = false;   ///< true: print only errors
     Clock::time_point start = Clock::now();
 };
 
-/// Reads the options. Throws UsageError.
+/// Reads the options. Throws UsageError. Throws InputError for a faulty file of --camera, or if the memory cannot hold
+/// the pictures.
 SolveJob read_solve_job(const CommandLine& line);
 
-/// Checks before the work that the outputs can be made. Throws SettingsError for a camera without direction, InputError
-/// for a page that does not fit into the memory.
+/// Checks before the work that the outputs can be made. Throws SettingsError for an invalid camera, InputError for a
+/// page that does not fit into the memory.
 void require_results_possible(const SolveJob& job, const Scene& scene, const std::vector<PlannedOutput>& outputs);
 
-/// Solves, or resumes the run of the keeper, writes the outputs and prints the summary. Returns the exit code.
+/// Solves, or resumes the run of the keeper; writes the outputs and prints the summary. Returns the exit code. A run
+/// that the user interrupts writes its partial results. Throws InputError if no light reaches any surface in a complete
+/// run.
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
               Shard shard);
 
-/// Writes the outputs of a solution. `state`: the bytes for outputs that are states.
+/// Writes the outputs of a solution. `state`: the bytes for outputs that are states; must not be empty if there are
+/// any.
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state);
 
@@ -52,25 +56,26 @@ struct SolveSummary
     const Solution& solution;
     std::string sequence; ///< full name
     Accuracy accuracy{};
-    double seconds = 0.0;                ///< from start to end, pictures included
-    double seconds_trace = 0.0;          ///< of the solver alone
-    double seconds_outputs = 0.0;        ///< of making and writing the outputs
-    double seconds_to_first_lines = 0.0; ///< from start to the end of the first block of lines
-    bool complete = true;                ///< false: interrupted
-    bool all_at_once = true;             ///< false: an earlier run traced some of the lines
+    double seconds = 0.0;                ///< [s] from start to end, outputs included
+    double seconds_trace = 0.0;          ///< [s] time of the solver alone
+    double seconds_outputs = 0.0;        ///< [s] time of making and writing the outputs
+    double seconds_to_first_lines = 0.0; ///< [s] from start to the end of the first block of lines
+    bool complete = true;                ///< false: the run was interrupted
+    bool all_at_once = true;             ///< false: an earlier run cast some of the lines
 
-    /// [1] Root of the relative total MSE, of patches and noise; nothing unless both are known.
+    /// [1] Root of the relative total MSE, the sum of those of patches and noise. Nothing unless both are known.
     std::optional<double> error() const;
 
-    /// [1] Root of the relative MSE by noise of the patches that options.importance weights, relative to their mean;
-    /// nothing without importance or standard errors.
+    /// [1] Root of the relative MSE by noise over the patches that options.importance weights, relative to the mean of
+    /// these patches. Nothing without importance or standard errors.
     std::optional<double> error_of_important() const;
 };
 
-/// The summary as text, some lines.
+/// The summary as text of several lines, with warnings of results that are wrong or noisy.
 std::string summary_text(const SolveSummary& summary);
 
-/// A table of the power balance after every stage: each pass of the (extended) first shot, then the whole run.
+/// A table of the power balance [W] after every stage: a row for each pass of the (extended) first shot, then one for
+/// the whole run.
 std::string stages_text(const Solution& solution);
 
 /// The summary as the JSON object of `solve --json`.

@@ -1,6 +1,6 @@
-// The surfaces that lie over a patch are subtracted from it until an uncovered point is found or nothing is left. The
-// rest of the patch is kept as a list of triangles. The next surface to subtract is one that covers the centroid of the
-// first triangle; if there is none, the patch is visible there.
+// The surfaces that lie over a patch are subtracted from the patch until an uncovered point is found or nothing is
+// left. The rest of the patch is kept as a list of triangles. The next surface to subtract is one that covers the
+// centroid of the first triangle. If no surface covers that centroid, the patch is visible there.
 
 #include "export/mesh/covered_patches.h"
 

@@ -1,6 +1,6 @@
 // A GLB file consists of a header, a chunk of JSON that describes the binary data, and a chunk with the binary data
-// (glTF 2.0 specification, chapter 4): one block per vertex attribute, one block of triangles, and the images. Each
-// block is sorted by material.
+// (glTF 2.0 specification, chapter 4). The binary data are one block per vertex attribute and one block of triangles,
+// each sorted by material, and then the images.
 
 #include "export/mesh/glb.h"
 

@@ -5,7 +5,8 @@
 //    (Jylanki 2010, "A thousand ways to pack the bin", bottom-left heuristic). Bisection finds the largest scale that
 //    fits.
 // 3. Light: each texel near a surface gets the light at the point of the surface nearest to the centre of the texel.
-//    Edges of charts run through texel centres where possible, so that bilinear lookup on an edge finds its own light.
+//    Edges of charts run through texel centres where possible, so that bilinear lookup on an edge finds the light of
+//    that edge.
 
 #include "export/mesh/lightmap.h"
 

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-// SVG elements as text. A drawing is the concatenation of svg_head(), elements, and svg_end(). Lengths are in pixels at
-// the drawing's own size, y down. The background is a white rectangle, so that a drawing looks the same in print and on
-// a dark page. The colours are those of Okabe and Ito, distinguishable for colour-blind readers.
+// SVG elements as text. A drawing is the concatenation of svg_head(), elements, and svg_end(). Lengths are in pixels
+// [px] at the original size of the drawing, y down. The background is a white rectangle, so that a drawing looks the
+// same in print and on a dark page. Series have the colours of Okabe and Ito, which colour-blind readers can
+// distinguish. Texts are escaped for XML; colours and attributes are not.
 
 namespace multipath {
 
@@ -17,7 +18,7 @@ struct SvgPoint
     double y;
 };
 
-/// A path element. `shape`: its path data; `attributes`: each in the form ` name="value"`. Empty for an empty shape.
+/// A path element. `shape`: path data. `attributes`: each in the form ` name="value"`. Empty for an empty shape.
 std::string svg_path(const std::string& shape, const std::string& attributes);
 
 struct MarkStyle
@@ -33,8 +34,8 @@ constexpr double mark_radius = 4.5;
 /// series differ.
 MarkStyle svg_series_mark(std::size_t series);
 
-/// One mark per point, all in one path. Filled marks have a white rim, which separates overlapping ones; hollow marks
-/// are white inside. Empty for no points.
+/// One mark per point, all in one path. Filled marks have a white rim, which separates overlapping marks. `hollow`:
+/// marks are white inside. Empty for no points.
 std::string svg_marks(const std::vector<SvgPoint>& points, const MarkStyle& style, bool hollow);
 
 struct LineStyle
@@ -61,7 +62,7 @@ std::string svg_bars(const std::vector<VerticalBar>& bars, const LineStyle& styl
 /// Colour of a series: cycles through blue, vermilion, green and purple.
 std::string svg_series_colour(std::size_t series);
 
-/// Colour ramp from dark blue at 0 to orange at 1, with increasing brightness.
+/// Colour ramp from dark blue for share 0 to orange for share 1, with increasing brightness.
 std::string svg_ramp_colour(double share);
 
 struct PlotTick
@@ -70,7 +71,8 @@ struct PlotTick
     std::string label; ///< the part after a '^' is a superscript: "10^6"
 };
 
-/// An axis of a plot: the values at its ends, and its labels. On a logarithmic axis the values are logarithms.
+/// An axis of a plot: the values at both ends of the axis, and its labels. On a logarithmic axis all values are decimal
+/// logarithms.
 struct PlotAxis
 {
     std::string title;
@@ -81,19 +83,19 @@ struct PlotAxis
 };
 
 /// A logarithmic axis for data whose decimal logarithms lie in [low, high], with a margin at both ends. Powers of ten
-/// have labelled ticks; if the axis contains at most one power, so have 2 and 5 times a power. Minor ticks are at the
-/// other multiples 2 ... 9 of the powers or, if there are too many powers to label them all, at the unlabelled powers.
-/// An empty interval, low > high, counts as [0, 1].
+/// have labelled ticks. If the axis contains at most one power, 2 and 5 times a power also have labels. Minor ticks
+/// are at the other multiples 2 ... 9 of the powers. If there are too many powers to label all of them, minor ticks are
+/// at the unlabelled powers instead. An empty interval, low > high, counts as [0, 1].
 PlotAxis log_axis(const std::string& title, double low, double high);
 
-/// A point of a plot, in the values of its axes.
+/// A point of a plot, in the values of the two axes.
 struct PlotPoint
 {
     double x;
     double y;
 };
 
-/// A plot: a rectangle of the drawing [px] with two axes.
+/// A plot: a rectangle of the drawing [px] with two axes. `left` and `top` are the position of its upper left corner.
 struct Plot
 {
     double left;
@@ -108,13 +110,15 @@ struct Plot
     SvgPoint at(PlotPoint point) const; ///< position of a point in the drawing
 };
 
-/// The text of a drawing before its elements. The title and the comments become metadata and are not drawn.
+/// The text of a drawing of width x height [px] before its elements. The title and the comments become metadata and are
+/// not drawn.
 std::string svg_head(double width, double height, const std::string& title, const std::vector<std::string>& comments);
 /// The text of a drawing after its elements.
 std::string svg_end();
 
 enum class SvgAnchor { start, middle, end };
 
+/// A text with this font size [px]. (x, y) is the start, middle or end of its baseline. Dark grey by default.
 std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size = 12.0);
 std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size,
                      const std::string& colour);
@@ -122,18 +126,20 @@ std::string svg_text(double x, double y, const std::string& text, SvgAnchor anch
 /// Grid lines at the labelled ticks of both axes.
 std::string svg_grid(const Plot& plot);
 
-/// Frame, ticks, labels and titles of the plot. They take 36 px below it, 20 px above it, and up_title_distance + 12 px
-/// to its left.
+/// Frame, ticks, labels and titles of the plot. They take 36 px below the frame, 20 px above it, and up_title_distance
+/// + 12 px to its left.
 std::string svg_axes(const Plot& plot);
 
-/// One round dot per point, all in one path, which keeps the file small.
+/// One round dot of this diameter [px] per point, all in one path, which keeps the file small.
 std::string svg_dots(const Plot& plot, const std::vector<PlotPoint>& points, const std::string& colour,
                      double diameter);
 
-/// An arrow with a head of constant size [px], smaller only if the arrow is short; no head if both points coincide.
+/// An arrow whose head has a constant size [px], but at most half the length of the arrow. There is no head if both
+/// points coincide.
 std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std::string& colour);
 
-/// Legend: the labels of series 0, 1, ... next to dots of their colours, in one row that starts at x.
+/// Legend: the labels of series 0, 1, ... next to dots of their colours (svg_series_colour), in one row. The first dot
+/// is at x; y is the baseline of the labels.
 std::string svg_legend(double x, double y, const std::vector<std::string>& labels);
 
 } // namespace multipath

@@ -24,8 +24,8 @@ struct GridPointLight
 };
 
 /// Irradiance on a grid of points, the centres of equal rectangles over the scene. A point is left out unless a visible
-/// side of a surface lies below it: it would be in a wall, in furniture or outside the scene. The statistics are of the
-/// mean of the channels.
+/// side of a surface lies below it: it would be in a wall, in furniture or outside the scene. `mean`, `least` and
+/// `most` are statistics of the mean of the three channels.
 struct LightGrid
 {
     std::vector<GridPointLight> points; ///< row by row

@@ -79,7 +79,7 @@ struct CornerGroup
     /// An edge of a larger patch of the group, inside which the corner lies as a hanging node.
     struct Edge
     {
-        std::size_t from;   ///< slot of the value at the begin of the edge
+        std::size_t from;   ///< slot of the value at the start of the edge
         std::size_t to;     ///< slot of the value at the end of the edge
         double share;       ///< [1] position of the corner along the edge
         std::uint8_t level; ///< quadtree level of the larger patch

@@ -42,7 +42,7 @@ private:
         double weight = 0.0; ///< [m^2] sum of the open areas
         Vec3 centre;         ///< [m^3] sum of weight * centre
         Rgb value;           ///< sum of weight * value
-        Vec3 point;          ///< an uncovered point of the last patch
+        Vec3 point;          ///< an uncovered point of one of the patches
     };
     /// A region with a grid of bins for its front and, in a two-sided scene, one for its back.
     struct Region
