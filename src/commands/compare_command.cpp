@@ -1,3 +1,8 @@
+// The command `compare` measures the error of a result A against a reference B. If both have the same patches, the
+// radiosities are compared patch by patch, and standard errors, if known, predict how large the difference should be.
+// If both are states of the same surfaces with different patches, or there is only A, what smooth shading shows of A is
+// compared at sample points with light gathered from B or A (refinement/shown_error.h).
+
 #include "cli/files/standard_streams.h"
 #include "cli/options/number_text.h"
 #include "commands/commands.h"

@@ -1,3 +1,7 @@
+// The command `solve` up to the run itself: reads the options, opens the outputs, reads the scene, refines its patches,
+// and prepares the state from which the run may resume. As much as possible is refused before the long work begins.
+// solve_job.cpp solves and writes the outputs.
+
 #include "cli/files/standard_streams.h"
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"

@@ -1,3 +1,8 @@
+// The command `study` reads a plan (curves, numbers of lines, replicates), obtains a reference solution, runs every
+// point of every curve, and writes the errors as a table, CSV and plot. The reference and the finished runs are kept in
+// a cache folder, so that an interrupted study resumes. A checksum of options and scene is part of the name of a file
+// in the cache. The file itself records the sources of the program, and a program from other sources does not use it.
+
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"

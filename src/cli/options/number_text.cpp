@@ -1,3 +1,6 @@
+// A number is first parsed into decimal digits and an exponent (Decimal), so that whole numbers stay exact, and
+// suffixes and percent signs only change the exponent. Only functions for real numbers convert the result to a double.
+
 #include "cli/options/number_text.h"
 
 #include "cli/options/usage_error.h"

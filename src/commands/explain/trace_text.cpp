@@ -1,3 +1,7 @@
+// A text consists of a heading about the run, a paragraph that explains the stage, and one entry per traced line: the
+// item of the sequence that makes the line, a table of its hits, and the power that it carries. Some spaces, such as
+// those between numbers and units, are stored as the character `tied`, at which wrapped() breaks no line.
+
 #include "commands/explain/trace_text.h"
 
 #include "cli/options/help_text.h"

@@ -26,10 +26,10 @@ enum class ShownAs {
 /// A quantity that pictures show: one row of the table in picture_options.cpp.
 struct ShownQuantity
 {
-    std::string_view name; ///< for --show
+    std::string_view name; ///< value of --show
     std::string_view help; ///< a few words
     ShownAs as;
-    std::string_view title; ///< for a legend or a menu; without the unit
+    std::string_view title; ///< title of a legend or a menu entry, without the unit
     bool on_page;           ///< true: the page to walk through the room shows the quantity as well
     bool needs_replicates;  ///< true: the values are unknown after a single run
     bool contours;          ///< true: false colours get lines of equal values

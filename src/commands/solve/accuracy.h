@@ -12,8 +12,8 @@ namespace multipath {
 struct Accuracy
 {
     int replicates = 1;
-    std::optional<double> tolerance;         ///< [1] root of the relative total MSE (patches and noise) to reach
-    std::optional<double> patch_error;       ///< [1] root of the relative MSE caused by the patches, once known
+    std::optional<double> tolerance;         ///< [1] root of the relative total mean square error (MSE) to reach
+    std::optional<double> patch_error;       ///< [1] root of the relative MSE that the patches cause, once known
     std::optional<double> seconds;           ///< [s] time to solve
     std::optional<std::uint64_t> most_lines; ///< limit of lines for the last round; only with a tolerance or a time
 

@@ -46,12 +46,12 @@ public:
     const LightGrid& grid();                ///< the grid of --grid, which must be given
     /// One line for the user with the statistics of the grid; empty if grid() was not called.
     std::string grid_summary() const;
-    const Lightmap& lightmap(); ///< of the radiosity
+    const Lightmap& lightmap(); ///< lightmap of the radiosity
     /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
     double linear_colour_scale() const;
     std::string lightmap_png();
     std::string file_name;         ///< name of the current output, without folder
-    const PatchMesh& mesh();       ///< with the radiosity at its corners
+    const PatchMesh& mesh();       ///< mesh with the radiosity at its corners
     const PatchMesh& plain_mesh(); ///< the same with the radiosity without the detail of textures
     double mesh_scale();           ///< [m^2/W] exposure of the colours of PLY and OBJ meshes, equal to that of pictures
     ScreenColour mesh_colour();    ///< colour of these meshes for a radiosity
@@ -68,7 +68,7 @@ private:
     std::optional<LightGrid> grid_;
     std::optional<Lightmap> lightmap_;
     std::optional<PatchMesh> mesh_;
-    std::optional<PatchMesh> plain_mesh_; ///< of scenes with textures
+    std::optional<PatchMesh> plain_mesh_; ///< only in scenes with textures
     std::optional<double> mesh_scale_;
 };
 

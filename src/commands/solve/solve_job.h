@@ -63,7 +63,8 @@ struct SolveSummary
     bool complete = true;                ///< false: the run was interrupted
     bool all_at_once = true;             ///< false: an earlier run cast some of the lines
 
-    /// [1] Root of the relative total MSE, the sum of those of patches and noise. Nothing unless both are known.
+    /// [1] Root of the relative mean square error (MSE), the sum of the MSE of patches and of noise. Nothing unless
+    /// both are known.
     std::optional<double> error() const;
 
     /// [1] Root of the relative MSE by noise over the patches that options.importance weights, relative to the mean of

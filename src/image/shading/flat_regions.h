@@ -14,10 +14,10 @@
 namespace multipath {
 
 /// Flat polygons that the scene file splits into needle-shaped faces, as triangulation does with walls that have
-/// windows. Patches of needles are slender: each gets few lines, and its corners lie far from its centre. Shaded one by
-/// one, they show as streaks. Faces of one material that share edges in one plane therefore form one region, except
-/// sources. The value at a corner is fitted to all patches of the region within a radius, the longest edge of an
-/// undivided grid cell (tessellation.h) of the region.
+/// windows. Patches of needles are slender: each gets few lines, and its corners lie far from its centre. If every
+/// patch were shaded by itself, such patches would show as streaks. Faces of one material that share edges in one plane
+/// therefore form one region. Sources belong to no region. The value at a corner is fitted to all patches of the region
+/// within a radius, the longest edge of an undivided grid cell (tessellation.h) of the region.
 class FlatRegions
 {
 public:
