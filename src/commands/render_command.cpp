@@ -1,4 +1,5 @@
 #include "cli/files/standard_streams.h"
+#include "cli/options/usage_error.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
@@ -23,6 +24,10 @@ CommandTable render_table()
 
 int run_render(const CommandLine& line)
 {
+    for (const std::string& name : line.all("output"))
+        if (name.size() >= 6 && name.compare(name.size() - 6, 6, ".state") == 0)
+            throw UsageError("--output: render writes no states; expected a picture, mesh or table, got " +
+                             quoted_argument(name));
     const SavedRun saved = read_saved_run(line.operands()[0]);
     const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
     std::vector<PlannedOutput> outputs =

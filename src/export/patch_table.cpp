@@ -39,11 +39,14 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
                  std::uint32_t first, std::uint32_t end)
 {
     std::string table;
-    // These four belong to the side of the current patch, and are formatted once per side.
+    // These belong to the side of the current patch, and are formatted once per side.
     std::string material;
     std::string normal;
-    std::string constants;
     std::uint32_t next_side = first;
+    // These differ within a side only where it has a texture.
+    std::string constants;
+    Rgb reflectance;
+    Rgb emittance;
     for (std::uint32_t i = first; i < end; ++i) {
         const Patch patch = scene.patch(i);
         if (i == next_side) {
@@ -51,11 +54,15 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
             next_side = scene.first_patch(patch.surface, front) +
                         static_cast<std::uint32_t>(scene.tessellation(patch.surface).cell_count());
             material = csv_field(scene.material_of(i).name);
-            constants.clear();
             normal.clear();
             append(normal, patch.shape.normal());
-            append(constants, scene.reflectance(i));
-            append(constants, scene.emittance(i));
+        }
+        if (constants.empty() || scene.reflectance(i) != reflectance || scene.emittance(i) != emittance) {
+            reflectance = scene.reflectance(i);
+            emittance = scene.emittance(i);
+            constants.clear();
+            append(constants, reflectance);
+            append(constants, emittance);
         }
         table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + material;
         append(table, patch.shape.centre());

@@ -119,7 +119,7 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
         for (const CurvePoint& p : curve.points) {
             const std::string slope =
                 curve.law ? format("%.17g,%.17g", curve.law->exponent, curve.law->exponent_error) : ",";
-            csv += curve.kind.method + "," + csv_field(curve.kind.sequence) +
+            csv += csv_field(curve.kind.method) + "," + csv_field(curve.kind.sequence) +
                    format(",%" PRIu64 ",%.0f,%.0f,%.17g,%.17g,", p.lines, p.local_lines, p.global_lines, p.mean_square,
                           p.relative) +
                    (study.executions > 1 ? format("%.17g", p.relative_error) : "") + format(",%.4g,", p.seconds) +

@@ -69,7 +69,12 @@ std::string quoted_option(const Option& option, const CommandLine& line)
     const std::string name = "--" + std::string(option.name);
     if (option.argument.empty())
         return line.has(option.name) ? name : "no " + name;
-    return line.text(option.name).empty() ? "no " + name : name + " " + line.text(option.name);
+    if (!line.has(option.name))
+        return line.text(option.name).empty() ? "no " + name : name + " " + line.text(option.name);
+    std::string text;
+    for (const std::string& value : line.all(option.name))
+        text += (text.empty() ? "" : " ") + name + " " + value;
+    return text;
 }
 
 /// Writes or reads the head of a state file: the description of the run and the names of its parts.
@@ -130,9 +135,9 @@ RunDescription description_of(const CommandLine& line, const Scene& scene, Shard
 {
     RunDescription description;
     for (const Option& option : options_with_effect())
-        if (line.has(option.name))
+        for (const std::string& value : line.all(option.name))
             description.arguments.push_back("--" + std::string(option.name) +
-                                            (option.argument.empty() ? "" : "=" + line.text(option.name)));
+                                            (option.argument.empty() ? "" : "=" + value));
     description.arguments.emplace_back("--");
     description.arguments.push_back(line.operands()[0]);
     description.scene = archived(scene);
