@@ -1,3 +1,6 @@
+// The checks look at the scene, at the file from which it was read, and at the survey of lines and the power balance in
+// the SceneReport. Each check appends its findings, which are sorted at the end.
+
 #include "check/scene_check.h"
 
 #include "geometry/elementary.h"

@@ -8,26 +8,30 @@
 
 namespace multipath {
 
-/// A finding that concerns at least this share of the power of the sources, or of the area of the surfaces, makes the
-/// result wrong. Smaller ones change less than one step of an 8-bit picture, and less than the noise of most runs.
+/// Share [1] of the power of the sources, or of the area of the surfaces, from which on a finding makes the result
+/// wrong. A finding about a smaller share changes less than one step of an 8-bit picture, and less than the noise of
+/// most runs. The share does not matter for some kinds: "trapped" is always an error, while "open", "reflectance" and
+/// findings without a share are always remarks.
 constexpr double share_that_matters = 0.005;
 
-/// A diagnostic about a scene. Findings of the same cause are merged into one, with their number in the message.
+/// A diagnostic about a scene. Findings of the same cause are merged into one, whose message says how many there are.
 struct Finding
 {
-    std::string kind;        ///< one word for programs, such as "behind" or "leak"
+    std::string kind;        ///< identifier for programs, such as "behind" or "unused-material"
     bool makes_wrong_result; ///< true for an error, false for a remark
-    std::string place;   ///< file and line of the first case, such as "room.obj:12"; the file alone if it has no line
+    std::string place;   ///< file and line of the first case, such as "room.obj:12"; the file alone if no line is known
     std::string message; ///< one line: the fault and its remedy
-    double power_share = 0.0; ///< share [1] of the source power concerned; 0 for a finding without a power
-    double area_share = 0.0;  ///< share [1] of the area of all surfaces; 0 for a finding without an area
+    double power_share = 0.0; ///< share [1] of the source power that is concerned; 0 if the finding is not about power
+    double area_share = 0.0;  ///< share [1] of the area of all surfaces concerned; 0 if the finding is not about area
 };
 
 /// Diagnoses what is suspicious about the physics of a scene: lost light, sources that light nothing, faces that hide
-/// each other, implausible materials and scale. Errors come first, then larger shares of power, then of area.
+/// each other, implausible materials and scale. `report` must be the result of report_on for this scene. Errors come
+/// before remarks; within each group, findings are sorted by descending share of power, then of area.
 std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report);
 
-/// True if no emitter lights anything, but some would if all faces were flipped: a room modelled inside out.
+/// True if no emitter lights anything, but some emitter would if all faces were flipped: a room modelled inside out.
+/// Always false for a two-sided scene.
 bool is_inside_out(const Scene& scene, const LineSurvey& survey);
 
 } // namespace multipath

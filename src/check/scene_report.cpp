@@ -1,3 +1,7 @@
+// The figures of a scene come from three measurements: a survey of random global lines, which counts what light leaving
+// each surface would meet; rays from the sources for the direct light; and a short trial run of the solver, whose power
+// balance shows the power that is lost.
+
 #include "check/scene_report.h"
 
 #include "parallel/blocks.h"

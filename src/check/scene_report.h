@@ -12,51 +12,56 @@
 
 namespace multipath {
 
-/// Counts of what global lines meet in a scene.
+/// Counts of what global lines (random lines through the whole scene) meet in a scene. A surface has patches
+/// on its front only, or on both sides in a two-sided scene.
 struct LineSurvey
 {
-    std::uint64_t lines = 0;           ///< chords of the sphere around the scene
-    std::uint64_t hull_tests = 0;      ///< those of them that were tested against the convex hull of the scene
-    std::uint64_t lines_into_hull = 0; ///< those of the tested ones that meet it
-    std::uint64_t crossings = 0;       ///< of lines with surfaces
+    std::uint64_t lines = 0;           ///< number of lines cast: chords of the sphere around the scene
+    std::uint64_t hull_tests = 0;      ///< number of these lines that were tested against the convex hull of the scene
+    std::uint64_t lines_into_hull = 0; ///< number of the tested lines that meet the hull
+    std::uint64_t crossings = 0;       ///< number of intersections of all lines with surfaces
 
-    // Counts per surface, of both directions of every line.
+    // Counts per surface. Every line counts in both directions.
     std::vector<std::uint64_t> departures; ///< the line leaves a patch of the surface
-    std::vector<std::uint64_t> arrivals;   ///< departures that reach another patch
-    std::vector<std::uint64_t> escapes;    ///< departures that meet nothing
-    std::vector<std::uint64_t> met_behind; ///< departures of any surface that meet this one on a side without a patch
-    /// The line leaves the back of the surface, which has no patch, and meets the back of a surface that emits nothing.
+    std::vector<std::uint64_t> arrivals;   ///< departures from the surface that reach another patch
+    std::vector<std::uint64_t> escapes;    ///< departures from the surface that meet nothing
+    std::vector<std::uint64_t> met_behind; ///< departures from any surface that meet this one on a side without a patch
+    /// The line leaves the back of the surface and meets the back of a surface that emits nothing. 0 if the scene is
+    /// two-sided.
     std::vector<std::uint64_t> back_to_back;
 };
 
-/// Casts `lines` random chords of the sphere and counts what they meet. `hull` is the convex hull of the scene.
-/// Deterministic.
+/// Casts `lines` random chords of the sphere around the scene and counts what they meet. `hull` is the convex hull of
+/// the scene. Deterministic.
 LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads);
 
-/// The figures of the paper for one scene, and the power balance of a short trial run.
+/// The figures of the paper for one scene, and the power balance of a short trial run. Labels such as (G2) are those of
+/// docs/equations.md.
 struct SceneReport
 {
-    double hull_area = 0.0;   ///< [m^2]
-    double sphere_area = 0.0; ///< [m^2] of the sphere around the scene's box
+    double hull_area = 0.0;   ///< [m^2] area of the convex hull of the scene
+    double sphere_area = 0.0; ///< [m^2] area of the sphere around the scene's box
 
-    double intersections_per_hull_line = 0.0;            ///< [1] n_int = 2 A_T' / A_hull (G2), A_T' each surface once
-    double intersections_per_hull_line_measured = 0.0;   ///< [1] the same, counted along lines
-    double intersections_per_sphere_line = 0.0;          ///< [1] 2 A_T' / A_sphere
-    double intersections_per_sphere_line_measured = 0.0; ///< [1] the same, counted along lines
+    // Expected number of intersections of a line, computed and counted. A' is the total area of the surfaces, one side
+    // of each.
+    double intersections_per_hull_line = 0.0;          ///< [1] n_int = 2 A' / A_hull (G2), for lines that meet the hull
+    double intersections_per_hull_line_measured = 0.0; ///< [1] n_int counted along lines; 0 if none met the hull
+    double intersections_per_sphere_line = 0.0;        ///< [1] 2 A' / A_sphere, for chords of the sphere
+    double intersections_per_sphere_line_measured = 0.0; ///< [1] the same counted along chords
 
-    DirectLight direct;
+    DirectLight direct;                     ///< figures of the direct illumination
     BudgetFigures figures;                  ///< the inputs of (3) for the first shot
-    std::optional<double> ratio_first_shot; ///< [1] N_l / N_g (3)
-    std::optional<double> ratio_extended;   ///< [1] N_l / N_g (3) for the extended first shot
-    double threshold_radiosity = 0.0;       ///< [W/m^2] (4)
+    std::optional<double> ratio_first_shot; ///< [1] optimal N_l / N_g (3); empty if any ratio is as good
+    std::optional<double> ratio_extended;   ///< [1] optimal N_l / N_g (3) for the extended first shot; empty likewise
+    double threshold_radiosity = 0.0;       ///< [W/m^2] (4), above which patches shoot in the first shot
 
     LineSurvey survey;
-    std::uint64_t wanted_lines = 0; ///< as given to report_on
-    std::uint64_t trial_lines = 0;  ///< lines of the trial run
-    PowerBalance balance;           ///< of the trial run: shows the power that escapes or is lost at backs
+    std::uint64_t wanted_lines = 0; ///< number of lines that report_on was asked for
+    std::uint64_t trial_lines = 0;  ///< number of lines of the trial run
+    PowerBalance balance;           ///< balance of the trial run: shows the power that escapes or is lost at backs
 
-    /// A patch among surfaces that light never leaves (see patch_of_trapped_light); if there is one, there is no trial
-    /// run.
+    /// Index of a patch among surfaces that light never leaves (see patch_of_trapped_light). If there is such a patch,
+    /// the trial run is omitted, and `balance` is zero.
     std::optional<std::uint32_t> trapped;
 };
 
@@ -64,7 +69,7 @@ struct SceneReport
 constexpr std::uint64_t report_lines = 1u << 20;
 
 /// Measures each figure with about `wanted_lines` lines, or with fewer in scenes where hundreds of surfaces coincide or
-/// follow each other along a line. Deterministic.
+/// follow each other along a line. Deterministic; the result does not depend on `threads`.
 SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int threads);
 
 } // namespace multipath

@@ -1,7 +1,7 @@
-// Each trace repeats the run up to its lines with the functions of the solver itself. What a global line carries
-// depends on the lines before it, and what a receiver of the first shot holds on the rays before it. So the lines
-// before the range are followed too, but not recorded. The lines of a bundle and the particles are independent of each
-// other: of them only those of the range are traced.
+// Each trace repeats the run up to the lines of the range with the functions of the solver itself. What a global line
+// carries depends on the lines before it, and what a receiver of the first shot has unshot depends on the rays before.
+// So in these two stages the lines before the range are followed as well, but not recorded. The lines of a bundle, the
+// particles and the walks are independent of each other: only those of the range are traced.
 
 #include "explain/line_trace.h"
 

@@ -12,13 +12,18 @@
 #include <optional>
 #include <vector>
 
-// Traces: step-by-step records of what single lines of a run do, for readers who want to follow the method. They are
-// made with the functions that the solver itself calls, in its order and with its items, so they show what really
-// happens.
+// Traces: step-by-step records of what single lines of a run do, for readers who want to follow the method. Traces are
+// made with the functions that the solver itself calls, in the same order and with the same items (points of the
+// sequence, see sampling/sequence.h), so they show what really happens. Labels such as (M1) are those of
+// docs/equations.md. Unshot power is power that a patch has not yet sent on. The forecast (G3) is the part of the
+// unshot power that each global line leaving the patch carries.
+//
+// Besides the errors named below, all functions that trace throw SettingsError for a sequence with too few items or if
+// power_by_line asks for more rays than the run has lines, and std::invalid_argument for an unknown sequence.
 
 namespace multipath {
 
-/// The lines of a stage to be traced, numbered from 0: first ... first + count - 1.
+/// The lines (or rays, particles, walks) of a stage to be traced, numbered from 0: first ... first + count - 1.
 struct TracedRange
 {
     std::uint64_t first = 0;
@@ -27,119 +32,121 @@ struct TracedRange
     bool includes(std::uint64_t number) const { return number >= first && number - first < count; }
 };
 
-/// The number of a line in its stage, and the item of the sequence that makes it.
+/// The number of a line in its stage, and the item of the sequence from which the line is made.
 struct LineOrigin
 {
-    std::uint64_t number; ///< in its stage, from 0
-    std::uint64_t item;   ///< index in the sequence
-    Item numbers;         ///< the item itself
+    std::uint64_t number; ///< index of the line in the stage, from 0
+    std::uint64_t item;   ///< index of the item in the sequence
+    Item numbers;         ///< the four coordinates of the item
 };
 
 /// An intersection of a line with a surface.
 struct Crossing
 {
     Hit hit;
-    Vec3 point;
-    Passage patches; ///< on the two sides of the surface
+    Vec3 point;      ///< position of the hit [scene units]
+    Passage patches; ///< the patches on the two sides of the surface
 };
 
-/// The intersection at a hit of the line.
+/// The Crossing at a hit of the line.
 Crossing crossing_at(const Scene& scene, const Line& line, const Hit& hit);
 
-/// Throws SettingsError unless all lines of the range are among the `lines` of the stage. `what` names them in the
-/// message, as in "global lines".
+/// Throws SettingsError unless all lines of the range exist in a stage of `lines` lines. `what` is the word for the
+/// lines in the message, such as "global lines".
 void require_in_stage(const TracedRange& range, std::uint64_t lines, const char* what);
 
-/// Power that a patch sends along a segment of a line (M1).
+/// Power that a patch sends along a segment of a line: (M1) for the global pass, (P1) for transillumination.
 struct Transfer
 {
-    std::uint32_t from; ///< patch
-    std::uint32_t to;   ///< patch, Segment::behind or Segment::outside
-    Rgb forecast;       ///< [W] (G3)
-    Rgb held;           ///< [W] by the sender before the transfer
+    std::uint32_t from; ///< index of the patch that sends
+    std::uint32_t to;   ///< index of the patch that receives, or Segment::behind or Segment::outside
+    Rgb forecast;       ///< [W] (G3); in transillumination all the power sent
+    Rgb held;           ///< [W] held by the sender before the transfer; black in transillumination
 
     Rgb sent() const { return forecast + held; }
 };
 
-/// A segment of a line, between two successive intersections or before the first or after the last one, with the power
-/// that is sent along it.
+/// A segment of a line (between two successive intersections, before the first one or after the last one) with the
+/// power that is sent along the segment.
 struct TracedSegment
 {
     std::size_t after; ///< number of intersections of the line before the segment
     Segment segment;
-    std::vector<Transfer> transfers; ///< two if power flows both ways (M2), both of what was held before either
-    Rgb from_holds;                  ///< [W] held by segment.from afterwards; black if it is no patch
-    Rgb to_holds;                    ///< [W] held by segment.to afterwards; black if it is no patch
+    std::vector<Transfer> transfers; ///< two if power flows both ways (M2): both senders send what they held before
+    Rgb from_holds;                  ///< [W] held by segment.from afterwards; black if segment.from is no patch
+    Rgb to_holds;                    ///< [W] held by segment.to afterwards; black if segment.to is no patch
 };
 
-/// The trace of a global line: its intersections, and what is sent along its segments.
+/// The trace of a global line, or of a line of transillumination: the intersections, and the power sent along the
+/// segments.
 struct GlobalLine
 {
     LineOrigin origin;
-    Vec3 from;
-    Vec3 to;
-    std::vector<Crossing> crossings;     ///< all intersections, in order
-    std::vector<TracedSegment> segments; ///< the segments that touch a patch, in order
+    Vec3 from;                           ///< start of the line, before the scene [scene units]
+    Vec3 to;                             ///< end of the line, after the scene
+    std::vector<Crossing> crossings;     ///< all intersections, in order along the line
+    std::vector<TracedSegment> segments; ///< the segments with a patch at one end or both, in order along the line
 };
 
 /// The traces of some lines of the global pass, with figures of the run up to that pass.
 struct GlobalTrace
 {
-    std::vector<ShotPass> shot_passes;
-    std::uint64_t local_lines = 0;    ///< N_l
-    std::uint64_t lines_charged = 0;  ///< N_g (N1)
-    std::uint64_t lines_cast = 0;     ///< N_cast (N1)
-    double crossings_per_area = 0.0;  ///< [1/m^2] expected crossings by the lines cast, from either side (G1)
-    std::uint64_t unshot_patches = 0; ///< number of patches with unshot power, which have a forecast (G3)
-    Rgb unshot;                       ///< [W] power that the pass distributes
+    std::vector<ShotPass> shot_passes; ///< the passes of the first shot; none for methods without one
+    std::uint64_t local_lines = 0;     ///< N_l, number of rays of the first shot
+    std::uint64_t lines_charged = 0;   ///< N_g (N1), number of lines that meet the scene's box, in expectation
+    std::uint64_t lines_cast = 0;      ///< N_cast (N1), number of lines cast
+    double crossings_per_area = 0.0;   ///< [1/m^2] expected crossings per area of a patch, from either side (G1)
+    std::uint64_t unshot_patches = 0;  ///< number of patches with unshot power before the pass, which have a forecast
+    Rgb unshot;                        ///< [W] unshot power of all patches before the pass, which the pass distributes
     std::vector<GlobalLine> lines;
 };
 
-/// Runs the global pass up to the last line of the range and traces the lines of the range. Throws SettingsError for
-/// lines that the pass does not have, and what solve throws.
+/// Runs the first shot, and the global pass up to the last line of the range, and traces the lines of the range. Throws
+/// SettingsError for lines that the pass does not have.
 GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
-/// The traces of some lines along the first direction of transillumination, with figures of the run up to there.
+/// The traces of some lines along the first direction of transillumination, a method that casts bundles of parallel
+/// lines, with figures of the run up to that direction.
 struct BundleTrace
 {
-    std::uint64_t shot_lines = 0;    ///< rays of the first shot
-    std::uint64_t rays = 0;          ///< rays of the first estimate
-    std::uint64_t directions = 0;    ///< directions of the first iteration
-    std::uint64_t lines_to_meet = 0; ///< lines per direction that meet the scene's box, in expectation (N1)
-    std::uint64_t lines_cast = 0;    ///< lines along this direction
-    Vec3 direction;                  ///< unit vector
+    std::uint64_t shot_lines = 0;    ///< number of rays of the first shot
+    std::uint64_t rays = 0;          ///< number of rays of the estimate before the first iteration
+    std::uint64_t directions = 0;    ///< number of directions of the first iteration
+    std::uint64_t lines_to_meet = 0; ///< number of lines per direction that meet the scene's box, in expectation (N1)
+    std::uint64_t lines_cast = 0;    ///< number of lines cast along the first direction
+    Vec3 direction;                  ///< the first direction, a unit vector
     double section = 0.0;            ///< [m^2] cross-section that each line represents
-    std::vector<GlobalLine> lines;   ///< their transfers consist of a forecast only; no power is held
+    std::vector<GlobalLine> lines;   ///< the lines of the range, all made from the same item
 };
 
 /// Traces lines along the first direction of the first iteration (P1). Throws SettingsError for lines that the
-/// direction does not have, and what solve throws.
+/// direction does not have, or if the run has too few lines for a direction.
 BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 /// The trace of a ray of the (extended) first shot (S1).
 struct ShotRay
 {
     LineOrigin origin;
-    std::uint32_t shooter; ///< patch that the ray leaves
+    std::uint32_t shooter; ///< index of the patch that the ray leaves
     Line ray;
-    std::optional<Crossing> crossing; ///< its first intersection; empty if it leaves the scene
-    std::uint32_t where;              ///< where it arrives: a patch, Segment::behind or Segment::outside
-    Rgb power;                        ///< [W] that the ray carries
-    Rgb unshot;                       ///< [W] of the receiving patch afterwards; black if there is none
+    std::optional<Crossing> crossing; ///< first intersection of the ray; empty if the ray leaves the scene
+    std::uint32_t where;              ///< index of the patch where the ray arrives, Segment::behind or Segment::outside
+    Rgb power;                        ///< [W] power that the ray carries
+    Rgb unshot;                       ///< [W] unshot power of the receiving patch afterwards; black if there is none
 };
 
 /// The traces of some rays of one pass of the first shot.
 struct ShotTrace
 {
     std::vector<ShotPass> shot_passes; ///< all passes of the run
-    std::size_t pass = 0;              ///< the pass of the rays, from 0
-    double threshold = 0.0;            ///< [W/m^2] the user's, or (4)
+    std::size_t pass = 0;              ///< index of the pass to which the rays belong, from 0
+    double threshold = 0.0;            ///< [W/m^2] radiosity above which patches shoot: given by the user, or (4)
     std::size_t shooters = 0;          ///< number of patches that send rays in the pass
     std::vector<ShotRay> rays;
 };
 
-/// Runs pass number `pass` (from 0) of the first shot up to the last ray of the range and traces the rays of the range.
-/// Throws SettingsError for a pass or rays that the run does not have, and what solve throws.
+/// Runs the first shot, and then repeats its pass number `pass` (from 0) up to the last ray of the range and traces the
+/// rays of the range. Throws SettingsError for a pass or rays that the run does not have.
 ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range);
 
 /// The trace of one segment of a particle's path.
@@ -147,14 +154,15 @@ struct TracedStep
 {
     ParticleStep step;
     Line ray;
-    std::optional<Crossing> crossing; ///< where the ray arrives; empty if it leaves the scene
-    Rgb counted;                      ///< [W] that the estimator adds to the incident power of the receiving patch
+    std::optional<Crossing> crossing; ///< where the ray arrives; empty if the ray leaves the scene
+    Rgb counted; ///< [W] added by the estimator to the incident power of the receiving patch; black
+                 ///< if there is none. For walks see WalkTrace
 };
 
-/// The trace of a particle of local Monte Carlo from its source to its end (L1).
+/// The trace of a particle of local Monte Carlo (L1) from its source to its end, or of a gathering random walk (W1).
 struct TracedParticle
 {
-    LineOrigin origin; ///< of its first segment
+    LineOrigin origin; ///< number of the particle; item of its first segment
     std::vector<TracedStep> steps;
 };
 
@@ -162,45 +170,46 @@ struct TracedParticle
 struct ParticleTrace
 {
     std::uint64_t particle_count = 0; ///< total number of particles of the run
-    std::size_t sources = 0;          ///< number of patches that emit
+    std::size_t sources = 0;          ///< number of emitting patches that particles start from
     std::vector<TracedParticle> particles;
 };
 
 /// Traces the particles of the range, each from its source to its end. Throws SettingsError for particles that the run
-/// does not have, and what solve throws.
+/// does not have.
 ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
-/// The traces of some gathering random walks of the first round.
+/// The traces of some gathering random walks of the first round. A walk starts at a patch, the receiver, and gathers
+/// the light for this patch.
 struct WalkTrace
 {
     std::uint64_t walk_count = 0;      ///< total number of walks of the round
-    std::vector<TracedParticle> walks; ///< from the receivers; TracedStep::counted is the irradiance [W/m^2] that the
-                                       ///< step adds there, and ParticleStep::power is the weight of the walk [1]
+    std::vector<TracedParticle> walks; ///< the walks of the range. Here TracedStep::counted is the irradiance [W/m^2]
+                                       ///< that the step adds at the receiver, and ParticleStep::power the weight [1]
+                                       ///< of the walk
 };
 
-/// Traces the walks of the range (W1). Throws SettingsError for walks that the round does not have, and what solve
-/// throws.
+/// Traces the walks of the range (W1). Throws SettingsError for walks that the round does not have.
 WalkTrace trace_walks(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
-/// The trace of a ray of a Jacobi iteration (J1) (J2).
+/// The trace of a ray of a stochastic Jacobi iteration (J1) (J2).
 struct JacobiRay
 {
     LineOrigin origin;
-    IterationRay carried;
+    IterationRay carried; ///< the patches at the ends of the ray and the power that it carries
     Line ray;
-    std::optional<Crossing> crossing; ///< where the ray arrives; empty if it leaves the scene
+    std::optional<Crossing> crossing; ///< where the ray arrives; empty if the ray leaves the scene
 };
 
 /// The traces of some rays of the first Jacobi iteration, in the order of the patches that they leave.
 struct JacobiTrace
 {
-    std::uint64_t series_rays = 0; ///< rays of the Neumann series before it
-    std::uint64_t ray_count = 0;   ///< rays of the iteration
+    std::uint64_t series_rays = 0; ///< number of rays of the Neumann series (see send_series) before the iteration
+    std::uint64_t ray_count = 0;   ///< total number of rays of the iteration
     std::vector<JacobiRay> rays;
 };
 
-/// Traces the rays of the range. Throws SettingsError for rays that the first iteration does not have, and what solve
-/// throws.
+/// Traces the rays of the range. Throws SettingsError for rays that the first iteration does not have, or if the run
+/// has too few lines for an iteration.
 JacobiTrace trace_iteration(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
 } // namespace multipath

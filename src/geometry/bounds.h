@@ -7,7 +7,8 @@
 
 namespace multipath {
 
-/// Axis-aligned bounding box. A new box is empty, with low > high; include() makes it grow.
+/// Axis-aligned bounding box [scene units]. A new box is empty, with low > high; include() makes the box grow. Size,
+/// centre, diagonal and area have no meaning for an empty box.
 struct Bounds
 {
     Vec3 low = {infinity, infinity, infinity};
@@ -20,7 +21,7 @@ struct Bounds
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    void include(const Bounds& other)
+    void include(const Bounds& other) ///< `other` must not be empty
     {
         include(other.low);
         include(other.high);
@@ -29,7 +30,7 @@ struct Bounds
     Vec3 size() const { return high - low; }
     Vec3 centre() const { return 0.5 * (low + high); }
     double diagonal() const { return length(size()); }
-    double area() const ///< surface area: the sum of the six sides
+    double area() const ///< sum of the areas of the six sides
     {
         const Vec3 s = size();
         return 2.0 * (s.x * s.y + s.y * s.z + s.z * s.x);

@@ -3,8 +3,9 @@
 // border of the visible region. The visible faces are connected, so they are found from neighbour to neighbour. Points
 // outside by less than a tolerance are ignored, which makes nearly coplanar faces harmless.
 //
-// Nearly flat sets are first stretched to thickness 1 (see thicken), so that the tolerance applies to their thickness.
-// Points in one plane have a polygon as their hull, found by the monotone chain algorithm (Andrew 1979).
+// The points are first transformed to width and thickness 1 (see thicken), so that in a nearly flat set the tolerance
+// applies to the thickness. Points in one plane have a polygon as their hull, found by the monotone chain algorithm
+// (Andrew 1979).
 
 #include "geometry/convex_hull.h"
 

@@ -10,9 +10,10 @@
 
 namespace multipath {
 
-/// Convex hull of a set of points, accurate to about 1e-7 of their extent; of a nearly flat set, to about 1e-7 of its
-/// thickness across. The area of a flat set counts both of its sides, as in integral geometry; collinear points have
-/// area 0. Construction takes O(n log n) time.
+/// Convex hull of a set of points, accurate to about 1e-7 of their extent. The hull of a nearly flat set is accurate,
+/// in the direction of its thickness, to about 1e-7 of the thickness. A set is flat if it is no thicker than 1e-7 of
+/// its extent: then the area counts both sides of the hull, as in integral geometry. Collinear points have area 0.
+/// Construction takes O(n log n) time.
 class ConvexHull
 {
 public:
@@ -20,13 +21,13 @@ public:
 
     double area() const { return area_; }                    ///< surface area [square of the points' unit]
     std::size_t side_count() const { return sides_.size(); } ///< number of triangles; 0 for a flat hull
-    /// True if the line, extended without end both ways, meets the hull. Always false for a flat hull.
+    /// True if the infinite line through `line` meets the hull; t_max does not count. Always false for a flat hull.
     bool meets(const Line& line) const;
     /// True if the point lies inside the hull or on its sides. Always false for a flat hull.
     bool holds(Vec3 point) const;
-    /// True if the plane of one side has all points on its outer side, or at most `overlap` [scene units] inside. Then
-    /// the convex hull of the points reaches no deeper than `overlap` into this hull. The test is sufficient, not
-    /// necessary: disjoint sets may give false. Always false for a flat hull.
+    /// True if the plane of one of the sides has all points on its outer side, or at most `overlap` [scene units] on
+    /// its inner side. Then the convex hull of the points reaches no deeper than `overlap` into this hull. The test is
+    /// sufficient, not necessary: disjoint sets may give false. Always false for a flat hull.
     bool is_separated_from(const std::vector<Vec3>& points, double overlap) const;
 
 private:

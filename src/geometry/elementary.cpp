@@ -1,6 +1,7 @@
-// Each function reduces its argument to a small interval, evaluates a truncated Taylor series there and puts the result
-// together again. Only operations that IEEE 754 rounds correctly are used, besides those that are exact (ldexp, frexp,
-// floor), so that the results are the same on every machine.
+// The basic functions (exponential, logarithm, sine and cosine, arctangent) reduce their argument to a small interval,
+// evaluate a truncated Taylor series there and put the result together again; the other functions are built from them.
+// Only operations that IEEE 754 rounds correctly are used, besides those that are exact (ldexp, frexp, floor), so that
+// the results are the same on every machine.
 
 #include "geometry/elementary.h"
 

@@ -4,13 +4,14 @@
 
 namespace multipath {
 
+/// Sine and cosine of one angle.
 struct SinCos
 {
     double sin;
     double cos;
 };
 
-/// Sine and cosine of the angle 2 pi * turns for 0 <= turns <= 1, with an error below 2e-16.
+/// Sine and cosine of the angle 2 pi * turns for 0 <= turns <= 1, with an absolute error below 2e-16.
 inline SinCos sin_cos_of_turns(double turns)
 {
     // Range reduction: turns = quarter / 4 + rest with |rest| <= 1/8. Both steps are exact.
@@ -40,24 +41,25 @@ inline SinCos sin_cos_of_turns(double turns)
 
 /// Elementary functions made of operations that IEEE 754 rounds correctly, so that results do not depend on the
 /// machine: C libraries differ in the last bits, even from one processor to the next. Relative errors are below 4.4e-16
-/// unless noted; special values are those of the C library. Angles are in radians and should not be large.
+/// unless noted. Infinities and NaN give the same results as in the C library, except in pow() and in hypot() of a NaN.
+/// Angles are in radians; the arguments of sin(), cos() and tan() must be finite and should not be large.
 namespace elementary {
 
 double exp(double x);
 double exp2(double x); ///< exact for integers x
 double log(double x);
-double log2(double x);  ///< 6.6e-16; exact for powers of 2
-double log10(double x); ///< 6.6e-16; exact for powers of 10 from 1e-22 to 1e22
-/// Integer powers with |y| <= 1024 are computed by repeated squaring and are exact where the products are. Other powers
-/// need x >= 0, else they are NaN, and have a relative error below 4.4e-16 + 1e-15 |y ln x|.
+double log2(double x);  ///< relative error below 6.6e-16; exact for powers of 2
+double log10(double x); ///< relative error below 6.6e-16; exact for powers of 10 from 1e-22 to 1e22
+/// x^y. Integer powers with |y| <= 1024 are computed by repeated squaring and are exact if all products are. Other
+/// powers are NaN if x < 0, and have a relative error below 4.4e-16 + 1e-15 |y ln x| if x >= 0.
 double pow(double x, double y);
-double sin(double x); ///< absolute error below 4e-16 for |x| <= 2 pi; also relative for |x| <= 1
-double cos(double x); ///< likewise
-double tan(double x); ///< 1.8e-15 for |x| <= 1.4
+double sin(double x); ///< absolute error below 4e-16 for |x| <= 2 pi; relative error below 4.4e-16 for |x| <= 1
+double cos(double x); ///< errors as for sin()
+double tan(double x); ///< relative error below 1.8e-15 for |x| <= 1.4
 double atan(double x);
 double atan2(double y, double x);
-double asin(double x);  ///< 9e-16
-double asinh(double x); ///< 9e-16
+double asin(double x);  ///< relative error below 9e-16
+double asinh(double x); ///< relative error below 9e-16
 double hypot(double x, double y);
 
 } // namespace elementary

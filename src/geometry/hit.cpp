@@ -1,6 +1,6 @@
 // Order of hits at the same t. Two coincident faces of opposite orientation are either a gap of width zero (a box that
 // stands on a floor: departure, then arrival) or the two sides of a thin sheet (arrival, then departure). Which of the
-// two depends on the medium the line comes from: inside a solid its next hit is a departure, in the open an arrival.
+// two depends on the medium the line comes from: inside a solid the next hit is a departure, in the open an arrival.
 // The previous hit shows the medium. At the start of the line these rules apply, in this order:
 //
 // 1. The first group of hits with unequal numbers of arrivals and departures decides, because neither a gap nor a sheet
@@ -10,8 +10,8 @@
 // 3. Otherwise the kind of scene decides (`starts_in_solid`): in a room the line may pass from wall to wall through a
 //    cupboard that fills a niche.
 //
-// One exception after the start: a line in the open that meets two faces of different outline and leaves a solid later
-// passes a gap. The ground below a house is a floor without an underside.
+// There is one exception after the start: a line in the open that meets two faces of different outline and leaves a
+// solid later passes a gap, not a sheet. An example is the ground below a house, a floor without an underside.
 
 #include "geometry/hit.h"
 

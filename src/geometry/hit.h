@@ -9,21 +9,22 @@ namespace multipath {
 /// Intersection of a line with a surface.
 struct Hit
 {
-    double t = 0.0;            ///< line parameter
-    std::uint32_t surface = 0; ///< index of the surface
-    double u = 0.0;            ///< surface coordinates, 0 ... 1
+    double t = 0.0;            ///< parameter of the point on the Line
+    std::uint32_t surface = 0; ///< index of the surface in the SurfaceList
+    double u = 0.0;            ///< coordinates of the point on the Surface, 0 ... 1
     double v = 0.0;
-    bool front = false; ///< arrival: the line meets the front; else departure: from the back, out through the front
+    bool front = false; ///< true: arrival, the line meets the front; false: departure, it leaves through the front
 };
 
-/// True if two faces that a line meets at the same point seem to have the same corners, judged by (u, v) alone.
+/// True if two faces that a line meets at the same point seem to have the same corners, in any order. This is judged by
+/// the (u, v) of the two hits alone.
 bool have_same_outline(const Hit& a, const Hit& b);
 
-/// Reorders groups of hits with equal t, in hits sorted by t, as the line passes the coincident surfaces: arrivals
-/// (meeting a front) and departures (leaving through a front) alternate, as they do in every sound scene. Several
-/// arrivals keep their order in the list and several departures reverse it, so that a line and its reverse agree.
-/// `starts_in_solid` is the assumption about the start of the line if no hit decides. Even then a first group that is
-/// all the line meets, or that consists of two faces with the same outline, is a thin sheet.
+/// Reorders each group of hits with equal t, in a list sorted by t, to the order in which the line passes the
+/// coincident surfaces: arrivals (meeting a front) and departures (leaving through a front) alternate, as in every
+/// sound scene. The arrivals of a group keep their order in the list and its departures reverse theirs, so that a line
+/// and its reverse agree. If no hit shows whether the line starts inside a solid, `starts_in_solid` decides; hit.cpp
+/// states the rules and their exceptions (thin sheets, floors met from below).
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
 
 inline void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)

@@ -1,3 +1,6 @@
+// Polygons are clipped by one plane at a time (Sutherland and Hodgman 1974). Lambert's formula gives the irradiance
+// from a polygon as a sum over its edges.
+
 #include "geometry/polygon.h"
 
 #include "geometry/elementary.h"

@@ -8,11 +8,11 @@
 
 namespace multipath {
 
-/// Planar convex polygon with its corners counter-clockwise as seen from the front: a surface or a surface clipped by a
-/// plane.
+/// Planar convex polygon: the outline of a surface, or of the part of a surface in front of a plane. The corners are in
+/// counter-clockwise order as seen from the front. A polygon without corners is empty.
 struct FlatPolygon
 {
-    std::array<Vec3, 5> corners; ///< only the first `size` are used
+    std::array<Vec3, 5> corners; ///< only the first `size` are used; five are enough for a parallelogram cut once
     std::size_t size = 0;
 
     bool empty() const { return size == 0; }
@@ -20,46 +20,51 @@ struct FlatPolygon
     Vec3 next(std::size_t k) const { return corners[k + 1 < size ? k + 1 : 0]; } ///< the corner after corner k
 };
 
-/// Outline of a surface.
+/// Outline of a surface: its three or four corners, beginning with the origin and the end of edge_u.
 FlatPolygon polygon_of(const Surface& surface);
 
-/// The three or four corners of the same polygon.
+/// The corners of polygon_of(surface), in the same order.
 std::vector<Vec3> corners_of(const Surface& surface);
 
-/// Smallest and largest signed distance of a polygon's corners from a plane [scene units].
+/// Smallest and largest signed distance of the corners of a polygon from a plane [scene units], positive in front.
 struct HeightRange
 {
     double low;
     double high;
 
+    /// True if no corner is farther than `limit` from the plane.
     bool within(double limit) const { return low >= -limit && high <= limit; }
 };
-/// Heights of the corners above the plane through `point` with this unit normal.
+/// Heights of the corners of a non-empty polygon above the plane through `point` with this unit normal.
 HeightRange heights(const FlatPolygon& polygon, Vec3 point, Vec3 normal);
 
-/// Clips a surface's polygon to the front side of a plane; corners at most `touching` behind the plane count as in
-/// front. Empty if no more than an edge or a corner is left.
+/// Clips a polygon of at most four corners to the front side of the plane through `point` with this unit normal.
+/// Corners at most `touching` [scene units] behind the plane are kept, so a polygon in the plane stays whole. The
+/// result is empty if no more than an edge or a corner is left.
 FlatPolygon part_in_front(const FlatPolygon& polygon, Vec3 point, Vec3 normal, double touching);
 
 /// Orthogonal projection of the polygon onto the plane through `point` with this unit normal.
 FlatPolygon projected(FlatPolygon polygon, Vec3 point, Vec3 normal);
 
 /// The part of the surface in front of the plane through `point` with this unit normal, that is, above the horizon of a
-/// receiver at `point`. Corners within rounding error of the plane count as in it. Empty if nothing rises above it.
+/// receiver at `point`. Corners within rounding error of the plane count as in the plane. The result is empty if no
+/// corner rises above the plane.
 FlatPolygon part_above_horizon(const Surface& surface, Vec3 point, Vec3 normal);
 
-/// True if a point of the plane of a non-empty polygon lies inside the polygon or on its border.
+/// True if the orthogonal projection of the point onto the plane of a non-empty polygon lies inside the polygon or on
+/// its border. There is no tolerance for rounding.
 bool contains(const FlatPolygon& polygon, Vec3 point);
 
 /// Distance from the point to the nearest point of a non-empty polygon [scene units].
 double distance(Vec3 point, const FlatPolygon& polygon);
 
-/// Point-to-polygon form factor [1] by Lambert's formula: the irradiance at a point with this unit normal if the front
-/// of the polygon has radiosity 1. The whole polygon must lie above the point's horizon. 0 if the point is behind the
-/// polygon.
+/// Point-to-polygon form factor [1] by Lambert's formula: the irradiance of a small face at `point` with this unit
+/// normal if the front of the polygon has radiosity 1. The whole polygon must lie in front of the face (see
+/// part_above_horizon). Returns 0 if the point is behind the polygon; the result is clamped to 0 ... 1.
 double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal);
 
-/// Lambert's formula for any number of corners, not clamped to 0 ... 1: negative for a polygon seen from its back.
+/// Lambert's formula as in irradiance_from, but for any number of corners and without the clamping: the sum is negative
+/// if the corners are clockwise as seen from `point`, that is, from the back of the polygon.
 double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 normal);
 
 } // namespace multipath

@@ -4,7 +4,7 @@
 
 namespace multipath {
 
-/// A point or a direction in scene units.
+/// A point or a vector in space [scene units]. Directions have any length unless they are called unit vectors.
 struct Vec3
 {
     double x = 0.0;

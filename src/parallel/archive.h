@@ -11,14 +11,14 @@
 
 namespace multipath {
 
-/// A saved state is damaged or belongs to other work. The message is one line.
+/// Error: a saved state is damaged or belongs to other work. The message is one line.
 class ArchiveError : public std::runtime_error
 {
 public:
     explicit ArchiveError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Element type of an array in an archive.
+/// Element type of an array in an archive. The low four bits are the size of an element in bytes.
 enum class Scalar : std::uint8_t { bytes = 1, u32 = 4, u64 = 8, f32 = 36, f64 = 40 };
 
 /// Size of one element in bytes.
@@ -27,6 +27,7 @@ inline std::size_t size_of(Scalar scalar)
     return static_cast<std::size_t>(scalar) & 15u;
 }
 
+/// Element type for numbers of this type; all other types are stored as bytes.
 template <class Number>
 constexpr Scalar scalar_of()
 {
@@ -42,7 +43,8 @@ constexpr Scalar scalar_of()
         return Scalar::bytes;
 }
 
-/// A field of a record, with the name of the array that stores this field of many records.
+/// A field of a record, for Archive::records: a member, and the name of the array that stores this member of all
+/// records as values of type Number.
 template <class Number, class Record, class Value>
 struct RecordField
 {
@@ -50,39 +52,41 @@ struct RecordField
     Value Record::*member;
 };
 
+/// Makes a RecordField; only Number must be given explicitly.
 template <class Number, class Record, class Value>
 RecordField<Number, Record, Value> field(std::string_view name, Value Record::*member)
 {
     return {name, member};
 }
 
-/// Serialisation of named arrays. The same statements write and read them, so that both sides always agree. A value
-/// that consists of several numbers is stored as these numbers.
+/// Serialisation of named arrays. The same statements write and read the arrays, so that both sides always agree. A
+/// value that consists of several numbers is stored as these numbers. All functions that read throw ArchiveError if the
+/// array is missing, has another element type, or has another length than expected.
 class Archive
 {
 public:
-    explicit Archive(bool reads) : reads_(reads) {}
+    explicit Archive(bool reads) : reads_(reads) {} ///< `reads`: true to read, false to write
     virtual ~Archive() = default;
     Archive(const Archive&) = delete;
     Archive& operator=(const Archive&) = delete;
 
     bool reads() const { return reads_; }
 
-    /// Writes or reads one value. Reading throws ArchiveError if the array is missing or of another type or length.
+    /// Writes or reads one value, as an array of one element.
     template <class Number, class Value>
     void value(std::string_view name, Value& value)
     {
         transfer<Number>(name, &value, 1);
     }
 
-    /// A list that must have its length before it is read; ArchiveError if the archive has another length.
+    /// Writes or reads a list. When it is read, the list must already have the length of the array.
     template <class Number, class List>
     void list(std::string_view name, List& values)
     {
         transfer<Number>(name, values.data(), values.size());
     }
 
-    /// A list that is resized to the length in the archive when it is read.
+    /// Writes or reads a list of any length. When it is read, the list is resized to the length of the array.
     template <class Number, class List>
     void growing_list(std::string_view name, List& values)
     {
@@ -92,7 +96,7 @@ public:
         list<Number>(name, values);
     }
 
-    /// Like growing_list, but an empty list is not written and a missing one is read as empty.
+    /// Like growing_list, but an empty list is not written, and a missing array is read as an empty list.
     template <class Number, class List>
     void optional_list(std::string_view name, List& values)
     {
@@ -102,7 +106,7 @@ public:
             values.clear();
     }
 
-    /// Any number of texts without zero bytes, stored as one list of bytes with a zero after each text.
+    /// Writes or reads any number of texts without zero bytes, stored as one list of bytes with a zero after each text.
     void texts(std::string_view name, std::vector<std::string>& texts)
     {
         std::string joined;
@@ -117,8 +121,8 @@ public:
         }
     }
 
-    /// Any number of records, stored as one list per field (texts() for strings). Reading throws ArchiveError if the
-    /// lists differ in length.
+    /// Writes or reads any number of records, stored as one list per field (texts() for strings). Reading resizes
+    /// `records` to the length of the first list, and throws ArchiveError if another list has a different length.
     template <class Record, class First, class... Others>
     void records(std::vector<Record>& records, const First& first, const Others&... others)
     {
@@ -144,11 +148,14 @@ public:
     };
 
 protected:
+    /// Writes or reads an array of `length` elements. read() throws ArchiveError if the array is missing, or has
+    /// another element type or length.
     virtual void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) = 0;
     virtual void read(const std::string& name, Scalar scalar, void* data, std::size_t length) = 0;
-    /// Reading: true if the archive contains the array.
+    /// Only for reading: true if the archive contains the array.
     virtual bool holds(const std::string& name) const = 0;
-    /// Reading: number of elements of an array.
+    /// Only for reading: number of elements of an array. Throws ArchiveError if the array is missing or has another
+    /// element type.
     virtual std::size_t length(const std::string& name, Scalar scalar) = 0;
 
 private:

@@ -10,30 +10,32 @@
 
 namespace multipath {
 
-/// Division of the items 0 ... items - 1 into blocks.
+/// Division of the numbers 0 ... items - 1, which stand for lines, rays or other units of work, into blocks.
 struct Blocks
 {
-    std::uint64_t items;
-    std::uint64_t size; ///< items per block; the last block may have fewer
+    std::uint64_t items; ///< total number of items
+    std::uint64_t size;  ///< items per block, above zero; the last block may have fewer
 
     std::uint64_t count() const { return (items + size - 1) / size; }
     /// The first item of a block, which is the number of items in the blocks before it.
     std::uint64_t first(std::uint64_t block) const { return std::min(items, block * size); }
+    /// Number of items in a block.
     std::size_t length(std::uint64_t block) const { return static_cast<std::size_t>(first(block + 1) - first(block)); }
 };
 
-/// Runs work(block) once for each block 0 ... block_count - 1 on up to `threads` threads, in any order. If a block
-/// throws, no further blocks are started, and the first exception is rethrown after all threads have stopped.
+/// Runs work(block) once for each block 0 ... block_count - 1 on up to `threads` threads, in any order. The calling
+/// thread is one of them; `threads` below 1 counts as 1. If a block throws, no further blocks are started, and the
+/// first exception is rethrown after all threads have stopped.
 void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work);
 
-/// The same for the numbers 0 ... count - 1 in ranges of range_size (the last may be shorter): work(first, end) handles
-/// first ... end - 1.
+/// Like parallel_blocks for the numbers 0 ... count - 1 in ranges of range_size (the last may be shorter): work(first,
+/// end) handles the numbers first ... end - 1.
 void parallel_ranges(std::uint32_t count, std::uint32_t range_size, int threads,
                      const std::function<void(std::uint32_t first, std::uint32_t end)>& work);
 
-constexpr std::uint32_t numbers_at_a_time = 1024; ///< range size of the two functions below
+constexpr std::uint32_t numbers_at_a_time = 1024; ///< range size of parallel_numbers and parallel_sum
 
-/// Runs work(i) for i = 0 ... count - 1 in parallel, in any order.
+/// Runs work(i) for i = 0 ... count - 1 in parallel, in any order. Exceptions as in parallel_blocks.
 template <class Work>
 void parallel_numbers(std::uint32_t count, int threads, const Work& work)
 {
@@ -43,7 +45,7 @@ void parallel_numbers(std::uint32_t count, int threads, const Work& work)
     });
 }
 
-/// Sum of term(i) for i = 0 ... count - 1, with the same bits for any number of threads.
+/// Sum of term(i) for i = 0 ... count - 1, computed in parallel, with the same bits for any number of threads.
 template <class Value, class Term>
 Value parallel_sum(std::uint32_t count, int threads, const Term& term)
 {
@@ -60,52 +62,55 @@ Value parallel_sum(std::uint32_t count, int threads, const Term& term)
     return all;
 }
 
-/// Runs produce(block, slot) on up to `threads` threads and consume(block, slot) one block at a time, in ascending
-/// order, while later blocks are being produced. `slot` (0 ... slot_count(threads) - 1) identifies the buffer that
-/// belongs to the block until it is consumed. With one thread everything runs on the caller. Exceptions as in
-/// parallel_blocks.
+/// Runs produce(block, slot) once for each block 0 ... block_count - 1 on up to `threads` threads, and then
+/// consume(block, slot) one block at a time, in ascending order, while later blocks are being produced. `slot` (0 ...
+/// slot_count(threads) - 1) identifies the buffer that belongs to the block until the block is consumed. With one
+/// thread, everything runs on the calling thread. Exceptions as in parallel_blocks.
 void ordered_blocks(std::uint64_t block_count, int threads,
                     const std::function<void(std::uint64_t block, int slot)>& produce,
                     const std::function<void(std::uint64_t block, int slot)>& consume);
 
-/// Like ordered_blocks for the blocks `next` ... `end` - 1; `next` advances with the work. Whenever the checkpoint
-/// wants a pause, the blocks in progress are finished first, so that `next` and the results of the blocks are
-/// consistent. A part of the checkpoint must save both. Returns before `end` if the pause stops the work. Calls the
-/// line counter with 0 lines at the start.
+/// Like ordered_blocks for the blocks `next` ... `end` - 1. Whenever the checkpoint wants a pause, the blocks in
+/// progress are finished first. Then `next` is set to the first block that is not done, so that `next` and the results
+/// of the blocks are consistent; a part of the checkpoint must save both. Returns with `next` < `end` if the pause
+/// stops the work, else with `next` = `end`. Calls the line counter with 0 lines at the start if there are blocks to
+/// do.
 void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
                       const std::function<void(std::uint64_t block, int slot)>& produce,
                       const std::function<void(std::uint64_t block, int slot)>& consume);
 
-/// Number of buffers that ordered_blocks uses with this number of threads.
+/// Number of slots, each with a buffer, that ordered_blocks uses with this number of threads.
 int slot_count(int threads);
 
-/// The units of work (blocks or rows of a stage) that one shard does, and its progress.
+/// The units of work (blocks or rows of a stage) that one shard does, and the progress of the shard. See Shard in
+/// run_control.h.
 struct ShardRange
 {
-    std::uint64_t all = 0; ///< units of all shards together
-    std::uint64_t first = 0;
-    std::uint64_t next = 0; ///< first ... next - 1 are done, next ... end - 1 are left
+    std::uint64_t all = 0;   ///< number of units of all shards together
+    std::uint64_t first = 0; ///< this shard does the units first ... end - 1
+    std::uint64_t next = 0;  ///< the units first ... next - 1 are done
     std::uint64_t end = 0;
-    std::uint64_t shard_count = 1; ///< 1 again after the shards were united
+    std::uint64_t shard_count = 1; ///< number of shards; 1 in the result of union_of
 
     /// The part of `all` units that this shard does; nothing is done yet.
     static ShardRange of(std::uint64_t all, Shard shard)
     {
         return {all, shard.begin(all), shard.begin(all), shard.end(all), shard.of};
     }
-    /// True if there is more than one shard. Even then one of them may have all units, if they are few.
+    /// True if there is more than one shard. Even then one of the shards may have all units, if there are few.
     bool is_shard() const { return shard_count > 1; }
 
-    /// Saves or restores the range. Throws ArchiveError for an impossible range.
+    /// Saves or restores the range. Throws ArchiveError for a range that no shard can have.
     void visit(Archive& archive);
 };
 
-/// The union of the ranges of at least one shard, in any order. Throws ArchiveError unless each is finished and
-/// together they cover all units exactly once.
+/// The union of the ranges of one or more shards, given in any order. Throws ArchiveError unless each range is finished
+/// and the ranges together cover all units exactly once.
 ShardRange union_of(std::vector<ShardRange> ranges);
 
-/// Like resumable_blocks for the units `range` of a stage whose results can be added. One of several shards hands its
-/// results in when it is done (see Checkpoint::publish_shard), which stops the run.
+/// Like resumable_blocks for the units of `range`, in a stage whose results can be added to those of other shards. If
+/// there are several shards, run.checkpoint must not be null: when the units are done, Checkpoint::publish_shard saves
+/// the results and stops the run.
 void shard_blocks(ShardRange& range, const RunControl& run,
                   const std::function<void(std::uint64_t block, int slot)>& produce,
                   const std::function<void(std::uint64_t block, int slot)>& consume);

@@ -29,18 +29,18 @@ void prefetch_all(const Object& object)
         prefetch(reinterpret_cast<const char*>(&object) + byte);
 }
 
-/// Asks the system for pages of 2 MB for this memory, if it is 4 MB or more: fewer page faults when it is first
-/// touched, fewer TLB misses afterwards. The contents do not change.
+/// Asks the system for pages of 2 MB for this memory, if it has 4 MB or more: fewer page faults when the memory is
+/// first touched, fewer TLB misses afterwards. The contents do not change. Has no effect on systems without such pages.
 void ask_for_huge_pages(void* memory, std::size_t bytes);
 
 /// Initial contents of the elements that a constructor or resize(count) adds to a vector with LargeAllocator.
 enum class NewElements {
     constructed, ///< value-initialised, as in std::vector
-    unset,       ///< undefined, so that the threads that write the elements touch the memory first
+    unset,       ///< undefined: the threads that write the elements are the first to touch the memory
     zero         ///< all bits zero, from calloc; only for vectors that keep the size they are constructed with
 };
 
-/// Allocator for large arrays, in huge pages if the system grants them.
+/// Allocator for large arrays, in huge pages if the system grants them. Throws std::bad_alloc if memory is lacking.
 template <class Value, NewElements new_elements>
 struct LargeAllocator : std::allocator<Value>
 {
@@ -101,6 +101,7 @@ private:
     }
 };
 
+// Vectors in huge pages, with new elements as the names say: see NewElements.
 template <class Value>
 using LargeVector = std::vector<Value, LargeAllocator<Value, NewElements::constructed>>;
 template <class Value>
@@ -108,7 +109,7 @@ using UnsetVector = std::vector<Value, LargeAllocator<Value, NewElements::unset>
 template <class Value>
 using ZeroedVector = std::vector<Value, LargeAllocator<Value, NewElements::zero>>;
 
-/// Empty vector with capacity for `count` elements in huge pages: for large results whose type is std::vector.
+/// Empty std::vector with capacity for `count` elements in huge pages, for callers that need this type.
 template <class Value>
 std::vector<Value> vector_with_capacity(std::size_t count)
 {
@@ -118,7 +119,7 @@ std::vector<Value> vector_with_capacity(std::size_t count)
     return room;
 }
 
-/// Vector of `count` value-initialised elements in huge pages.
+/// std::vector of `count` value-initialised elements in huge pages.
 template <class Value>
 std::vector<Value> large_vector(std::size_t count)
 {

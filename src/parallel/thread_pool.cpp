@@ -1,3 +1,7 @@
+// The caller of run() opens as many slots as workers may join, wakes the workers and works itself. A worker that wakes
+// up takes a slot and runs the work. When the caller has finished, it closes the slots that are left and waits for the
+// workers that are still busy.
+
 #include "parallel/thread_pool.h"
 
 #include <algorithm>

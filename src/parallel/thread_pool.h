@@ -8,7 +8,8 @@
 
 namespace multipath {
 
-/// Worker threads that are reused from task to task, because starting a thread takes as long as some tasks.
+/// Worker threads that are reused from task to task, because starting a thread takes as long as some tasks. A pool does
+/// one task at a time.
 class ThreadPool
 {
 public:
@@ -17,9 +18,10 @@ public:
     ThreadPool& operator=(const ThreadPool&) = delete;
     ~ThreadPool();
 
-    /// Runs `work` on up to `threads` threads at once, including the caller, and waits for all of them. `work` must
-    /// drain a shared queue: workers that wake up after the caller has finished do not run it. The system may grant
-    /// fewer threads, but the caller always works. `work` must not throw.
+    /// Runs `work` on up to `threads` threads at once, of which the calling thread is always one, and waits for all of
+    /// them. There may be fewer: the system may grant fewer threads, and workers that wake up after the caller has
+    /// finished do not run `work`. A fast worker may run `work` more than once. So `work` must drain a queue that the
+    /// threads share. `work` must not throw.
     void run(int threads, const std::function<void()>& work);
 
 private:
@@ -32,11 +34,12 @@ private:
     std::condition_variable idle_;
     const std::function<void()>* work_ = nullptr;
     int open_slots_ = 0; ///< workers that may still join the current work
-    int working_ = 0;    ///< workers that run it
+    int working_ = 0;    ///< workers that run the current work
     bool stopping_ = false;
 };
 
-/// ThreadPool::run on a pool that belongs to the calling thread. Calls can be nested.
+/// ThreadPool::run on a pool that belongs to the calling thread. Calls can be nested; an inner call by a thread whose
+/// pool is busy uses a temporary pool.
 void run_on_threads(int threads, const std::function<void()>& work);
 
 } // namespace multipath

@@ -4,8 +4,8 @@
 // 2. a quadrature rule on each surface (exchange_by_points),
 // 3. Lambert's formula at the points of the smaller surface, or of its quarters (exchange_by_views),
 // 4. the double contour integral, which is exact (contour_integral).
-// Surfaces that cross the plane of the other are clipped to its front first. Faces that lie in one plane and face each
-// other exchange light through the area of their overlap.
+// A surface that crosses the plane of the other surface is first clipped to the front of this plane. Faces that lie in
+// one plane and face each other exchange light through the area of their overlap.
 
 #include "geometry/form_factor/exchange_area.h"
 

@@ -4,15 +4,16 @@
 
 namespace multipath {
 
-/// A surface with the precomputed quantities that every exchange area needs.
+/// A surface with the precomputed quantities from which exchange areas are computed. Its area must not be zero.
 struct FlatPiece
 {
     Surface surface;
-    Vec3 normal;
-    Vec3 centre;
+    Vec3 normal;         ///< unit normal on the front side
+    Vec3 centre;         ///< centroid
     double area = 0.0;   ///< [m^2]
     double radius = 0.0; ///< [scene units] from the centre to the farthest corner
-    /// Uniform random points of the surface have the covariance (u u^T + v v^T) / 12, u and v these vectors.
+    /// Uniform random points of the surface have the covariance (u u^T + v v^T) / 12, where u and v are these vectors
+    /// [scene units]: the edges of a parallelogram, and combinations of the edges of a triangle.
     Vec3 spread_u;
     Vec3 spread_v;
     double squared_spread = 0.0; ///< u.u + v.v
@@ -20,11 +21,11 @@ struct FlatPiece
 
 FlatPiece piece_of(const Surface& surface);
 
-/// Unoccluded exchange area A_a F_ab [m^2] (F1): the integral of cos cos' / (pi r^2) over all pairs of points whose
-/// fronts see each other, which is 1 / pi times the measure of the lines from the front of a to the front of b. Corners
-/// within `touching` [scene units] of the other's plane count as in it. For two surfaces in one plane that face
-/// opposite ways, such as the bottom of a box and the floor, it is the area of the overlap. (a, b) and (b, a) give the
-/// same bits.
+/// Unoccluded exchange area A_a F_ab [m^2], (F1) in docs/equations.md: the integral of cos cos' / (pi r^2) over all
+/// pairs of points whose fronts see each other. This is 1 / pi times the measure of the lines from the front of a to
+/// the front of b. A corner of one surface within `touching` [scene units] of the plane of the other counts as in the
+/// plane. For two surfaces in one plane that face opposite ways, such as the bottom of a box and the floor, the
+/// exchange area is the area of the overlap. (a, b) and (b, a) give the same bits.
 double exchange_area(const FlatPiece& a, const FlatPiece& b, double touching);
 double exchange_area(const Surface& a, const Surface& b, double touching);
 

@@ -10,29 +10,32 @@
 
 namespace multipath {
 
-/// Block with empty lanes only: no line passes any of its tests.
+/// Block with empty lanes only: the tests of an empty lane reject every line.
 SurfaceBlock empty_block();
 
-/// Stores the surface of a row in one lane of a block. Triangles must have lower lanes than parallelograms.
+/// Stores the surface of a row of the SurfaceTable in one lane of a block. The caller must give triangles lower lanes
+/// than parallelograms.
 void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame);
 
-/// Leaf of the hierarchy with `count` surfaces, at most LeafBlock::lanes.
+/// Leaf of the hierarchy with the `count` surfaces whose indices are in `surfaces`, at most LeafBlock::lanes.
 LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame);
 
-/// True if a line can hit the row only so close to the surface it was made from that the filter's slack and the boxes
-/// around surfaces cover the error. False only for slivers with an angle near the rounding error of double precision.
+/// True if the filters and the boxes around surfaces lose no hit of this surface: rounding in the row moves the corners
+/// of `surface`, from which the row was made, by so little that the slack covers the error. False for slivers: an angle
+/// below about 1e-5, or below 1e-3 if the surface is tiny or the scene lies far from the origin.
 bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const FilterFrame& frame);
 
 /// Rectangles grouped by the directions of their edges. Walls and furniture of a room share few directions.
 struct FramedRectangles
 {
     std::vector<RectangleFrame> frames;
-    std::vector<FrameRectangle> rectangles;
-    std::vector<std::uint32_t> surfaces; ///< surface index of each rectangle
-    std::vector<std::uint32_t> others;   ///< surfaces that are not rectangles
+    std::vector<FrameRectangle> rectangles; ///< sorted by frame, then by axis
+    std::vector<std::uint32_t> surfaces;    ///< index of the surface of each rectangle
+    std::vector<std::uint32_t> others;      ///< indices of the surfaces that are not rectangles
 };
 
-/// Sorts the surfaces into rectangles and others. Takes quadratic time, so it is meant for few surfaces.
+/// Sorts the surfaces of the table with these indices into rectangles and others. The time is quadratic at worst, so
+/// the function is meant for few surfaces.
 FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<std::uint32_t>& surfaces,
                                  const FilterFrame& frame);
 

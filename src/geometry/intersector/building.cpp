@@ -1,6 +1,6 @@
-// Construction of an intersector. Coplanar surfaces get a common plane first. Then a small scene gets blocks of
-// surfaces, which are all tested against every line, and a large scene a hierarchy. Surfaces that single precision
-// cannot describe (see can_be_filtered) stay out of both and are tested in double precision.
+// Construction of an intersector. Coplanar surfaces get a common plane first (see share_planes). Then a small scene
+// gets blocks of surfaces, which are all tested against every line, and a large scene a hierarchy. Surfaces that single
+// precision cannot describe (see can_be_filtered) are in neither and are tested in double precision.
 
 #include "geometry/intersector/core.h"
 

@@ -22,12 +22,14 @@
 
 namespace multipath {
 
-/// Candidates of the lines of a batch. The buffer is reused.
+/// Candidates of the lines of a batch: surfaces that passed the filter of a line (see LineCandidate). A list that is
+/// filled again keeps its buffer.
 struct CandidateList
 {
     UnsetVector<LineCandidate> elements; ///< may hold more than `count`
     std::size_t count = 0;
 
+    /// Makes room for at least `room` elements.
     void reserve(std::size_t room)
     {
         if (elements.size() < room)
@@ -35,44 +37,45 @@ struct CandidateList
     }
 };
 
-/// Buffers of a search for candidates in the hierarchy.
+/// Buffers of Core::search_tree, which finds candidates in the hierarchy.
 struct CandidateScratch
 {
     UnsetVector<TreeLine> lines;
-    UnsetVector<LineNode> pending;
-    CandidateList found; ///< in the order of the search
+    UnsetVector<LineNode> pending; ///< stack of subtrees still to be visited
+    CandidateList found;           ///< in the order of the search
 };
 
 /// Buffers of Intersector::all_hits for one batch of lines: the data that one phase hands to the next.
 struct HitLists::Scratch
 {
     LineBatch batch{};
-    bool all_whole = true;              ///< FilterLine::whole of all lines that pass
-    std::vector<std::uint32_t> passing; ///< batch indices of the lines that pass through the box
+    bool all_whole = true;              ///< true if FilterLine::whole holds for all lines that pass
+    std::vector<std::uint32_t> passing; ///< batch indices, ascending, of the lines that pass through the box
     FlatMarks marks{};
     CandidateScratch in_tree;
-    CandidateList candidates; ///< sorted by line
+    CandidateList candidates; ///< the candidates of the batch, sorted by line
 };
 
-/// Buffers of a search for first hits in the hierarchy.
+/// Buffers of Core::search_first, which finds first hits in the hierarchy.
 struct FirstHitScratch
 {
     std::vector<SearchedRay> rays;
-    std::vector<NearestHit> nearest;
+    std::vector<NearestHit> nearest; ///< per line of the batch
     UnsetVector<std::uint64_t> stacks;
 };
 
-/// Buffers of Intersector::closest_hits_from.
+/// Buffers of Intersector::closest_hits_from and hits_on_targets.
 struct FirstHits::Scratch
 {
     LineBatch batch{};
     FirstHitScratch in_tree;
-    std::vector<std::uint32_t> covered; ///< rays that start at a point which another surface covers
+    std::vector<std::uint32_t> covered; ///< indices of the rays whose start is covered by another surface
     std::vector<Line> whole_lines;      ///< the covered rays, extended backwards
-    HitLists along;                     ///< all hits along these lines
+    HitLists along;                     ///< all hits along some of the whole lines
 };
 
-/// Data structures of an Intersector and the steps of its searches.
+/// Data structures of an Intersector and the steps of its searches. Comments at the definitions explain the private
+/// functions: building.cpp constructs, intersector.cpp answers queries for one line, batches.cpp those for many lines.
 class Intersector::Core
 {
 public:
@@ -81,7 +84,7 @@ public:
 private:
     friend class Intersector;
 
-    struct Groundwork;
+    struct Groundwork; // the data structures built first
 
     Core(const SurfaceList& surfaces, Groundwork groundwork, const FilterKernel& kernel, int threads);
     std::vector<std::uint32_t> sort_out_unfiltered(const SurfaceList& surfaces, int threads);
@@ -95,10 +98,10 @@ private:
     std::optional<Hit> first_of(const NearestHit& nearest, const Line& line, std::uint32_t excluded_plane) const;
     void take(const Hit& hit, NearestHit& nearest) const;
     void take_coincident(const Hit& hit, NearestHit& nearest) const;
-    static constexpr std::uint32_t no_plane = 0xffffffffu;
+    static constexpr std::uint32_t no_plane = 0xffffffffu; ///< as `excluded_plane`: no surface is ignored
     std::uint32_t plane_of(std::uint32_t from) const { return from == no_surface ? no_plane : plane_[from]; }
     double reach_of(const Line& ray) const;
-    Line whole_line(const Line& ray) const; ///< the ray, extended backwards out of the scene
+    Line whole_line(const Line& ray) const; ///< the ray, extended to a line that starts before the scene
     std::optional<Hit> next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const;
     template <class Visit>
     void for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const;
@@ -108,7 +111,8 @@ private:
     FlatSurfaces flat_surfaces() const;
     bool is_covered(std::uint32_t from, Vec3 point) const;
 
-    // The phases of all_hits and closest_hits_from for many lines.
+    // The phases of all_hits, closest_hits_from and hits_on_targets for many lines. Trees with more than
+    // largest_in_cache leaves (32 MB) exceed the caches.
     bool place_lines(const Line* lines, std::size_t count, HitLists::Scratch& work) const;
     void find_candidates(HitLists::Scratch& work) const;
     void find_among_few(HitLists::Scratch& work) const;
@@ -126,6 +130,7 @@ private:
     void find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
                             std::size_t first, std::size_t count, FirstHits& found) const;
 
+    /// Order of hits along a line before order_coincident_hits: by t, then from small to large surfaces.
     bool comes_before(const Hit& a, const Hit& b) const
     {
         return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
@@ -136,18 +141,19 @@ private:
     const FilterKernel* kernel_;
     SurfaceTable table_;
     FilterFrame frame_;
-    WideTree tree_;                          ///< empty for few surfaces
-    UnsetVector<LeafBlock> leaves_;          ///< of the tree
-    std::vector<std::uint32_t> lane_number_; ///< without a tree: surface of each lane of the blocks
-    std::vector<float> flat_number_;         ///< lane_number_
-    std::vector<float> flat_plane_;          ///< plane number of each lane
+    WideTree tree_;                 ///< empty for few surfaces
+    UnsetVector<LeafBlock> leaves_; ///< the leaves of tree_
+    // Without a tree, the surfaces have the lanes of blocks_, in the order of FlatSurfaces.
+    std::vector<std::uint32_t> lane_number_; ///< index of the surface in each lane
+    std::vector<float> flat_number_;         ///< lane_number_ as floats: FlatSurfaces::number
+    std::vector<float> flat_plane_;          ///< plane number of each lane: FlatSurfaces::plane
     unsigned flat_triangles_ = 0;            ///< number of triangles, which have the first lanes
-    FramedRectangles framed_;                ///< its rectangles have the last lanes
+    FramedRectangles framed_;                ///< the rectangles in these frames have the last lanes
     std::vector<SurfaceBlock> blocks_;
-    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block, tested in double precision against every line
-    bool outside_is_solid_;                 ///< see is_interior
-    std::vector<std::uint32_t> plane_;      ///< plane number of each surface
-    std::vector<std::uint32_t> size_rank_;  ///< rank of each surface by size, 0 for the smallest, which lies on top
+    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block or leaf, tested in double precision by every line
+    bool outside_is_solid_;                 ///< true if is_interior(surfaces)
+    std::vector<std::uint32_t> plane_;      ///< plane number of each surface (see SharedPlanes)
+    std::vector<std::uint32_t> size_rank_;  ///< rank of each surface by area, 0 for the smallest, which lies on top
     PlaneNeighbours neighbours_;
 };
 

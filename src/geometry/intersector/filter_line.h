@@ -12,25 +12,27 @@
 
 namespace multipath {
 
-/// Single-precision form of a line for the filters, in coordinates in which the scene's box is centred at 0 with half
-/// diagonal 1: Plücker coordinates (direction and moment) and the segment near the scene, which is `middle` + t *
-/// `direction` with -half_length <= t <= half_length. The parameter t has the scale of the original line.
+/// Single-precision form of a line for the filters, in coordinates in which the scene's box has its centre at 0 and
+/// half a diagonal of length 1: Plücker coordinates (direction and moment) and the segment near the scene, which is
+/// `middle` + t * `direction` with -half_length <= t <= half_length. Here t counts from the middle, in the same unit as
+/// the parameter of the original line.
 struct FilterLine
 {
     float direction[3];
     float moment[3]; ///< cross(p, direction) for any point p of the line
     float middle[3];
     float half_length;
-    float scale;     ///< |x| + |y| + |z| of the direction, an upper bound of its length
-    bool whole;      ///< neither end lies inside the box, so tests of t are unnecessary
+    float scale;     ///< |x| + |y| + |z| of the direction, an upper bound of the length of the direction
+    bool whole;      ///< true: neither end of the line lies inside the box, so tests of t are unnecessary
     double middle_t; ///< parameter of `middle` on the original line
 };
 
-/// How a line runs with respect to the scene's box.
+/// How a line runs with respect to the scene's box, as far as the filters need to know.
 enum class LineCourse : std::uint32_t {
-    misses = 0, ///< misses the box and therefore all surfaces
-    passes = 1, ///< passes through the box and can be filtered
-    unfit = 2   ///< too far away, too long or too short for single precision; must be decided in double precision
+    misses = 0, ///< certainly misses the box and therefore all surfaces
+    passes = 1, ///< the infinite line meets the box, and the line can be filtered
+    unfit = 2   ///< the line must be decided in double precision: it starts too far away for single precision, or its
+                ///< direction is too long or too short
 };
 
 /// Batch of lines as a structure of arrays, so that compilers can vectorise loops over lines.
@@ -47,6 +49,7 @@ struct LineBatch
     std::uint32_t course[most]; ///< a LineCourse
     double middle_t[most];
 
+    /// Stores a line as entry i.
     void put(std::size_t i, const FilterLine& placed, LineCourse its_course)
     {
         for (unsigned axis = 0; axis < 3; ++axis) {
@@ -61,6 +64,7 @@ struct LineBatch
         middle_t[i] = placed.middle_t;
     }
 
+    /// Entry i as a single line.
     FilterLine line(std::size_t i) const
     {
         return {{direction[0][i], direction[1][i], direction[2][i]},
@@ -73,18 +77,20 @@ struct LineBatch
     }
 };
 
-/// Surfaces that each line of a batch may meet, as bits.
+/// Surfaces of a small scene that each line of a batch may meet, as bits.
 struct FlatMarks
 {
-    alignas(64) std::uint32_t word[FlatSurfaces::most / 32][LineBatch::most]; ///< bit s % 32 of word[s / 32]: surface s
+    /// Bit s % 32 of word[s / 32][i] is set if line i may meet surface s.
+    alignas(64) std::uint32_t word[FlatSurfaces::most / 32][LineBatch::most];
 };
 
-/// The surface that each line of a batch may meet first.
+/// The surface of a small scene that each line of a batch may meet first. Values of t count from the middle of the
+/// line; FlatSurfaces::never stands for "no such surface".
 struct NearestCandidates
 {
-    alignas(64) float first[LineBatch::most]; ///< lower bound of its t, from the line's middle, or FlatSurfaces::never
-    float second[LineBatch::most];            ///< lower bound of t of all other surfaces
-    float number[LineBatch::most];            ///< FlatSurfaces::number of this surface
+    alignas(64) float first[LineBatch::most]; ///< lower bound of t at this surface, or never
+    float second[LineBatch::most];            ///< lower bound of t at all other surfaces, or never
+    float number[LineBatch::most];            ///< FlatSurfaces::number of this surface; 0 if `first` is never
 };
 
 /// Coordinate system of FilterLine for a scene. Coordinates in it are said to be "in the frame".
@@ -95,18 +101,21 @@ public:
     /// `box` must contain all surfaces, with a margin for rounding (see box_around).
     explicit FilterFrame(const Bounds& box);
 
-    /// Transforms a line into the frame and returns its course. Writes `placed` in every case, even if it is useless.
+    /// Transforms a line into the frame and returns its course. Writes `placed` in every case, but `placed` is of use
+    /// only if the line passes.
     LineCourse place(const Line& line, FilterLine& placed) const;
 
     Vec3 to_frame(Vec3 p) const { return scale_ * (p - centre_); }
-    Vec3 centre() const { return centre_; }
-    double radius() const { return radius_; }
-    double scale() const { return scale_; } ///< 1 / radius
-    double reach() const { return reach_; } ///< [radius] lines must start with |start|^2 + |centre|^2 < reach^2
+    Vec3 centre() const { return centre_; }   ///< centre of the box [scene units]
+    double radius() const { return radius_; } ///< half the diagonal of the box [scene units]
+    double scale() const { return scale_; }   ///< 1 / radius
+    /// A line is unfit unless |start|^2 + |centre|^2 < reach^2 [radius^2], with the start in the frame and |centre| the
+    /// distance of the box from the origin of the scene's coordinates. Between 1e4 and 1e7.
+    double reach() const { return reach_; }
 
 private:
-    /// True if a point of the frame lies well inside the box. Points on its border count as outside: there is hardly
-    /// anything to meet beyond them.
+    /// True if a point in the frame lies well inside the box. Points near the border of the box count as outside:
+    /// between them and the border there is hardly anything to meet.
     bool is_inside(Vec3 q) const
     {
         constexpr double border = 0.9999;
@@ -117,7 +126,7 @@ private:
     Vec3 centre_;
     double radius_ = 1.0;
     double scale_ = 1.0;
-    double reach_ = 0.0;
+    double reach_ = 0.0;         ///< [radius]
     double centre_square_ = 0.0; ///< squared distance of the centre from the world's origin, in the frame
     Vec3 half_size_;             ///< half the size of the box, in the frame
 };

@@ -10,11 +10,12 @@
 
 namespace multipath {
 
-/// The hits of several lines, concatenated in one array: the result of Intersector::all_hits. Buffers are reused.
+/// The hits of several lines, concatenated in one array: the result of Intersector::all_hits. An object that is passed
+/// again keeps its buffers.
 class HitLists
 {
 public:
-    /// View of the hits of one line, in order.
+    /// View of the hits of one line, in order along the line.
     struct List
     {
         const Hit* first;
@@ -31,12 +32,14 @@ public:
     };
 
     HitLists();
-    HitLists(const HitLists& other); ///< does not copy the buffers
+    HitLists(const HitLists& other); ///< does not copy the scratch buffers
     HitLists& operator=(const HitLists& other);
     ~HitLists();
 
     std::size_t size() const { return end_.size(); } ///< number of lines
+    /// Total number of hits of all lines.
     std::size_t hit_count() const { return end_.empty() ? 0 : end_.back(); }
+    /// The hits of a line, valid until the object changes.
     List operator[](std::size_t line) const
     {
         return {hits_.data() + (line == 0 ? 0 : end_[line - 1]), hits_.data() + end_[line]};
@@ -48,16 +51,17 @@ private:
     struct Scratch;
 
     std::vector<Hit> hits_;        ///< may be longer than the lists need
-    std::vector<std::size_t> end_; ///< end of each line's list in hits_
+    std::vector<std::size_t> end_; ///< per line: end of its list in hits_, where the next list begins
     std::unique_ptr<Scratch> scratch_;
 };
 
-/// The first hit, if any, of each of several rays: the result of Intersector::closest_hits_from. Buffers are reused.
+/// The first hit, if any, of each of several rays: the result of Intersector::closest_hits_from and hits_on_targets. An
+/// object that is passed again keeps its buffers.
 class FirstHits
 {
 public:
     FirstHits();
-    FirstHits(const FirstHits& other); ///< does not copy the buffers
+    FirstHits(const FirstHits& other); ///< does not copy the scratch buffers
     FirstHits& operator=(const FirstHits& other);
     ~FirstHits();
 
@@ -83,7 +87,7 @@ private:
     }
 
     std::vector<Hit> hits_;
-    std::vector<std::uint32_t> is_hit_;
+    std::vector<std::uint32_t> is_hit_; ///< 0 or 1 per ray
     std::unique_ptr<Scratch> scratch_;
 };
 

@@ -14,58 +14,65 @@
 
 namespace multipath {
 
-struct FilterKernel;
+struct FilterKernel; // see kernel.h
 
-/// Finds the intersections of lines and surfaces. It is independent of light, immutable and safe to share between
-/// threads. A line meets all surfaces in one plane at exactly the same t, so that coincident faces tie and none is
-/// lost. Results do not depend on the kernel.
+/// Finds the intersections of lines and surfaces, independent of light. An intersector is immutable and safe to share
+/// between threads. If a plane contains surfaces that face opposite ways, a line meets all surfaces in it at exactly
+/// the same t (see SharedPlanes), so that faces which touch tie and none is lost. Results do not depend on the kernel.
 class Intersector
 {
 public:
-    /// Surfaces are identified by their index in the list; each must have an area above zero. Uses the fastest of
-    /// available_kernels() or the given one. The data structures built do not depend on the number of threads.
+    /// Surfaces are identified by their index in the list; each must have an area above zero, and there must be fewer
+    /// than 2^26 of them. Lines are tested by the given kernel or else the fastest of available_kernels(). The data
+    /// structures built do not depend on the number of threads.
     explicit Intersector(const SurfaceList& surfaces, int threads = 1);
     Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads = 1);
     ~Intersector();
     Intersector(Intersector&&) noexcept;
     Intersector& operator=(Intersector&&) noexcept;
 
-    /// Finds all surfaces that the line meets, in order along the line (see order_coincident_hits for equal t).
-    /// Overwrites `hits`.
+    /// Finds the hits of the line (0 <= t <= t_max) with all surfaces, in order along the line (see
+    /// order_coincident_hits for equal t). Overwrites `hits`.
     void all_hits(const Line& line, std::vector<Hit>& hits) const;
 
-    /// The same for many lines, faster. Overwrites `lists`.
+    /// The same for `count` lines, faster. Overwrites `lists`; list i belongs to line i.
     void all_hits(const Line* lines, std::size_t count, HitLists& lists) const;
 
-    /// Returns the first hit of the line; at equal t, one on a front if there is one.
+    /// Returns the first hit of the line, or std::nullopt if there is none. Of several hits at the same t, one on a
+    /// front is preferred, then the smallest surface.
     std::optional<Hit> closest_hit(const Line& line) const;
 
-    /// Returns the first hit of a ray that leaves surface `from` through its front. Surfaces in the plane of `from` are
-    /// ignored, except a coincident face that covers the start of the ray (a box resting on a floor).
+    /// Returns the first hit of a ray that starts on surface `from` and leaves it, or std::nullopt. Surfaces in the
+    /// plane of `from` are ignored unless one of them covers the start of the ray, like a box resting on a floor. Then
+    /// the result is the hit after that of `from` along the whole line. A front and a back at the same t with different
+    /// outlines are in the order of all_hits; otherwise ties are resolved as in closest_hit.
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
-    /// The same for many rays, faster. Overwrites `found`. `no_surface` marks a ray that does not start on a surface.
+    /// The same for `count` rays, faster: ray i starts on surface from[i], or on none if from[i] is `no_surface`.
+    /// Overwrites `found`.
     static constexpr std::uint32_t no_surface = 0xffffffffu;
     void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
-    /// The same, but ray i keeps its first hit only if it is on surface targets[i]. Faster, because any nearer hit ends
-    /// the search.
+    /// Like closest_hits_from, but ray i keeps its first hit only if that hit is on surface targets[i]. Faster in large
+    /// scenes, because any hit before the target ends the search.
     void hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays, std::size_t count,
                          FirstHits& found) const;
 
-    /// The other surfaces in the plane of `of` that overlap it and contain `point`, a point of `of`.
+    /// The other surfaces in the plane of surface `of` that overlap `of` and contain `point`, a point of `of`. In no
+    /// particular order.
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
-    /// A superset of the surfaces that reach into the box. std::nullopt if the scene is so small that testing all
-    /// surfaces is faster.
+    /// A superset of the surfaces that reach into the box, in no particular order. std::nullopt if the scene is so
+    /// small that the caller had better test all surfaces.
     std::optional<std::vector<std::uint32_t>> surfaces_near(const Bounds& box) const;
 
-    /// The hit of the line on this surface, if they meet.
+    /// The hit of the line on this surface, or std::nullopt if they do not meet.
     std::optional<Hit> hit_on(const Line& line, std::uint32_t surface) const;
 
-    /// True if `a` lies on top of `b`, where both are in one plane and face the same way: the smaller one is on top.
+    /// True if `a` lies on top of `b`, where both are in one plane and face the same way. The smaller surface is on
+    /// top; of two with the same area, the one with the larger index.
     bool is_over(std::uint32_t a, std::uint32_t b) const;
-    /// Number of surfaces that coincident_surfaces tests, a measure of its cost.
+    /// Number of surfaces that coincident_surfaces(of, point) tests, a measure of its cost.
     std::size_t surfaces_around(std::uint32_t of, Vec3 point) const;
 
 private:

@@ -1,6 +1,7 @@
-// A thread makes the lists for a block of 1024 surfaces at a time; all lists are concatenated at the end. Candidates
-// come from the plane, if it has few surfaces, else from the hierarchy. Limits keep time and memory linear: a surface
-// for which they are exceeded stays unlisted, and queries search the hierarchy for it.
+// Lists, for each surface, the coplanar surfaces that overlap it. A thread makes the lists for a block of 1024 surfaces
+// at a time; all lists are concatenated at the end. The candidates of a list are all surfaces in the plane, if there
+// are few, else those that the hierarchy has near the surface. Limits keep time and memory linear: a surface that
+// exceeds a limit stays unlisted, and queries about this surface search the hierarchy.
 
 #include "geometry/intersector/plane_neighbours.h"
 

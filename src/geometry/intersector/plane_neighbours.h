@@ -12,25 +12,26 @@
 
 namespace multipath {
 
-/// Precomputed lists, for each surface, of the surfaces in the same plane that overlap it; most lists are empty.
-/// Surfaces that only touch along their borders, like the triangles of a mesh, do not overlap.
+/// Precomputed lists: for each surface, its neighbours, the other surfaces in the same plane that overlap it. Most
+/// lists are empty. Surfaces that only touch along their borders, like the triangles of a mesh, do not overlap.
 class PlaneNeighbours
 {
 public:
     PlaneNeighbours() = default;
-    /// `boxes`: bounds of the surfaces with a margin for rounding. `tree`: hierarchy over these boxes. If it is empty
-    /// or a plane has few surfaces, all pairs in the plane are compared.
+    /// `boxes`: the result of boxes_around_each. `plane_number`: that of SharedPlanes. `tree`: hierarchy over the
+    /// boxes, in the coordinates of `frame`. If the tree is empty or a plane has few surfaces, all pairs in the plane
+    /// are compared.
     PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<Bounds>& boxes,
                     const std::vector<std::uint32_t>& plane_number, const WideTree& tree, const FilterFrame& frame,
                     int threads);
 
-    /// False if the surface has no list because too many surfaces lie near it.
+    /// False if the surface has no list, because too many surfaces lie near it. Never false without a tree.
     bool is_listed(std::uint32_t surface) const { return first_[surface] != unlisted; }
 
-    /// False if the surface certainly has no neighbour: its list exists and is empty.
+    /// False if the surface certainly has no neighbour: its list exists and is empty. True for an unlisted surface.
     bool may_have_some(std::uint32_t surface) const { return first_[surface] != empty_list; }
 
-    /// Calls visit(other) for the neighbours of a listed surface whose boxes contain the point, in ascending order.
+    /// Calls visit(other) for those neighbours of a listed surface whose boxes contain the point, in ascending order.
     template <class Visit>
     void for_each_around(std::uint32_t surface, Vec3 point_in_frame, const Visit& visit) const
     {
@@ -50,11 +51,11 @@ private:
 
     struct Neighbour
     {
-        std::uint32_t surface;
-        float low[3], high[3]; ///< bounds, in the frame
+        std::uint32_t surface; ///< end_of_list after the last neighbour of each list
+        float low[3], high[3]; ///< box of the surface, in the frame
     };
 
-    std::vector<std::uint32_t> first_;                            ///< per surface: offset of its list in neighbours_
+    std::vector<std::uint32_t> first_;                            ///< per surface: offset of its list, or unlisted
     std::vector<Neighbour> neighbours_ = {{end_of_list, {}, {}}}; ///< all lists; the list at 0 is empty
 };
 

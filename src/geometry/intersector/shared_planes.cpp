@@ -1,7 +1,7 @@
-// Planes are looked up in a hash table of cells in the space of normals and offsets. A plane is stored in its own cell
-// only. A look-up also visits the neighbouring cells that the plane almost touches, so that it finds every almost equal
-// plane. Surfaces are processed from large to small: a small face in the plane of a large one does not define the plane
-// well. The loop prefetches the cells of the surfaces ahead.
+// Finds common planes of coplanar surfaces. Planes are looked up in a hash table of cells in the space of normals and
+// offsets. A plane is stored in its own cell only. A look-up also visits the neighbouring cells that the plane almost
+// touches, so that almost equal planes are found. Surfaces are processed from large to small: a small face in the plane
+// of a large one does not define the plane well. The loop prefetches the cells of the surfaces ahead.
 
 #include "geometry/intersector/shared_planes.h"
 

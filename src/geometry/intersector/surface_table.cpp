@@ -1,3 +1,5 @@
+// Makes the rows of the table. The tests themselves are in the header, so that kernels can inline them.
+
 #include "geometry/intersector/surface_table.h"
 
 #include "parallel/blocks.h"

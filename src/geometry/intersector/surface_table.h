@@ -13,33 +13,35 @@
 
 namespace multipath {
 
-/// Double-precision form of a surface for intersection tests: a plane, which gives t, and two affine functions of the
-/// point, which give u and v. They are stored in columns so that the three are evaluated side by side. Two cache lines
-/// in total.
+/// Double-precision form of a surface for intersection tests: its plane, which gives t, and two affine functions of the
+/// point, which give u and v. The three functions are stored in columns, so that they are evaluated side by side. A row
+/// takes two cache lines.
 struct alignas(64) SurfaceRow
 {
     using Column = std::array<double, 4>; ///< entries for the plane, u and v; the fourth is padding
 
-    Column x, y, z; ///< components of normal, to_u, to_v; x[3] stores the plane number
-    Column offset;  ///< dot(normal, p) = offset[0] in the plane; u = dot(to_u, p) + offset[1]; v likewise
-                    ///< offset[3]: 1 for a triangle (u + v <= 1), 0 for a parallelogram (u <= 1, v <= 1)
+    Column x, y, z; ///< components of the vectors normal, to_u and to_v; x[3] stores the plane number
+    Column offset;  ///< dot(normal, p) = offset[0] in the plane; u = dot(to_u, p) + offset[1]; v = dot(to_v, p) +
+                    ///< offset[2]; offset[3]: 1 for a triangle (u + v <= 1), 0 for a parallelogram (u <= 1, v <= 1)
 
-    double plane() const { return x[3]; } ///< plane number: the same for all surfaces in one plane
+    double plane() const { return x[3]; } ///< SharedPlanes::plane_number
+    /// The vector normal (i = 0), to_u (1) or to_v (2).
     Vec3 vector(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// Double-precision intersection tests, which define the surfaces that a line meets.
+/// Double-precision intersection tests. They define which surfaces a line meets.
 class SurfaceTable
 {
 public:
+    /// `planes`: the result of share_planes for these surfaces.
     SurfaceTable(const SurfaceList& surfaces, const SharedPlanes& planes, int threads = 1);
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
     const SurfaceRow& row(std::uint32_t surface) const { return rows_[surface]; }
     bool is_triangle(std::uint32_t surface) const { return rows_[surface].offset[3] > 0.0; }
 
-    /// Returns true and writes `hit` if the line meets the surface, borders included. Otherwise `hit` is meaningless:
-    /// it is written without a branch. This is the definition that all faster code must reproduce bit for bit.
+    /// True if the line meets the surface at 0 <= t <= t_max, borders included. Writes `hit` in every case, without a
+    /// branch; `hit` is meaningless if the result is false. All faster code must reproduce this definition bit for bit.
     bool decide(const Line& line, std::uint32_t surface, Hit& hit) const;
 
     /// True if a point in the plane of the surface lies on the surface, borders included.

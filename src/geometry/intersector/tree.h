@@ -11,39 +11,43 @@
 
 namespace multipath {
 
-/// Bounding volume hierarchy over numbered primitives with up to 16 children per node and up to 16 primitives per leaf,
-/// built with the surface area heuristic.
+/// Bounding volume hierarchy over primitives (here: surfaces, given by their indices) with up to 16 children per node
+/// and up to 16 primitives per leaf, built with the surface area heuristic.
 class WideTree
 {
 public:
-    static constexpr std::uint32_t nothing = 0xffffffffu;
+    static constexpr std::uint32_t nothing = 0xffffffffu; ///< an empty lane of a leaf
 
     WideTree() = default;
-    /// Builds a tree over the primitives `numbers` with bounds boxes[number], in world coordinates. There must be fewer
-    /// than 2^26 of them.
+    /// Builds a tree over the primitives with these numbers, fewer than 2^26. The bounds of a primitive are
+    /// boxes[number], in the coordinates of the scene; the nodes are in those of the frame.
     WideTree(const LargeVector<Bounds>& boxes, const std::vector<std::uint32_t>& numbers, const FilterFrame& frame);
 
     bool empty() const { return nodes_.empty(); }
+    /// The nodes; the root is the first.
     const WideNode* nodes() const { return nodes_.data(); }
 
-    /// The primitives in the lanes of the leaves, 16 lanes to a leaf; `nothing` in empty lanes.
+    /// The primitives in the lanes of the leaves: leaf l has the elements 16 l ... 16 l + 15, with `nothing` in empty
+    /// lanes.
     const LargeVector<std::uint32_t>& primitives() const { return primitives_; }
 
-    /// Largest number of children on the stack of a depth-first search.
+    /// Largest number of children that the stack of a depth-first search can hold at a time.
     unsigned most_pending() const { return most_pending_; }
 
-    /// Calls visit(number) for all primitives whose boxes contain the point, and perhaps for more, until it returns
+    /// Calls visit(number) for all primitives whose boxes contain the point, and perhaps for more, until visit returns
     /// false.
     template <class Visit>
     void for_each_around(Vec3 point_in_frame, const Visit& visit) const
     {
         for_each_near({point_in_frame, point_in_frame}, visit);
     }
-    /// The same for all primitives whose boxes overlap a box.
+    /// The same for all primitives whose boxes overlap this box, rounded to single precision.
     template <class Visit>
     void for_each_near(const Bounds& box_in_frame, const Visit& visit) const;
 
 private:
+    /// Visits the primitives below a child (see WideNode::child) that may overlap the box. False if visit returned
+    /// false.
     template <class Visit>
     bool visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const;
 

@@ -11,59 +11,61 @@
 
 namespace multipath {
 
-/// View of the hierarchy for the search kernels.
+/// View of the hierarchy (see WideTree) for the search kernels.
 struct TreeView
 {
     const WideNode* nodes; ///< nodes[0] is the root
     const LeafBlock* leaves;
-    bool is_large; ///< larger than the caches, so that prefetching leaves pays
+    bool is_large; ///< true if the leaves exceed the caches, so that prefetching them pays
 };
 
-/// Line in the form that the search uses for slab tests: along each axis it meets the plane at coordinate c at
-/// t = c * inverse + at_zero, measured from its middle.
+/// FilterLine in the form that the search uses for slab tests. Along each axis, the line meets the plane at coordinate
+/// c at t = c * inverse + at_zero. All t count from the middle of the line.
 struct TreeLine
 {
     float inverse[3];
     float at_zero[3];
-    std::uint32_t near_plane[3]; ///< offset in WideNode::plane of the planes through which it enters boxes
-    std::uint32_t far_plane[3];  ///< likewise of those through which it leaves
+    std::uint32_t near_plane[3]; ///< offset in WideNode::plane of the planes through which the line enters boxes
+    std::uint32_t far_plane[3];  ///< offset in WideNode::plane of the planes through which the line leaves boxes
     float direction[3];
     float backwards[3]; ///< -middle
-    float scale;
-    float first; ///< interval of t that is searched
+    float scale;        ///< FilterLine::scale
+    float first;        ///< the search covers first <= t <= last
     float last;
-    std::uint32_t number; ///< index in the batch
+    std::uint32_t number; ///< index of the line in the batch
 };
 
 /// A surface that a line may meet.
 struct LineCandidate
 {
-    std::uint32_t line; ///< index in the batch
-    std::uint32_t surface;
+    std::uint32_t line;    ///< index of the line in the batch
+    std::uint32_t surface; ///< index of the surface in the SurfaceList
 };
 
 /// A subtree that a line has still to visit.
 struct LineNode
 {
-    std::uint32_t line;  ///< index in the list of lines
-    std::uint32_t child; ///< as in WideNode
+    std::uint32_t line;  ///< index of the line in CandidateSearch::lines
+    std::uint32_t child; ///< root of the subtree: node or leaf, as in WideNode::child
 };
 
-/// State of a search for all surfaces that some lines may meet, in any order. The kernel proceeds until nothing is
-/// pending or one of the two lists has room for fewer than `least_room` more elements.
+/// State of a search for all surfaces that some lines may meet, in any order. The kernel proceeds in rounds until
+/// nothing is pending, or until one of the two lists has room for fewer than `least_room` more elements. Then the
+/// caller makes room and calls the kernel again.
 struct CandidateSearch
 {
     static constexpr std::size_t at_once = 32;                               ///< children taken from the list per round
     static constexpr std::size_t least_room = WideNode::lanes * at_once + 2; ///< slots that a round may write
 
     const TreeLine* lines;
-    LineNode* pending;
+    LineNode* pending; ///< stack of the subtrees still to be visited
     std::size_t pending_count;
-    std::size_t pending_room;
-    LineCandidate* candidates;
+    std::size_t pending_room;  ///< capacity
+    LineCandidate* candidates; ///< the surfaces found so far
     std::size_t candidate_count;
-    std::size_t candidate_room;
+    std::size_t candidate_room; ///< capacity
 
+    /// True if both lists have room for another round.
     bool has_room() const
     {
         return pending_room - pending_count >= least_room && candidate_room - candidate_count >= least_room;
@@ -74,16 +76,16 @@ struct CandidateSearch
 struct NearestHit
 {
     Hit best = {std::numeric_limits<double>::infinity(), 0, 0.0, 0.0, false}; ///< infinite t: no hit
-    Hit back = {};         ///< first hit on a back at the same t, if `best` is on a front
-    bool has_back = false; ///< `back` is valid
+    Hit back = {};         ///< hit on a back at the same t, the smallest surface; only if `best` is on a front
+    bool has_back = false; ///< true if `back` is valid
 
     bool is_hit() const { return best.t < std::numeric_limits<double>::infinity(); }
 };
 
-/// A ray of a batch whose first hit is sought. Lists of them have ascending numbers.
+/// A ray of a batch whose first hit is sought. Lists of such rays must be sorted by number.
 struct SearchedRay
 {
-    std::uint32_t number;  ///< index in the batch
+    std::uint32_t number;  ///< index of the ray in the batch
     double excluded_plane; ///< SurfaceRow::plane of surfaces to ignore, or no_plane
 
     static constexpr double no_plane = -1.0;
@@ -98,12 +100,12 @@ struct FirstHitSearch
     const Line* lines; ///< the lines of the batch
     const SearchedRay* rays;
     std::size_t ray_count;
-    NearestHit* nearest;   ///< in and out, per line of the batch: only hits that are not farther are sought
-    bool any;              ///< any nearer hit ends the search of a ray
-    std::uint64_t* stacks; ///< min(at_once, ray_count) stacks
-    std::uint32_t stack_size;
+    NearestHit* nearest;      ///< per line of the batch, in and out: only hits that are not farther are sought
+    bool any;                 ///< true: the first hit found before nearest.best ends the search of the ray
+    std::uint64_t* stacks;    ///< buffer for min(at_once, ray_count) stacks of stack_size elements
+    std::uint32_t stack_size; ///< at least WideTree::most_pending() + 2
 
-    /// Called for a hit at the same t as the best one.
+    /// Called, with `context`, for a hit at the same t as nearest.best; updates `nearest`.
     void (*take_coincident)(const void* context, NearestHit& nearest, const Hit& hit);
     const void* context;
 };

@@ -14,6 +14,7 @@ struct Lanes
 
     /// Addresses in load() and store() must be aligned to the size of the vector.
     static Lanes load(const float* from) { return {*from}; }
+    /// The same value in every lane.
     static Lanes all(float value) { return {value}; }
     void store(float* to) const { *to = x; }
 };
@@ -61,7 +62,7 @@ KERNEL_CODE Lanes quotient(Lanes a, Lanes b)
 {
     return {a.x / b.x};
 }
-/// Approximation of 1 / a for 1e-30 <= a <= 1e30, with a relative error of at most Lanes::reciprocal_error.
+/// Approximation of 1 / a, with a relative error of at most Lanes::reciprocal_error for 1e-30 <= a <= 1e30.
 KERNEL_CODE Lanes reciprocal(Lanes a)
 {
     return {1.0f / a.x};
@@ -78,7 +79,7 @@ KERNEL_CODE LaneMask not_above(Lanes a, Lanes b)
 {
     return {a.x <= b.x};
 }
-/// so_far && a <= b
+/// so_far && a <= b, false for NaN.
 KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
 {
     return {(static_cast<unsigned>(so_far.x) & static_cast<unsigned>(a.x <= b.x)) != 0};
@@ -106,10 +107,11 @@ struct LaneMarks
 
     /// Sets `bit` in the lanes where the mask is true.
     void mark(LaneMask mask, std::uint32_t bit) { x |= mask.x ? bit : 0u; }
-    void store(std::uint32_t* to) const { *to = x; }
+    void store(std::uint32_t* to) const { *to = x; } ///< the address must be aligned to the size of the vector
 };
 
 /// Vector of double-precision numbers. Multiplications are never fused with additions, which would round differently.
+/// Addresses in load(), load_floats() and store() need no alignment.
 struct DoubleLanes
 {
     static constexpr std::size_t width = 1;
@@ -148,7 +150,7 @@ KERNEL_CODE std::uint64_t bits_of(DoubleLanes a)
     std::memcpy(&bits, &a.x, sizeof bits);
     return bits;
 }
-/// -0 where this bit of the binary representation is set, else 0.
+/// -0 where bit number `bit` (0: the lowest) of the binary representation of `a` is set, else 0.
 template <int bit>
 KERNEL_CODE DoubleLanes sign_from_bit(DoubleLanes a)
 {
@@ -159,7 +161,7 @@ KERNEL_CODE DoubleLanes choose_by_sign(DoubleLanes sign, DoubleLanes yes, Double
 {
     return std::signbit(sign.x) ? yes : no;
 }
-/// -a where the sign bit of `sign` is set, else a.
+/// -a where `sign` is -0, a where it is 0. No other values are allowed (see sign_from_bit).
 KERNEL_CODE DoubleLanes with_sign(DoubleLanes sign, DoubleLanes a)
 {
     return {std::signbit(sign.x) ? -a.x : a.x};

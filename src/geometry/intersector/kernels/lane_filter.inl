@@ -17,13 +17,14 @@ KERNEL_CODE LaneVector spread(const float (&v)[3])
     return {Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])};
 }
 
-/// dot(a, b) + c for the vectors a that are stored from `lane` on.
+/// dot(a, b) + c for the vectors a of the surfaces from `lane` on.
 KERNEL_CODE Lanes dot_plus(const float (&a)[3][16], unsigned lane, const LaneVector& b, Lanes c)
 {
     const Lanes xc = multiply_add(Lanes::load(a[0] + lane), b.x, c);
     return multiply_add(Lanes::load(a[2] + lane), b.z, multiply_add(Lanes::load(a[1] + lane), b.y, xc));
 }
 
+/// dot(a, b) for the same vectors a.
 KERNEL_CODE Lanes dot_product(const float (&a)[3][16], unsigned lane, const LaneVector& b)
 {
     const Lanes x = Lanes::load(a[0] + lane) * b.x;
@@ -33,7 +34,7 @@ KERNEL_CODE Lanes dot_product(const float (&a)[3][16], unsigned lane, const Lane
 /// The data of a line that the tests need, in all lanes.
 struct LaneLine
 {
-    LaneVector direction, moment, backwards; ///< backwards: -middle
+    LaneVector direction, moment, backwards; ///< backwards is -middle
     Lanes half_length, scale;
 };
 

@@ -35,7 +35,8 @@ KERNEL_CODE Lanes dot(const LaneVector& a, const LaneVector& b)
     return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }
 
-/// Result for one surface: which lines may meet it, and a lower bound of t, from their middles.
+/// Result of the test of one surface: the lines that may meet the surface, and for each of them a lower bound of t at
+/// the hit, counted from the middle of the line.
 struct SurfaceTest
 {
     LaneMask met;
@@ -67,14 +68,14 @@ KERNEL_CODE SurfaceTest test_surface(const SurfaceBlock& block, unsigned lane, c
     return {met, about - absolute(about) * Lanes::all(2.0f * Lanes::reciprocal_error)};
 }
 
-/// Components of the lines along the axes of a frame: see RectangleFrame.
+/// Components of the lines along the three axes of a frame, with the tolerances of the tests: see RectangleFrame.
 struct FramedLines
 {
     Lanes direction[3];
     Lanes middle[3];
-    Lanes inverse[3]; ///< reciprocal of the direction
-    Lanes slack[3];
-    Lanes distance_slack[3];
+    Lanes inverse[3];        ///< reciprocal of the direction
+    Lanes slack[3];          ///< FrameRectangle::slack for rectangles across axis k
+    Lanes distance_slack[3]; ///< FrameRectangle::distance_slack for rectangles across axis k
     Lanes reach[3]; ///< half length plus distance_slack
 };
 
@@ -147,7 +148,7 @@ KERNEL_CODE void test_all(const FlatSurfaces& surfaces, const LinePacket& lines,
     }
 }
 
-/// Visitor that sets the bits of the surfaces that may be met, 32 surfaces to a word.
+/// Visitor that sets, for each line, the bits of the surfaces that the line may meet, 32 surfaces to a word.
 struct Marking
 {
     FlatMarks& marks;
@@ -182,11 +183,12 @@ KERNEL_ENTRY void filter_flat(const FlatSurfaces& surfaces, const LineBatch& bat
     }
 }
 
-/// Visitor that keeps, for each line, the surface with the smallest lower bound of t, and the second smallest bound.
+/// Visitor that keeps, for each line, the number of the surface with the smallest lower bound of t, this bound and the
+/// second smallest one.
 struct NearestTwo
 {
     const FlatSurfaces& surfaces;
-    Lanes excluded; ///< plane number to ignore
+    Lanes excluded; ///< for each line, plane number of the surfaces to ignore
     Lanes first = Lanes::all(FlatSurfaces::never);
     Lanes second = Lanes::all(FlatSurfaces::never);
     Lanes number = Lanes::all(0.0f);

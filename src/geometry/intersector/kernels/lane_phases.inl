@@ -1,5 +1,5 @@
-// The phases before and after the filters, in double precision: plain loops that the compiler vectorises for the
-// instruction set, which changes no bit of the results. Included once for each instruction set.
+// The phases before and after the filters, in double precision. They are plain loops that the compiler vectorises for
+// the instruction set; the results are the same bit for bit. Included once for each instruction set.
 
 namespace multipath {
 namespace LANE_SET {

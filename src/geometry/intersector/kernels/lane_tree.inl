@@ -17,7 +17,7 @@ struct Inverses
     float at_zero[3][LineBatch::most];
 };
 
-/// Computes them for the first `count` lines, and for more up to a multiple of the vector width.
+/// Computes the inverses of the first `count` lines, and of more lines up to a multiple of the vector width.
 KERNEL_CODE void find_inverses(const LineBatch& batch, std::size_t count, Inverses& result)
 {
     for (unsigned axis = 0; axis < 3; ++axis)
@@ -68,8 +68,8 @@ KERNEL_CODE Lanes planes_at(const WideNode& node, std::uint32_t plane, unsigned 
     return Lanes::load(node.plane + plane + lane);
 }
 
-/// Bits of the children whose boxes the line meets in the interval that is searched (slab test). entry[i]: distance in
-/// t from the beginning of the interval to box i.
+/// Bits of the children whose boxes the line meets in the interval that is searched (slab test). Writes entry[i], the
+/// distance in t from the beginning of the interval to box i, for all children.
 KERNEL_CODE unsigned boxes_met(const WideNode& node, const TreeLine& line, float* entry)
 {
     const LaneVector inverse = spread(line.inverse);
@@ -147,8 +147,8 @@ KERNEL_CODE std::uint32_t some(unsigned lanes)
     return (lanes + 0xffffu) >> 16;
 }
 
-/// Writes make(lane) for each lane that is set to `list` and returns their number. The first two are written without a
-/// branch, because most lines meet two or fewer: there must be room for two elements in any case.
+/// Writes make(lane) to `list` for each lane that is set and returns the number of these lanes. The first two elements
+/// are written without a branch, because most lines meet two or fewer: there must be room for two in any case.
 template <class Element, class Make>
 KERNEL_CODE std::size_t add_lanes(unsigned lanes, Element* list, const Make& make)
 {
@@ -199,8 +199,8 @@ KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
     }
 }
 
-/// A child with the distance at which the line enters its box, packed so that integers compare like the distances. That
-/// holds because `entry` is not negative.
+/// A child and the distance at which the line enters the box of the child, packed so that integers compare like the
+/// distances. They do, because `entry` is not negative.
 KERNEL_CODE std::uint64_t pending_child(float entry, std::uint32_t child)
 {
     std::uint32_t bits_of_entry = 0;
@@ -208,6 +208,7 @@ KERNEL_CODE std::uint64_t pending_child(float entry, std::uint32_t child)
     return std::uint64_t{bits_of_entry} << 32 | child;
 }
 
+/// The distance packed in a pending child.
 KERNEL_CODE float entry_of(std::uint64_t pending)
 {
     const auto bits_of_entry = static_cast<std::uint32_t>(pending >> 32);
@@ -225,7 +226,7 @@ struct alignas(64) ActiveRay
     double excluded_plane;
 };
 
-/// Starts the search of a ray. Its interval ends at the hit already known, if there is one.
+/// Starts the search of a ray. The interval searched ends at the hit already known, if there is one.
 KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverses, const SearchedRay& next,
                            ActiveRay& ray)
 {
@@ -237,7 +238,8 @@ KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverse
     ray.pending = 0;
 }
 
-/// Returns the nearest of the children that were met and pushes the others on the stack, the farthest first.
+/// Returns the nearest of the children that were met and pushes the others on the stack of the ray, the farthest
+/// first. If none was met, the result has no meaning.
 KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const float* entry, ActiveRay& ray)
 {
     const unsigned others = met & (met - 1);
@@ -265,7 +267,8 @@ KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const
     return nearest;
 }
 
-/// Updates the first hit of a ray and shortens its interval; ends the search if any nearer hit will do.
+/// Updates the first hit of a ray and shortens the interval searched. Ends the search of the ray if `hit` is nearer
+/// than the hit known before and FirstHitSearch::any is true.
 KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, ActiveRay& ray)
 {
     const std::uint32_t number = ray.line.number;
@@ -287,7 +290,7 @@ KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, ActiveRa
 struct RayTask
 {
     ActiveRay* ray;
-    std::uint32_t index; ///< of a node, leaf or surface
+    std::uint32_t index; ///< index of a node, leaf or surface
 };
 
 /// The children that rays visit in a round, sorted into nodes and leaves without a branch.
