@@ -52,8 +52,9 @@ struct SceneReport
     DirectLight direct;                     ///< figures of the direct illumination
     BudgetFigures figures;                  ///< the inputs of (3) for the first shot
     std::optional<double> ratio_first_shot; ///< [1] optimal N_l / N_g (3); empty if any ratio is as good
-    std::optional<double> ratio_extended;   ///< [1] optimal N_l / N_g (3) for the extended first shot; empty likewise
-    double threshold_radiosity = 0.0;       ///< [W/m^2] (4), above which patches shoot in the first shot
+    std::optional<double>
+        ratio_extended; ///< [1] optimal N_l / N_g (3) for the extended first shot; empty if any is as good
+    double threshold_radiosity = 0.0; ///< [W/m^2] (4), above which patches shoot in the first shot
 
     LineSurvey survey;
     std::uint64_t wanted_lines = 0; ///< number of lines that report_on was asked for

@@ -17,7 +17,7 @@ struct Blocks
     std::uint64_t size;  ///< items per block, above zero; the last block may have fewer
 
     std::uint64_t count() const { return (items + size - 1) / size; }
-    /// The first item of a block, which is the number of items in the blocks before it.
+    /// Index of the first item of a block, and so the number of items in all earlier blocks.
     std::uint64_t first(std::uint64_t block) const { return std::min(items, block * size); }
     /// Number of items in a block.
     std::size_t length(std::uint64_t block) const { return static_cast<std::size_t>(first(block + 1) - first(block)); }

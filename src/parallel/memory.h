@@ -37,7 +37,7 @@ void ask_for_huge_pages(void* memory, std::size_t bytes);
 enum class NewElements {
     constructed, ///< value-initialised, as in std::vector
     unset,       ///< undefined: the threads that write the elements are the first to touch the memory
-    zero         ///< all bits zero, from calloc; only for vectors that keep the size they are constructed with
+    zero         ///< all bits zero, from calloc; only for vectors that are never resized
 };
 
 /// Allocator for large arrays, in huge pages if the system grants them. Throws std::bad_alloc if memory is lacking.

@@ -93,7 +93,7 @@ struct NearestCandidates
     float number[LineBatch::most];            ///< FlatSurfaces::number of this surface; 0 if `first` is never
 };
 
-/// Coordinate system of FilterLine for a scene. Coordinates in it are said to be "in the frame".
+/// Coordinate system of FilterLine for a scene. Coordinates in this system are called "in the frame".
 class FilterFrame
 {
 public:

@@ -32,9 +32,9 @@ struct SharedPlanes
 
 /// Takes the surfaces from large to small, in the `order` of order_by_descending_area. A surface whose corners all lie
 /// within coplanar_distance of an almost parallel plane found before gets the number of that plane; else it starts a
-/// new plane. It gets the equation of the plane as well if the plane has surfaces of both orientations: only those can
-/// touch face to face. The triangles of a slightly curved mesh keep their own equations, so that they meet at their
-/// edges.
+/// new plane. The surface gets the equation of the plane as well if the plane has surfaces of both orientations: only
+/// those can touch face to face. The triangles of a slightly curved mesh keep their own equations, so that they meet at
+/// their edges.
 SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::uint32_t>& order);
 
 } // namespace multipath

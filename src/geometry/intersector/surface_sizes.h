@@ -12,7 +12,7 @@ namespace multipath {
 Bounds bounds_of(const SurfaceList& surfaces);
 
 /// Bounding box of all surfaces with a margin of 2 coplanar_distance times the diagonal, and more for coordinates far
-/// from the origin. Hits may lie slightly off a surface, because it shares its plane with others and by rounding.
+/// from the origin. A hit may lie slightly off the surface, by rounding and because coplanar surfaces share one plane.
 Bounds box_around(const SurfaceList& surfaces);
 
 /// Bounding box of each surface, with the margins of box_around.
