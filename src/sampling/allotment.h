@@ -7,17 +7,18 @@
 
 namespace multipath {
 
-/// Water-filling (Cover and Thomas, Elements of Information Theory, section 9.4): distributes rays among receivers that
-/// already have lines_i lines. Receiver i of importance w_i gets max(0, level * w_i - lines_i) rays, with one level for
-/// all. Receivers are sorted into bins, which makes the level right to a few per cent.
+/// Water-filling (Cover and Thomas, Elements of Information Theory, section 9.4): finds how to distribute rays among
+/// receivers that already have lines_i lines. Receiver i of importance w_i gets max(0, level * w_i - lines_i) rays,
+/// with one level for all. Only sums over bins of similar receivers are stored, so the level is right to a few per
+/// cent.
 class WaterFilling
 {
 public:
     WaterFilling();
 
-    /// Adds a receiver of this importance (> 0) whose estimate is as good as one from `lines` lines (>= 0).
+    /// Adds a receiver of importance w > 0 that already has `lines` >= 0 lines, or an estimate as good as theirs.
     void add(double importance, double lines);
-    /// Adds the receivers of another object.
+    /// Adds all receivers of another object.
     void add(const WaterFilling& others);
 
     /// The level at which all receivers together get `rays` rays, to a few per cent. 0 without receivers.
@@ -26,36 +27,36 @@ public:
 private:
     struct Bin
     {
-        double importance = 0.0; ///< sum over the receivers of the bin
-        double lines = 0.0;      ///< likewise
+        double importance = 0.0; ///< sum of w over the receivers of the bin
+        double lines = 0.0;      ///< sum of their lines
     };
 
-    std::vector<Bin> bins_; ///< in order of lines / importance, the level above which a receiver gets rays
+    /// 16 bins per octave of lines / importance, the level above which a receiver gets rays; in ascending order.
+    std::vector<Bin> bins_;
 };
 
-/// The number of rays of every patch of a scene. The rays are numbered patch by patch.
+/// The number of rays of every patch of a scene. The rays are numbered from 0, patch by patch.
 class Allotment
 {
 public:
     explicit Allotment(std::uint32_t patches = 0) : first_ray_(patches + std::size_t{1}, 0) {} ///< no rays
 
-    /// Rounds the `expected` rays of each patch to whole numbers that keep their expectations if `offset` is uniform in
-    /// [0, 1) (SystematicRounding).
+    /// Rounds the `expected` number of rays of each patch to a whole number (SystematicRounding, which starts at
+    /// `offset`). If `offset` is uniformly random in [0, 1), each patch gets its expected number on the average.
     Allotment(const std::vector<double>& expected, double offset);
 
-    std::uint64_t rays() const { return first_ray_.back(); }
-    std::uint64_t first_ray(std::uint32_t patch) const
-    {
-        return first_ray_[patch];
-    } ///< patch <= number of patches; at it, rays()
+    std::uint64_t rays() const { return first_ray_.back(); } ///< of all patches together
+    /// Number of the first ray of the patch. For patch = number of patches, this is rays().
+    std::uint64_t first_ray(std::uint32_t patch) const { return first_ray_[patch]; }
     std::uint64_t rays_of(std::uint32_t patch) const { return first_ray_[patch + 1] - first_ray_[patch]; }
-    std::uint32_t patch_of(std::uint64_t ray) const; ///< ray < rays(); takes log n steps
+    std::uint32_t patch_of(std::uint64_t ray) const; ///< needs ray < rays(); takes log n steps for n patches
 
-    /// Saves to or restores from a checkpoint of a scene with as many patches. Throws ArchiveError for damaged numbers.
+    /// Saves the numbers to a checkpoint or restores them. Throws ArchiveError if those in the checkpoint are damaged,
+    /// or belong to another number of patches.
     void visit(Archive& archive);
 
 private:
-    std::vector<std::uint64_t> first_ray_; ///< per patch; then the number of all rays
+    std::vector<std::uint64_t> first_ray_; ///< per patch; one more entry holds the number of all rays
 };
 
 } // namespace multipath

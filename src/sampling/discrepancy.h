@@ -10,7 +10,7 @@ namespace multipath {
 struct PointSet
 {
     int dimensions = 0;
-    std::vector<double> coordinates; ///< point by point
+    std::vector<double> coordinates; ///< all coordinates of the first point, then those of the second point, ...
 
     std::size_t size() const { return coordinates.size() / static_cast<std::size_t>(dimensions); }
     double at(std::size_t point, int dimension) const
@@ -30,11 +30,12 @@ inline PointSet points_of(const Sequence& sequence, std::uint64_t first, std::ui
     return points;
 }
 
-// Discrepancy: the deviation of a point set from uniform. The local discrepancy of a box [0, q) is the share of the
-// points in it minus its volume; the L2 star discrepancy is its root mean square over all corners q, the star
-// discrepancy its largest absolute value. Sources: Warnock, "Computational investigations of low-discrepancy point
-// sets" (1972); Niederreiter, "Random number generation and quasi-Monte Carlo methods" (1992), theorem 2.6; De Clerck,
-// "A method for exact calculation of the star discrepancy of plane sets" (1986).
+// Discrepancy: how far a point set is from uniform. The local discrepancy of a box [0, q) is the fraction of the points
+// that lie in the box, minus the volume of the box. The L2 star discrepancy is the root mean square of the local
+// discrepancy over all corners q in the unit cube, the star discrepancy is its largest absolute value. Sources:
+// Warnock, "Computational investigations of low-discrepancy point sets" (1972); Niederreiter, "Random number generation
+// and quasi-Monte Carlo methods" (1992), theorem 2.6; De Clerck, "A method for exact calculation of the star
+// discrepancy of plane sets" (1986).
 
 /// L2 star discrepancy of N points in d dimensions, in O(N^2 d) time.
 double l2_star_discrepancy(const PointSet& points);
@@ -43,7 +44,8 @@ double l2_star_discrepancy(const PointSet& points);
 /// the variance of the indicator of a box averaged over all boxes.
 double random_l2_star_discrepancy(std::size_t count, int dimensions);
 
-/// Exact star discrepancy, in O(N log N) time in one dimension and O(N^2) in two. Empty for more dimensions.
+/// Exact star discrepancy of N points, in O(N log N) time in one dimension and O(N^2) in two. std::nullopt for points
+/// of more dimensions.
 std::optional<double> star_discrepancy(const PointSet& points);
 
 } // namespace multipath

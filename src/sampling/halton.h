@@ -7,22 +7,25 @@
 
 namespace multipath {
 
-/// Radical inverse: the digits of n in `base` (at least 2) mirrored at the point. 6 = 110 in base 2 gives 0.011 =
-/// 0.375. The result lies in [0, 1) and is right but for the last bit, since the digits are reversed as integers and
-/// divided once. Digits above base^k = 2^63 would not change a double and are left out.
+/// Radical inverse, in [0, 1): the digits of n in `base` (at least 2) mirrored at the radix point. For example, 6 = 110
+/// in base 2 gives 0.011 = 0.375. The digits are reversed as an integer, which is divided once by base^k, so rounding
+/// affects only the last bits. Uses the low k digits, where base^k is the largest power up to 2^63; in bases up to 1024
+/// the others are worth less than 2^-53 together.
 double radical_inverse(std::uint64_t base, std::uint64_t n);
 
-/// Computes radical inverses in one base fast: a table holds the sums of the low digits, and the sum of the high digits
-/// is kept while they do not change. Differs from radical_inverse by at most one unit in the last place.
+/// Computes radical inverses in one base fast: a table holds the radical inverses of the low digits, to which the
+/// contribution of the high digits is added. The result differs from radical_inverse by at most one unit in the last
+/// place.
 class RadicalInverse
 {
 public:
-    explicit RadicalInverse(std::uint64_t base);
+    explicit RadicalInverse(std::uint64_t base); ///< base >= 2
 
     std::uint64_t base() const { return base_; }
     double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
 
-    /// Calls put(k, value) with the radical inverses of first + k for k = 0 ... count - 1.
+    /// Calls put(k, value) with the radical inverse of first + k for k = 0 ... count - 1, in this order. Faster than
+    /// single values, since the high digits are evaluated only when they change.
     template <class Put>
     void for_range(std::uint64_t first, std::uint64_t count, const Put& put) const;
 
@@ -35,7 +38,7 @@ private:
     double high_part(std::uint64_t high_digits) const;
 
     std::uint64_t base_;
-    std::vector<double> low_; ///< radical inverses of 0 ... base^k - 1, for the low k digits
+    std::vector<double> low_; ///< radical inverses of 0 ... base^k - 1: all values of the low k digits
 };
 
 template <class Put>
@@ -57,20 +60,22 @@ void RadicalInverse::for_range(std::uint64_t first, std::uint64_t count, const P
 enum class HaltonKind {
     plain,    ///< none
     shift,    ///< random shift: adds one random number per dimension, modulo 1 (Cranley and Patterson 1976)
-    permuted, ///< one random permutation of the digits for each digit position of each base
+    permuted, ///< permutes the digits at random, with a permutation of its own for each digit position of each base
 };
 
-/// Halton sequence: the coordinates of point n are the radical inverses of n in the bases. Throws std::invalid_argument
-/// unless the bases are pairwise coprime and between 2 and 1,000,000.
+/// Halton sequence: the coordinates of point n are the radical inverses of n in the bases, one base per dimension. The
+/// seed has no effect on the plain kind. Throws std::invalid_argument unless the bases are pairwise coprime and between
+/// 2 and 1,000,000.
 std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vector<std::uint64_t>& bases,
                                                std::uint64_t seed);
 
-/// Hammersley point set (Hammersley 1960) of `count` points: the first coordinate is n / count, the others are those of
-/// the Halton sequence. For a number of points known beforehand it is more uniform than Halton. Throws
-/// std::invalid_argument for a count outside 1 ... 2^52, and for bases like make_halton_sequence.
+/// Hammersley point set (Hammersley 1960) of `count` points: the first coordinate of point n is n / count, the others
+/// are the radical inverses of n in the bases. It is more uniform than the Halton sequence, but needs to know the
+/// number of points beforehand. Throws std::invalid_argument for a count outside 1 ... 2^52, and for bases that
+/// make_halton_sequence refuses.
 std::unique_ptr<Sequence> make_hammersley_sequence(std::uint64_t count, const std::vector<std::uint64_t>& bases);
 
-/// For four dimensions the bases of the paper's 4-D items, 2, 7, 3, 5; otherwise the first primes.
+/// One base per dimension: for four dimensions those of the paper's 4-D items, 2, 7, 3, 5; otherwise the first primes.
 std::vector<std::uint64_t> default_bases(int dimensions);
 
 } // namespace multipath

@@ -4,24 +4,25 @@
 
 namespace multipath {
 
-/// A sequence with part of its items in shuffled order: a pseudo-random permutation within each block of items.
-/// Successive items of a quasi-random sequence are far from each other by design. This correlation biases the walk of
-/// the multi-path method, whose result depends on the order of the lines. Shuffling breaks it, but keeps the set of
-/// items, and with it their uniformity.
+/// A sequence with part of its items in shuffled order: a pseudo-random permutation within each block of items. The
+/// permutation is the same in every run: it depends only on the number of the block and its size. Successive items of a
+/// quasi-random sequence are far from each other by design. This correlation biases the walk of the multi-path method,
+/// whose result depends on the order of the lines. Shuffling breaks the correlation, but keeps the set of items, and
+/// with it the uniformity of the sequence.
 class ShuffledOrder final : public Sequence
 {
 public:
-    static constexpr std::uint64_t block_size = 4096; ///< items
+    static constexpr std::uint64_t block_size = 4096; ///< items in a block; the last block may have fewer
 
-    /// Shuffles the items first ... first + count - 1 of `base`, which must exist. The others keep their order. `base`
-    /// must outlive this object.
+    /// Shuffles the items first ... first + count - 1 of `base`, all of which must exist. The other items keep their
+    /// order. `base` must outlive this object.
     ShuffledOrder(const Sequence& base, std::uint64_t first, std::uint64_t count);
 
     std::string name() const override { return base_.name(); }
     int dimensions() const override { return base_.dimensions(); }
     std::uint64_t item_limit() const override { return base_.item_limit(); }
     double coordinate(std::uint64_t n, int dimension) const override { return base_.coordinate(item_at(n), dimension); }
-    /// Fast if the items are one whole block.
+    /// Fast if the wanted items are exactly one block of the shuffled ones.
     void generate(std::uint64_t first, std::vector<Item>& items) const override;
 
     /// Index in the base sequence of item n.
@@ -32,8 +33,8 @@ private:
     static std::uint64_t key_of(std::uint64_t block);
 
     const Sequence& base_;
-    std::uint64_t first_;
-    std::uint64_t count_;
+    std::uint64_t first_; ///< first item to be shuffled
+    std::uint64_t count_; ///< number of items to be shuffled
 };
 
 } // namespace multipath

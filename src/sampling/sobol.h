@@ -8,13 +8,14 @@
 namespace multipath {
 
 /// Sobol sequence in the Gray code order of Antonov and Saleev (1979), with the primitive polynomials and starting
-/// direction numbers of Numerical Recipes in C, 2nd edition, section 7.7. Six dimensions; indices below 2^52.
+/// direction numbers of Numerical Recipes in C, 2nd edition, section 7.7. It has six dimensions and 2^52 points.
 namespace sobol {
 
 constexpr int dimensions = 6;
 constexpr int index_bits = 52;
 
-/// Direction numbers of one dimension as fixed-point fractions; bit 63 stands for 1/2.
+/// Direction numbers of one dimension, one for each bit of an index from the lowest on. They are fixed-point fractions:
+/// bit 63 stands for 1/2.
 using DirectionNumbers = std::array<std::uint64_t, index_bits>;
 
 /// The direction numbers of all dimensions, by Sobol's recurrence.
@@ -25,7 +26,7 @@ std::uint64_t coordinate_bits(std::uint64_t n, int dimension);
 
 } // namespace sobol
 
-/// The bits in reverse order.
+/// Returns the bits of x in reverse order.
 inline std::uint64_t reverse_bits(std::uint64_t x)
 {
     x = (x >> 1 & 0x5555555555555555u) | (x & 0x5555555555555555u) << 1;
@@ -40,11 +41,11 @@ inline std::uint64_t reverse_bits(std::uint64_t x)
 #endif
 }
 
-/// Owen scrambling (nested uniform scrambling) by hashing, of a fixed-point fraction whose bits are *reversed* (bit 0
+/// Owen scrambling (nested uniform scrambling) by hashing, of a fixed-point fraction x whose bits are *reversed* (bit 0
 /// stands for 1/2). Whether a bit is flipped depends only on the lower bits and the key: sums and products carry
-/// upwards, and x ^ (x * even) keeps the lowest bit. How random the flips look is the quality of the hash (after Laine
-/// and Karras, Stratified sampling for stochastic transparency, EGSR 2011; here with 64 bits and multipliers of our own
-/// choice).
+/// upwards, and x ^ (x * even) keeps the lowest bit. The method is that of Laine and Karras (Stratified sampling for
+/// stochastic transparency, EGSR 2011), here with 64 bits and multipliers of our own choice; how random the flips look
+/// depends on the multipliers.
 inline std::uint64_t scramble_reversed(std::uint64_t x, std::uint64_t key)
 {
     x += key;
@@ -62,7 +63,8 @@ enum class SobolKind {
     owen,  ///< Owen scrambling (Owen 1995): each bit is flipped at random, depending on all bits before it
 };
 
-/// Sobol sequence of one kind. Throws std::invalid_argument for more than six dimensions.
+/// Sobol sequence of one kind. The seed has no effect on the plain kind. Throws std::invalid_argument for more than six
+/// dimensions.
 std::unique_ptr<Sequence> make_sobol_sequence(SobolKind kind, std::uint64_t seed, int dimensions);
 
 } // namespace multipath

@@ -6,24 +6,24 @@
 
 namespace multipath {
 
-// Maps of uniform points (a, b) of the unit square to points and directions of a given density.
+// Maps of uniform points (a, b) of the unit square [0, 1)^2 to points and directions of a given density.
 
-/// Uniform point of the unit sphere: z is uniform (Archimedes), density 1 / (4 pi).
+/// Uniform point of the unit sphere, density 1 / (4 pi) per solid angle. By Archimedes' theorem z is uniform.
 Vec3 square_to_uniform_sphere(double a, double b);
 
-/// Direction about +z with density cos(theta) / pi per solid angle, in proportion to the light that a diffuse surface
-/// emits.
+/// Direction about +z with density cos(theta) / pi per solid angle, where theta is its angle with +z: the distribution
+/// of the light that a diffuse surface emits.
 Vec3 square_to_cosine_hemisphere(double a, double b);
 
-/// Barycentric coordinates of a point of a triangle, along its edges u and v.
+/// Barycentric coordinates of a point of a triangle: the point is the first corner + u * edge_u + v * edge_v.
 struct Barycentric
 {
     double u;
     double v;
 };
 
-/// Uniform point of the triangle u, v >= 0, u + v <= 1, density 2. The map is continuous, so it keeps low-discrepancy
-/// points well spread.
+/// Uniform point of the triangle u, v >= 0, u + v <= 1, density 2. The map is continuous, so low-discrepancy points
+/// stay well spread.
 Barycentric square_to_uniform_triangle(double a, double b);
 
 /// Uniform point of a surface, density 1 / area.
@@ -35,13 +35,14 @@ inline Vec3 square_to_uniform_surface(const Surface& surface, double a, double b
     return surface.at(point.u, point.v);
 }
 
-/// Orthonormal frame at a surface. Its x axis is oblique to the edges (3-4-5 triangle), so that the regular numbers of
-/// quasi-random sequences do not aim rays exactly at the edges of rooms.
+/// Orthonormal frame at a surface. The x axis of the frame is oblique to the edges of the surface (3-4-5 triangle), so
+/// that the regular numbers of quasi-random sequences do not aim rays exactly at the edges of rooms.
 struct ObliqueAxes
 {
     Vec3 x, y, z;
 
-    /// `normal`: the unit normal of the surface, on either side. Inline, since every few rays make a frame.
+    /// `normal`: the unit normal of the surface, on either side. It becomes z. Inline, since a new frame is made for
+    /// every few rays.
     ObliqueAxes(const Surface& surface, Vec3 normal)
         : x(oblique(normalized(surface.edge_u), normal)), y(cross(normal, x)), z(normal)
     {
@@ -64,18 +65,18 @@ public:
     /// Solid angle [sr]; 0 for a degenerate triangle.
     double solid_angle() const { return solid_angle_; }
 
-    /// Uniform direction, density 1 / solid_angle (Arvo: Stratified sampling of spherical triangles, SIGGRAPH 1995).
-    /// The solid angle must not be 0.
+    /// Uniform direction (unit vector) in the triangle for a point (u, v) of the unit square, density 1 / solid_angle
+    /// (Arvo: Stratified sampling of spherical triangles, SIGGRAPH 1995). The solid angle must not be 0.
     Vec3 direction(double u, double v) const;
 
 private:
     Vec3 a_;
     Vec3 b_;
     Vec3 c_;
-    double cos_ab_;
-    double sin_alpha_ = 0.0; ///< sine of the angle at a
+    double cos_ab_;          ///< cosine of the arc from a to b
+    double sin_alpha_ = 0.0; ///< sine of alpha, the angle at a
     double cos_alpha_ = 0.0;
-    double solid_angle_ = 0.0;
+    double solid_angle_ = 0.0; ///< [sr]
 };
 
 } // namespace multipath

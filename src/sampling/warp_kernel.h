@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// Largest number of points per call. Arrays of this size stay in the first-level cache.
+/// Largest number of points that one call of a kernel maps. Arrays of this size stay in the first-level cache.
 constexpr std::size_t warp_block = 256;
 
 /// Points of space, as one array per coordinate.
@@ -26,16 +26,16 @@ struct SquarePoints
     alignas(64) double b[warp_block];
 };
 
-/// Copies two successive coordinates of `count` <= warp_block items, first_number and the next, into `square`. Sets the
-/// rest of the last group of 8 lanes to 0.
+/// Copies the coordinates first_number and first_number + 1 of `count` <= warp_block items into `square`. Sets the
+/// points from `count` up to the next multiple of 8 to 0, since kernels read them too.
 void load_square_points(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square);
 
-/// The maps of warp.h for `count` <= warp_block points per call, compiled for one instruction set. All kernels give the
-/// same bits as the maps for one point. They read and write whole groups of lanes: `count` rounded up to a multiple
-/// of 8.
+/// Maps of warp.h for `count` <= warp_block points per call, compiled for one instruction set. All kernels give the
+/// same bits as square_to_uniform_sphere and square_to_cosine_hemisphere for single points. They read and write whole
+/// groups of lanes, of up to 8 points each: up to `count` rounded up to a multiple of 8.
 struct WarpKernel
 {
-    const char* name; ///< of the instruction set
+    const char* name; ///< name of the instruction set
 
     void (*uniform_sphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
     void (*cosine_hemisphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
@@ -44,7 +44,7 @@ struct WarpKernel
 /// The kernels whose instruction sets this processor has, the fastest first. The plain one is always among them.
 std::vector<const WarpKernel*> available_warp_kernels();
 
-/// The fastest kernel.
+/// The fastest kernel for this processor.
 const WarpKernel& warp_kernel();
 
 } // namespace multipath
