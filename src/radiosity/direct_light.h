@@ -6,18 +6,20 @@
 
 namespace multipath {
 
-/// Figures of the direct illumination of a scene, for the optimal ratio (3).
+/// Figures of the direct illumination of a scene, for the optimal ratio of local to global lines (optimal_ratio). A_T
+/// is the total area of the scene. Colours enter as the mean of their channels.
 struct DirectLight
 {
-    double lit_fraction = 0.0;       ///< [1] f: area of the patches that receive any direct light / A_T
-    double effective_fraction = 0.0; ///< [1] (sum A b)^2 / (A_T sum A b^2) of the direct radiosity b
-    double secondary_reflectance =
-        0.0; ///< [1] R_s': mean reflectance of the lit patches, weighted by the received power
+    double lit_fraction = 0.0; ///< [1] f: area of the patches that receive any direct light, over A_T
+    /// [1] (sum of A b)^2 / (A_T sum of A b^2), with b the direct radiosity that a patch of area A reflects.
+    double effective_fraction = 0.0;
+    /// [1] R_s': mean reflectance of the lit patches, weighted by the power that they receive from the sources.
+    double secondary_reflectance = 0.0;
 };
 
-/// Estimates the figures by at most `most_rays` rays from the sources, and at most eight times as many shadow rays
-/// between patches and sources (but up to 16 for every patch that is tested). Casts fewer where hundreds of faces lie
-/// on the sources. Deterministic.
+/// Estimates the figures by `most_rays` rays from the sources, and at most eight times as many shadow rays between
+/// patches and sources, or 16 for every patch that is tested if these are more. Of very many patches a sample is
+/// tested. Casts fewer rays where many surfaces coincide with sources or patches (depth_complexity.h). Deterministic.
 DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, int threads);
 
 } // namespace multipath

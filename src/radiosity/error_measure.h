@@ -9,16 +9,17 @@ namespace multipath {
 /// Distance of an estimate of the radiosity from a reference.
 struct ErrorMeasure
 {
-    double mean_square = 0.0;          ///< MSE (1), mean over the channels [W^2/m^4]
-    double relative_mean_square = 0.0; ///< MSE / (mean radiosity of the reference)^2 [1]
+    double mean_square = 0.0; ///< [W^2/m^4] mean square error, weighted by area ((1) in docs/equations.md), mean over
+                              ///< the channels
+    double relative_mean_square = 0.0; ///< [1] mean_square over the square of the mean radiosity of the reference
 };
 
-/// Error of `estimate` against `reference`. All lists have one entry per patch; areas in m^2, radiosities in W/m^2.
+/// Error of `estimate` [W/m^2] against `reference` [W/m^2]. All lists have one entry per patch; the areas are in m^2.
 ErrorMeasure measure_error(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
                            const std::vector<Rgb>& reference);
 
-/// Expected relative MSE (1) of an estimate whose patches have these standard errors [W/m^2]. 0 if the estimate is
-/// black.
+/// Expected relative mean square error [1] of an estimate [W/m^2] whose patches have these standard errors [W/m^2],
+/// relative to its own mean radiosity. 0 if the estimate is black.
 double expected_relative_square(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
                                 const std::vector<Rgb>& standard_error);
 

@@ -8,18 +8,18 @@
 
 namespace multipath {
 
-/// Properties of a scene that enter the paper's formula (3). All are dimensionless.
+/// Properties of a scene that enter the optimal ratio. All are dimensionless.
 struct BudgetFigures
 {
-    double intersections = 0.0;       ///< n_int, for a line that meets the convex hull of the scene (G2)
+    double intersections = 0.0;       ///< n_int: expected crossings of a line that meets the convex hull of the scene
     double average_reflectance = 0.0; ///< R_ave
-    double secondary_reflectance =
-        0.0;                   ///< R_s', mean reflectance of the directly lit patches, weighted by the received power
-    double lit_fraction = 0.0; ///< f, area of the directly lit patches / A_T
+    /// R_s': mean reflectance of the directly lit patches, weighted by the power that they receive from the sources.
+    double secondary_reflectance = 0.0;
+    double lit_fraction = 0.0; ///< f: area of the directly lit patches over the total area
 };
 
-/// N_l / N_g, the optimal number of local lines per global line (3) [Sbe97a]. Empty if the sources light nothing that
-/// reflects: any ratio is as good then.
+/// N_l / N_g, the optimal number of local lines per global line (Sbert 1997; (3) in docs/equations.md). std::nullopt if
+/// the sources light nothing that reflects: any ratio is as good then.
 std::optional<double> optimal_ratio(const BudgetFigures& figures);
 
 /// The figures after an extended first shot, when all patches have received power: f = 1 and R_s' = R_ave.
@@ -28,12 +28,14 @@ BudgetFigures extended_figures(BudgetFigures figures);
 /// Convex hull of all surfaces.
 ConvexHull scene_hull(const Scene& scene);
 
-/// n_int = 2 A_T / A_hull (G2).
+/// n_int = 2 A_T / A_hull, with A_T the total area of the surfaces ((G2) in docs/equations.md).
 double intersections_of_hull_line(const Scene& scene, const ConvexHull& hull);
+/// The same; computes the convex hull.
 double intersections_of_hull_line(const Scene& scene);
 
-/// Radiosity that every patch keeps unshot in the (extended) first shot (4) [W/m^2]: the mean reflected radiosity of an
-/// even distribution of the light. Infinite if nothing absorbs: then nothing is shot.
+/// [W/m^2] Radiosity that every patch keeps unshot in the first shot and the extended first shot: the mean reflected
+/// radiosity if the light were evenly distributed ((4) in docs/equations.md). Infinite if nothing absorbs: then nothing
+/// is shot.
 double threshold_radiosity(const Scene& scene);
 
 /// Numbers of local and of global lines.
@@ -43,7 +45,7 @@ struct LineBudget
     std::uint64_t global_lines = 0; ///< N_g, lines that meet the scene's bounding box (N1)
 };
 
-/// Splits `lines` = N_l + N_g at N_l / N_g = ratio >= 0.
+/// Splits `lines` into N_l + N_g with N_l / N_g = ratio >= 0, rounded to whole lines.
 LineBudget split_lines(std::uint64_t lines, double ratio);
 
 } // namespace multipath

@@ -19,12 +19,13 @@ enum class Estimator { collision, absorption };
 struct ParticleStep
 {
     std::uint32_t from;  ///< patch that the segment leaves
-    Item item;           ///< of the ray, see local_line
-    std::uint32_t where; ///< patch that it meets, or Segment::behind or Segment::outside
-    Rgb power;           ///< [W] arriving
-    double drawn;        ///< [0, 1) random number; the particle survives if it is below the survival probability
-    Rgb goes_on;         ///< [W] reflected; black if the path ends here
+    Item item;           ///< item that makes the ray (local_line)
+    std::uint32_t where; ///< patch that the segment meets, or Segment::behind or Segment::outside
+    Rgb power;           ///< [W] power that arrives there
+    double drawn;        ///< random number in [0, 1); the particle survives if this is below the survival probability
+    Rgb goes_on;         ///< [W] reflected power; black if the path ends here
 
+    /// True if this is the last segment of the path.
     bool ends() const { return goes_on == Rgb{}; }
 };
 
@@ -39,16 +40,16 @@ private:
 
     void sort_by_particle();
 
-    RayBlock rays_;                        ///< of the surviving particles, one segment each
-    std::vector<std::uint32_t> survivors_; ///< indices of the surviving particles
-    std::vector<Rgb> power_;               ///< [W] of each surviving particle
+    RayBlock rays_;                        ///< the next segment of each surviving particle
+    std::vector<std::uint32_t> survivors_; ///< indices of the surviving particles in the group
+    std::vector<Rgb> power_;               ///< [W] per surviving particle: the power that it carries
     std::vector<ParticleStep> by_depth_;   ///< all first segments, then all second ones, ...
-    std::vector<std::uint32_t> particle_;  ///< index of the particle of each of these steps
-    std::vector<std::size_t> first_step_;  ///< of each particle, in `steps`
+    std::vector<std::uint32_t> particle_;  ///< per element of by_depth_: index of its particle in the group
+    std::vector<std::size_t> first_step_;  ///< per particle: index of its first step in `steps`, while these are sorted
 };
 
-/// The particles of a run (L1): numbered through all sources, and the path of each, which is a function of its number
-/// and its first item.
+/// The particles of a run, numbered from 0 in the order of the shots that send them. The path of a particle is a
+/// function of its number, the item of its first segment, and the seed.
 class Particles
 {
 public:
@@ -57,8 +58,9 @@ public:
     std::uint64_t count() const { return first_particle_.back(); }
     const std::vector<Shot>& shots() const { return shots_; }
 
-    /// Follows the particles first, first + 1, ... and replaces the contents of `paths` by their paths. There is one
-    /// item per particle, for its first segment; everything after it is random.
+    /// Follows the particles first, first + 1, ..., one for each item, and replaces the contents of `paths` by their
+    /// paths, in the order of the particles. The item makes the first segment of the path; everything after the first
+    /// segment is random.
     void follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const;
 
 private:
@@ -69,8 +71,8 @@ private:
 
     const Scene& scene_;
     std::vector<Shot> shots_;
-    std::vector<std::uint64_t> first_particle_ = {0}; ///< of each shot, and the total number
-    std::uint64_t key_;
+    std::vector<std::uint64_t> first_particle_ = {0}; ///< per shot; one more entry holds the number of all particles
+    std::uint64_t key_;                               ///< key of the random numbers
 };
 
 /// Consecutive particles that are followed together, with reusable buffers.
@@ -79,7 +81,8 @@ struct ParticleBlock
     std::vector<Item> items;
     ParticlePaths paths;
 
-    /// Follows block `number` of all particles, which take the items from first_item on.
+    /// Follows block `number` of all particles. Particle n takes the item first_item + n of the sequence. `all`: the
+    /// division of all particles into blocks.
     void follow(const Particles& particles, const Sequence& sequence, std::uint64_t first_item, const Blocks& all,
                 std::uint64_t number)
     {
@@ -89,33 +92,37 @@ struct ParticleBlock
     }
 };
 
-/// Number of particles to follow together: their paths must fit into memory, and they are long in bright scenes.
+/// Number of particles to follow together, 1 ... 1024. It is smaller in bright scenes, where paths are long, so that
+/// all paths fit into memory.
 std::uint64_t particles_together(const Scene& scene);
 
-/// As many particles as make about `lines` segments, to 1 %. A pilot estimates the mean length of a path. `shots`
-/// returns the shots of a given number of particles.
+/// As many particles as make about `lines` segments, to 1 %, but at least one. A pilot run, which is not counted,
+/// estimates the mean number of segments of a path. `shots` returns the shots of a given number of particles.
 Particles plan_particles(const Scene& scene, const std::function<std::vector<Shot>(std::uint64_t particles)>& shots,
                          std::uint64_t lines, std::uint64_t seed, int threads);
 
-/// The same for particles from the sources.
+/// The same for particles of equal power that carry all unshot power of `state`.
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads);
 
-/// [W] Power that the estimator scores as incident at the end of a step, which must be a patch.
+/// [W] Power that the estimator scores as incident at step.where, which must be a patch. At a patch that absorbs
+/// nothing no path ends; there the absorption estimator scores like the collision estimator.
 Rgb scored_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
 
+/// Parameters of local Monte Carlo, and of gathering random walks (gathering_walk.h).
 struct LocalOptions
 {
-    std::uint64_t lines = 0; ///< N_l, reached to about 1 %: every segment counts, and the lengths of paths are random
+    std::uint64_t lines = 0; ///< N_l, number of segments; reached to about 1 %, since the lengths of paths are random
     Estimator estimator = Estimator::collision;
-    std::uint64_t first_item = 0; ///< of the sequence; one item per particle, for its first segment
-    std::uint64_t seed = 0;       ///< of the random numbers after the first segment
+    std::uint64_t first_item = 0; ///< index in the sequence of the item of particle 0; one item per particle
+    std::uint64_t seed = 0;       ///< seed of the random numbers after the first segments
 };
 
-/// Phi_T local Monte Carlo (L1): particles of equal power leave the sources, are reflected with probability rho, and
-/// continue from a uniform point of the patch that they hit. Returns the number of segments. The noise of Russian
-/// roulette goes into PowerState::surplus. If the run is stopped, the power of particles that did not start stays
-/// unshot. The caller must save `state` in the checkpoint; this function saves the rest.
+/// Phi_T local Monte Carlo ((L1) in docs/equations.md): particles of equal power carry away all unshot power of
+/// `state`. They are reflected with probability rho, and continue from a uniform point of the patch that they hit.
+/// Returns the number of segments. The noise of Russian roulette goes into PowerState::surplus. If the run is stopped,
+/// the power of particles that did not start stays unshot. The caller must save `state` in the checkpoint; this
+/// function saves the rest.
 std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                              const RunControl& run, PowerState& state);
 

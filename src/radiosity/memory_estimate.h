@@ -4,14 +4,16 @@
 
 namespace multipath {
 
-/// [bytes] Peak memory of a run for scene and light, whatever the method, without the pairs of patches of `reuse` (see
-/// reuse_bytes()). An empirical formula. Takes real numbers, since estimated sizes may exceed the integer types.
+/// [bytes] Peak memory of a run of any method for so many surfaces and patches, without the table of all pairs of
+/// patches that the method `reuse` may make (reuse_bytes()). An empirical formula. Takes real numbers, since estimated
+/// sizes may exceed the integer types.
 double run_bytes(double surfaces, double patches);
 
-/// [bytes] The same for making an interactive page: all quantities that it can show, each patch as numbers and as text.
+/// [bytes] Peak memory for making an interactive page with so many surfaces and patches: all quantities that the page
+/// can show, each as numbers and as text. An empirical formula.
 double page_bytes(double surfaces, double patches);
 
-/// [bytes] Part of `memory` that a run can use for pairs of patches.
+/// [bytes] Part of `memory` [bytes] that a run can use for pairs of patches: what run_bytes() leaves, at least 0.
 double bytes_for_pairs(double memory, const Scene& scene);
 
 } // namespace multipath

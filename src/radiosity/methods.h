@@ -13,15 +13,17 @@ class Scene;
 struct Preparation;
 struct SolveOptions;
 
-/// A part of a run that can be interrupted and resumed. It advances the state of the run.
+/// A function for one part of a run (run.h), such as the first shot. It advances the state of the run, and can be
+/// interrupted and resumed.
 using Stage = void (*)(Run&);
 
-/// How the results of shards, and of runs that continue others, are combined. averaged: each is a solution of its own,
-/// and the mean is weighted by lines. added: each is a set of counts, and the counts are added before the system is
-/// solved.
+/// How the results of shards (runs that divide the lines of one run, usually on several computers) are combined.
+/// averaged: each shard is a solution of its own, and the result is their mean, weighted by their lines. added: each
+/// shard is a set of counts, and the counts are added before the linear system is solved.
 enum class Shards { averaged, added };
 
-/// Rays from bright patches before all other lines: none, rays from the sources (S1), or passes over all patches (S2).
+/// Rays from bright patches before all other lines: none, rays from the sources (first_shot.h), or passes over all
+/// patches (extended_first_shot.h).
 enum class FirstShot { none, plain, extended };
 
 /// A method: one row of the table in methods.cpp. To add a method, write its stages and add a row; command line, help,
@@ -30,20 +32,21 @@ struct MethodInfo
 {
     std::string_view name;
     std::string_view summary; ///< whole sentences, for help
-    /// Command line options of this method that not all methods have, separated by spaces. "steps:direct=shoot": only
-    /// with this value of another option.
+    /// Command line options of this method that not all methods have, separated by spaces. The entry
+    /// "steps:direct=shoot" stands for an option that has an effect only with this value of another option.
     std::string_view options;
     Chords chords; ///< default distribution of the global lines
     Shards shards;
-    std::uint64_t most_lines; ///< maximum for one run
+    std::uint64_t most_lines; ///< maximum number of lines of one run
     /// Lines per patch that each replicate needs before the scatter of replicates is a good estimate of the error.
     std::uint64_t (*lines_per_patch)(const Scene&);
-    std::vector<Stage> (*stages)(const Run&);
-    void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr; ///< may be null
-    FirstShot (*first_shot)(const SolveOptions&) = nullptr;                     ///< null: none
+    std::vector<Stage> (*stages)(const Run&); ///< returns the stages of the run, in order
+    /// Sets the part of Preparation (solve.h) that the method needs. Null if it needs none.
+    void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr;
+    FirstShot (*first_shot)(const SolveOptions&) = nullptr; ///< null: the method has none
     /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`.
     std::string_view traced = {};
-    /// For a method without such stages: name of the method whose lines the page shows instead.
+    /// For a method whose `traced` is empty: name of the method whose lines the interactive page shows instead.
     std::string_view traced_as = {};
 };
 
@@ -73,12 +76,14 @@ Method method_named(std::string_view name);
 struct MethodOption
 {
     std::string_view name;
-    std::string_view with; ///< required option and value, such as "direct=shoot"; empty: none
+    std::string_view with; ///< another option and its required value, such as "direct=shoot"; empty: none is required
 };
 
+/// The entries of MethodInfo::options, in order.
 std::vector<MethodOption> options_of(Method method);
 
-/// True if the option, such as "chords", has an effect with this method, whatever the other options are.
+/// True if the option, such as "chords", has an effect with this method whatever the other options are. False for an
+/// option that requires the value of another one (MethodOption::with).
 bool has_option(Method method, std::string_view option);
 
 /// The names in MethodInfo::traced as a list.

@@ -15,19 +15,20 @@
 // each other along it exchanges power, in both directions at once, so that one line carries one segment of many light
 // paths.
 //
-// Along each line that leaves its front, a patch sends two things: all power that it has received and reflected since
-// it last sent, which it then no longer holds (M1), and an equal share of its unshot power at the beginning of the
-// pass, the forecast (G3). No cosine and no 1/r^2 appear anywhere: the density of the lines contains both (G1).
+// Along each line that leaves its front, a patch sends two things. The first is all power that it has received and
+// reflected since it last sent (M1); after this the patch holds nothing. The second is the forecast (G3): an equal
+// share of the unshot power that it had at the beginning of the pass, emitted or reflected but not sent yet. No cosine
+// and no 1/r^2 appear anywhere: the density of the lines contains both (G1). Labels are explained in docs/equations.md.
 
 namespace multipath {
 
 /// The data of a patch that an exchange reads and writes, together in memory.
 struct WalkingPower
 {
-    Rgb reflectance;
-    Rgb forecast; ///< [W] sent along every line (G3)
-    Rgb held;     ///< [W] reflected, sent along the next line
-    Rgb incident; ///< [W] arrived in this pass
+    Rgb reflectance; ///< [1]
+    Rgb forecast;    ///< [W] power sent along every line that leaves the patch (G3)
+    Rgb held;        ///< [W] reflected power, to be sent along the next line that leaves the patch
+    Rgb incident;    ///< [W] power that arrived in this pass
 
     Rgb to_send() const { return forecast + held; }
     void receive(Rgb power)
@@ -37,12 +38,12 @@ struct WalkingPower
     }
 };
 
-/// [W] Power sent along some lines, and the part of it that no patch received.
+/// [W] Sums over some lines.
 struct WalkTally
 {
-    Rgb forecast_sent;
-    Rgb escaped;
-    Rgb behind;
+    Rgb forecast_sent; ///< forecasts that patches sent
+    Rgb escaped;       ///< power that left the scene
+    Rgb behind;        ///< power that met a side without a patch
 
     WalkTally& operator+=(const WalkTally& other)
     {
@@ -53,13 +54,13 @@ struct WalkTally
     }
 };
 
-/// The walk of power from patch to patch along global lines. The order of the segments defines its result.
+/// The walk of power from patch to patch along global lines. The result depends on the order of the segments.
 class PowerWalk
 {
 public:
-    /// Starts a pass that distributes the unshot power of `state`. In expectation `crossings_per_area` [1/m^2] lines
-    /// cross every patch, in both directions together (G1). `bidirectional`: power flows both ways along each line
-    /// (M2).
+    /// Starts a pass that distributes the unshot power of `state`. `crossings_per_area` [1/m^2] is the expected number
+    /// of lines that cross each square metre of a patch, from either side, in the whole pass (G1). `bidirectional`:
+    /// power flows both ways along each line (M2), otherwise only in the direction of the line.
     PowerWalk(const Scene& scene, double crossings_per_area, bool bidirectional, const PowerState& state);
 
     /// Lets power flow along the segments, one after the other.
@@ -70,8 +71,8 @@ public:
 
     void visit(Archive& archive); ///< for a checkpoint
 
-    /// Ends the pass: adds its result to the state, and what the patches still hold becomes their unshot power. `scale`
-    /// [1]: number of planned lines over number of lines that were followed.
+    /// Ends the pass: adds its result to the state, and replaces the unshot power by what the patches still hold. All
+    /// powers are multiplied by `scale` [1], the number of planned lines over the number of lines that were followed.
     void finish(double scale, PowerState& state) const;
 
 private:
@@ -90,7 +91,7 @@ private:
         prefetch(first);
         prefetch(first + sizeof(WalkingPower) - 1); // an entry spans two cache lines, or three small ones
     }
-    /// Patch i sends to j (M1), and if power flows both ways, j to i what it had before the exchange (M2).
+    /// Patch i sends to j (M1). If power flows both ways, j sends to i what j had before the exchange (M2).
     void exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const;
     /// The patch sends along a segment that ends at `where`, at no patch.
     void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
@@ -138,14 +139,15 @@ inline void PowerWalk::lose(WalkingPower& i, std::uint32_t where, WalkTally& tal
 /// The global lines of a pass.
 struct GlobalPass
 {
-    std::uint64_t first_item = 0; ///< of the sequence
-    std::uint64_t lines_cast = 0; ///< N_cast of (N1)
-    bool bidirectional = true;    ///< (M2); if false, power flows only in the direction of the line
+    std::uint64_t first_item = 0; ///< index in the sequence of the item of the first line; one item per line
+    std::uint64_t lines_cast = 0; ///< number of lines to cast, including those that miss the scene (N1)
+    bool bidirectional = true;    ///< power flows both ways (M2); if false, only in the direction of the line
 };
 
-/// The global pass: distributes the unshot power of all patches by global lines. All threads trace, and the exchanges
-/// follow in the order of the lines, so the result does not depend on the number of threads. Returns the number of
-/// lines cast. If the run is stopped, these are fewer, and the result is scaled up to all lines.
+/// The global pass: distributes the unshot power of all patches by global lines. All threads trace; the exchanges are
+/// made in the order of the lines, so the result does not depend on the number of threads. Returns the number of lines
+/// cast. If the run is stopped, fewer lines than planned are cast, and the result is scaled up to all lines. The caller
+/// must save `state` in the checkpoint; this function saves the rest.
 std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
                                 const GlobalPass& pass, const RunControl& run, PowerState& state);
 

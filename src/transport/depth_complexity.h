@@ -6,25 +6,28 @@
 namespace multipath {
 
 // Depth complexity: the number of surfaces along a line, or coincident at a point. The time and memory that a line
-// takes grow with it.
+// takes grow with the depth complexity.
 
-/// Mean number of surfaces that a cast line crosses, by integral geometry (G1).
+/// Expected number of surfaces that a cast line crosses, by integral geometry ((G1) in docs/equations.md). Lines that
+/// miss the scene count as cast.
 double crossings_per_line(const Scene& scene, const GlobalLines& lines);
 
-/// Mean number of pairs of surfaces along a cast line, estimated with a few random lines. Deterministic.
+/// Mean number of pairs of surfaces along a cast line, estimated with 256 random lines, which are the same in every
+/// call.
 double pairs_along_line(const Scene& scene, const GlobalLines& lines);
 
-// The share [1] of the wanted lines that costs no more than all of them do in an ordinary scene: 1 in ordinary scenes,
-// less where very many surfaces coincide or follow each other along a line. A global line is compared with all surfaces
-// along it, a ray with all surfaces that coincide with its two ends.
+// Affordable share: the fraction [1] of the wanted lines or rays that costs as much as all of them cost in an ordinary
+// scene. It is 1 if a line or ray is compared with at most 16 surfaces on the average, else 16 over this number. The
+// number is (G1) for global lines. For rays it is estimated with a few rays, which are the same in every call.
 
-/// Affordable share of global lines.
+/// Affordable share of global lines, each of which is compared with all surfaces along the line.
 double affordable_lines(const Scene& scene);
 
-/// Affordable share of rays from the sources.
+/// Affordable share of rays from the emitting surfaces. A ray is compared with the surfaces that coincide with its two
+/// ends, and with all surfaces along the line if its start is covered. 1 if no surface emits.
 double affordable_source_rays(const Scene& scene);
 
-/// Affordable share of rays to every patch.
+/// Affordable share of rays to every patch, each of which is compared with the surfaces that coincide with the patch.
 double affordable_patch_rays(const Scene& scene);
 
 } // namespace multipath

@@ -24,7 +24,7 @@ inline Rgb quotient(Rgb a, Rgb b)
     return {quotient(a.r, b.r), quotient(a.g, b.g), quotient(a.b, b.b)};
 }
 
-/// True if a <= b, in all channels.
+/// True if a <= b; for colours, in all channels.
 inline bool at_most(double a, double b)
 {
     return a <= b;
@@ -35,7 +35,7 @@ inline bool at_most(Rgb a, Rgb b)
     return a.r <= b.r && a.g <= b.g && a.b <= b.b;
 }
 
-/// Inner product, in each channel.
+/// Inner product of two vectors of equal size; for colours, one in each channel.
 template <class Value>
 Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
 {
@@ -47,8 +47,9 @@ Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
 
 /// Improves the guess x of the solution of A x = b, where A is symmetric and positive definite and `residual` is b - A
 /// x. matrix(x, y) sets y to A x; precondition(i, r_i) returns about r_i / A_ii. Stops when done(residual, sum over i
-/// of r_i precondition(i, r_i)) is true, or after most_steps. Returns true if it is true in the end and no step has
-/// shown that A is indefinite. The same bits for any number of threads.
+/// of r_i precondition(i, r_i)) returns true, after most_steps, or after a step which shows that A is indefinite.
+/// Returns true if `done` is true in the end and A has not turned out to be indefinite; otherwise x is no solution. The
+/// result has the same bits for any number of threads.
 template <class Value, class Matrix, class Precondition, class Done>
 bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition, std::vector<Value> residual,
                          int most_steps, const Done& done, int threads, std::vector<Value>& x)

@@ -8,19 +8,20 @@
 
 namespace multipath {
 
-/// Exchange areas [m^2] of each patch that lead to no other patch; one number per patch.
+/// Exchange areas [m^2] of each patch with everything that is not a patch.
 struct ExchangeLosses
 {
-    std::vector<double> escaping; ///< towards nothing
-    std::vector<double> behind;   ///< towards backs, sides without a patch
+    std::vector<double> escaping; ///< per patch: exchange area with the outside of the scene
+    std::vector<double> behind;   ///< per patch: exchange area with backs, sides of surfaces without a patch
 };
 
-/// Exchange with the exchange areas of all pairs of patches in memory.
+/// Exchange areas (exchange.h) of which those of all pairs of patches are stored in memory.
 class DenseExchange : public Exchange
 {
 public:
-    /// Keeps a reference to `pairs` [m^2], whose diagonal must be zero. The self-exchange is what each row, with its
-    /// losses, lacks of row_area [m^2]; it is negative for a row that exceeds it.
+    /// Keeps a reference to `pairs` [m^2], a matrix with zeros on its diagonal. `row_area` [m^2] is per patch. The
+    /// self-exchange of a patch becomes its row_area minus the sum of its row and its losses. It is negative if these
+    /// exceed the row_area.
     DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses losses, std::vector<double> row_area, int threads);
 
     std::uint32_t size() const override { return pairs_.size(); }
@@ -40,15 +41,18 @@ private:
 /// Exchange areas after least-squares closure.
 struct ClosedEstimate
 {
-    PairMatrix<float> exchange;       ///< [m^2]
-    std::vector<double> sum_residual; ///< [m^2] per row: the wanted sum minus the sum of the row now
+    PairMatrix<float> exchange; ///< [m^2]
+    /// [m^2] per row: the part of the difference between wanted sum and sum that is ascribed to the error of the wanted
+    /// sum. The row now adds up to the wanted sum minus this residual. 0 for a wanted sum without variance.
+    std::vector<double> sum_residual;
 };
 
-/// Enforces closure by least squares (R3), a smoothing of exchange areas as in Larsen and Howell (1986). Of all changes
-/// that give each row its sum in `row_sums` [m^2], the area of the patch without its losses, it makes the one with the
-/// smallest sum of squares, weighted by the inverse variances. The result is symmetric; pairs of variance 0 keep their
-/// values, and so do rows of such pairs whatever their sums. A wanted sum of `sum_variance` > 0 [m^4] is itself an
-/// estimate and takes its part of the change.
+/// Enforces closure by least squares ((R3) in docs/equations.md), a smoothing of exchange areas as in Larsen and Howell
+/// (1986). The wanted sum of row i is row_sums[i] [m^2], the area of the patch without its losses. Of all symmetric
+/// changes after which the rows have their wanted sums, to about 1e-4 of the differences, it makes the one with the
+/// smallest sum of squares, weighted by the inverse variances. A wanted sum with sum_variance[i] > 0 [m^4] is itself an
+/// estimate and takes its part of the change. Pairs of variance 0 keep their values; a row that consists of such pairs
+/// does not get its wanted sum.
 ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
                           const std::vector<double>& sum_variance, int threads);
 

@@ -8,9 +8,9 @@
 
 namespace multipath {
 
-/// The exchange areas of a scene: a symmetric matrix G_ij = A_i F_ij [m^2]. G_ij is the power [W] that patch j receives
-/// from patch i of radiosity 1 W/m^2, and the other way round. Immutable. Products have the same bits for any number of
-/// threads.
+/// The exchange areas of a scene: a symmetric matrix G_ij = A_i F_ij [m^2], with A_i the area of patch i and F_ij the
+/// form factor. G_ij is the power [W] that patch j receives from patch i of radiosity 1 W/m^2, and also the power that
+/// i receives from j of this radiosity. Immutable. Products have the same bits for any number of threads.
 class Exchange
 {
 public:
@@ -18,8 +18,8 @@ public:
 
     virtual std::uint32_t size() const = 0; ///< number of patches
 
-    /// Sets y = G x: the power [W] that each patch receives if x is the radiosity [W/m^2]. x and y have size()
-    /// elements.
+    /// Sets y = G x: the power [W] that each patch receives if x is the radiosity [W/m^2]. Both x and y must have
+    /// size() elements.
     virtual void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const = 0;
 
     /// Returns G x.
@@ -30,7 +30,7 @@ public:
         return y;
     }
 
-    /// G_ii [m^2]. Flat patches do not see themselves, so it only holds rounding errors and noise of the row.
+    /// G_ii [m^2]. Flat patches do not see themselves: this is only what rounding and noise leave over in row i.
     virtual double self_exchange(std::uint32_t patch) const = 0;
 
     /// Exchange area [m^2] of the patch with the outside of the scene.
@@ -39,8 +39,8 @@ public:
     /// Exchange area [m^2] of the patch with backs, sides of surfaces without a patch.
     virtual double behind(std::uint32_t patch) const = 0;
 
-    /// Sum over j of G_ij, plus escaping and behind [m^2]: the area of the patch, or an estimate of it from the same
-    /// lines. A row divided by it adds up to one, whatever the noise.
+    /// Sum over all j of G_ij, plus escaping and behind [m^2]: the area of the patch, or an estimate of the area from
+    /// the same lines. A row and its losses, divided by the row area, add up to 1, whatever the noise.
     virtual double row_area(std::uint32_t patch) const = 0;
 };
 

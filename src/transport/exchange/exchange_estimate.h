@@ -9,36 +9,40 @@
 
 namespace multipath {
 
-/// A partition of the patches into blocks of neighbours on one side of one surface. Blocks are numbered surface by
-/// surface, like patches.
+/// A partition of the patches into blocks of neighbours on one side of one surface. Blocks are numbered like patches:
+/// surface by surface, all blocks of fronts before those of backs.
 struct PatchBlocks
 {
     std::uint32_t count = 0;             ///< number of blocks
     std::vector<std::uint32_t> block_of; ///< per patch
 };
 
-/// Blocks of up to cells x cells patches. A block of 2 k cells is a union of blocks of k cells.
+/// Blocks of up to cells x cells squares of the grid of a surface (Tessellation). A square is one patch of a
+/// parallelogram, up to two patches of a triangle. Blocks of 2 k squares along an edge are unions of blocks of k
+/// squares along an edge. Blocks of the grid that lie outside a triangle are counted, but empty.
 PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells);
 
-/// The number of blocks that patch_blocks(scene, cells) makes.
+/// The number of blocks that patch_blocks(scene, cells) makes. A real number, like other estimated sizes.
 double block_count(const Scene& scene, std::uint32_t cells);
 
 /// One block for every side of a surface that has patches.
 PatchBlocks surface_blocks(const Scene& scene);
 
-/// Estimated exchange areas of all pairs of patches.
+/// Estimated exchange areas (exchange.h) of all pairs of patches.
 struct ExchangeEstimate
 {
     PairMatrix<float> exchange; ///< [m^2]
-    PairMatrix<float> variance; ///< [m^4] rough variance of each estimate; 0 for pairs without unoccluded exchange
+    PairMatrix<float> variance; ///< [m^4] rough variance of each estimate; 0 for pairs without unoccluded exchange,
+                                ///< whose estimates are 0
 };
 
-/// Bytes of working memory that estimate_exchange needs besides its result.
+/// [bytes] Working memory that estimate_exchange needs besides its arguments and its result.
 double estimation_bytes(const Scene& scene);
 
-/// Estimates the exchange area of each pair by a control variate (R2): its unoccluded exchange [m^2] times the share of
-/// lines through both patches that meet no obstacle in between. `crossing_area` [m^2] is the area that one line crosses
-/// once in expectation, 1 / (expected crossings of 1 m^2).
+/// Estimates the exchange area of each pair of patches ((R2) in docs/equations.md): about the `unoccluded` exchange
+/// [m^2] times the fraction of the lines through both patches that meet no obstacle in between. The unoccluded exchange
+/// serves as a control variate of the lines that joined the pair. `crossing_area` [m^2] is the area that the counted
+/// lines together cross once in expectation: 1 / (their expected crossings of 1 m^2).
 ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& unoccluded, const PairCounts& counts,
                                    double crossing_area, int threads);
 

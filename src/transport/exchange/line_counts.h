@@ -16,10 +16,12 @@
 
 namespace multipath {
 
-/// Sorts keys below 2^bits by radix sort, in time proportional to count * bits, with a second list of the same length.
+/// Sorts keys below 2^bits in ascending order: by radix sort, in time proportional to count * bits and with a second
+/// list of the same length, unless they are very few (or 2^32 and more).
 void sort_keys(std::vector<std::uint64_t>& keys, int bits);
 
-/// The patches that the lines from one patch reached, sorted, each repeated as often as it was reached.
+/// The patches that the lines from one patch reached, in ascending order. A patch that was reached n times occurs n
+/// times.
 struct CountRow
 {
     const std::uint32_t* first;
@@ -29,42 +31,45 @@ struct CountRow
     const std::uint32_t* end() const { return last; }
 };
 
-/// Counts of lines from a few patches, the rows, to all patches, the columns. A counted line takes 4 bytes. New lines
-/// are appended to an unsorted list, 8 bytes each, which merge() sorts into the counts.
+/// Counts of lines from a few patches, the rows, to all patches, the columns. A line between patches takes 4 bytes, a
+/// line that escaped or met a back none. New lines are appended to an unsorted list, 8 bytes each, which merge() sorts
+/// into the counts.
 class CountRows
 {
 public:
     CountRows(std::uint32_t rows, std::uint32_t columns);
 
-    /// Adds one line from the row to `end`: a patch, Segment::behind or Segment::outside.
+    /// Adds one line from the patch of a row to `end`: a patch, Segment::behind or Segment::outside.
     void add(std::uint32_t row, std::uint32_t end);
-    /// Adds merged counts of the same size. This object's own unsorted lines stay unsorted.
+    /// Adds merged counts of the same size. The unsorted lines of this object stay unsorted.
     void add(const CountRows& others);
     /// Sorts all new lines into the counts.
     void merge();
-    /// Saves or restores merged counts. Throws ArchiveError for damaged rows.
+    /// Saves merged counts to a checkpoint or restores them. Throws ArchiveError for damaged rows, or those of another
+    /// size.
     void visit(Archive& archive);
 
-    CountRow row(std::uint32_t row) const; ///< needs merged counts
+    CountRow row(std::uint32_t row) const; ///< lines that merge() has not sorted yet are missing
     std::uint64_t escaped(std::uint32_t row) const { return escaped_[row]; }
     std::uint64_t behind(std::uint32_t row) const { return behind_[row]; }
 
 private:
     std::uint32_t rows() const { return static_cast<std::uint32_t>(escaped_.size()); }
 
-    int row_bits_;
-    int column_bits_;
-    std::vector<std::uint64_t> row_begin_; ///< offset of each row in reached_; then their total
-    std::vector<std::uint32_t> reached_;   ///< columns, row after row, sorted in each
-    std::vector<std::uint64_t> escaped_;   ///< per row
-    std::vector<std::uint64_t> behind_;    ///< per row
-    std::vector<std::uint64_t> unsorted_;  ///< new lines: row << column_bits_ | column
+    int row_bits_;    ///< number of bits of a row in a key
+    int column_bits_; ///< number of bits of a column in a key
+    std::vector<std::uint64_t>
+        row_begin_;                       ///< offset of each row in reached_; one more entry holds the size of reached_
+    std::vector<std::uint32_t> reached_;  ///< columns, row after row, in ascending order within a row
+    std::vector<std::uint64_t> escaped_;  ///< per row: lines that left the scene
+    std::vector<std::uint64_t> behind_;   ///< per row: lines that met a side without a patch
+    std::vector<std::uint64_t> unsorted_; ///< new lines: row << column_bits_ | column
 };
 
 /// Sparse counts of how often lines joined each pair of patches, escaped, or met a surface from behind: for scenes with
-/// so many patches that most pairs are never joined. The counts depend on the set of segments only, not on order,
-/// threads or how they were split, so counts of parts of the lines add up to the same bits. Needs fewer than 2^32 lines
-/// in total, and no line may join a patch with itself.
+/// so many patches that most pairs are never joined. The counts depend only on the set of the segments (Segment), not
+/// on their order, on threads, or on how the lines were divided; so counts of parts of the lines add up to the same
+/// bits. Needs fewer than 2^32 lines in total, and no line may join a patch with itself.
 class LineCounts
 {
 public:
@@ -73,26 +78,28 @@ public:
     /// Counts each segment in the rows of both of its ends. Thread-safe.
     void add(const std::vector<Segment>& segments);
 
-    /// Sorts the new segments into the counts. All functions below need merged counts, and that no other thread adds.
+    /// Sorts the new segments into the counts. Neither merge() nor any function below may run while a thread adds, and
+    /// the functions below need merged counts.
     void merge(int threads);
-    /// Adds the counts of another object of the same size, both merged, and frees the memory of `others` on the way.
+    /// Adds the counts of another object of the same size, and frees the memory of `others` on the way.
     void add(LineCounts others, int threads);
-    void visit(Archive& archive); ///< saves to or restores from a checkpoint; throws ArchiveError for damaged counts
+    /// Saves the counts to a checkpoint or restores them. Throws ArchiveError for damaged counts.
+    void visit(Archive& archive);
 
-    std::uint32_t size() const { return patches_; }
+    std::uint32_t size() const { return patches_; } ///< number of patches
     CountRow row(std::uint32_t patch) const { return part(patch).row(row_in_part(patch)); }
     std::uint64_t escaped(std::uint32_t patch) const { return part(patch).escaped(row_in_part(patch)); }
     std::uint64_t behind(std::uint32_t patch) const { return part(patch).behind(row_in_part(patch)); }
 
 private:
-    /// The rows of consecutive patches. Their number is a power of two, but for the last part.
+    /// The rows of 2^part_bits_ consecutive patches; the last part may have fewer.
     struct Part
     {
         Part(std::uint32_t rows, std::uint32_t columns) : counts(rows, columns) {}
         std::mutex mutex; ///< guards the counts while segments are added
         CountRows counts;
     };
-    /// A segment as its end `patch` counts it; `other` is the opposite end.
+    /// A segment as it is counted in the row of `patch`, one of its ends; `other` is the opposite end.
     struct LineEnd
     {
         std::uint32_t patch;
@@ -109,12 +116,12 @@ private:
     std::deque<Part> parts_;
 };
 
-/// The blocks of rays that count_rays processes at a time.
+/// The division of the allotted rays into blocks, the units of work of count_rays.
 Blocks ray_blocks(const Allotment& rays);
 
-/// Casts the allotted rays (LocalRays) of the blocks range.next ... range.end - 1 of ray_blocks, or of fewer if the run
-/// is stopped, and counts them. Moves range.next past the blocks done, and leaves the counts merged. Ray n takes the
-/// item first_item + n.
+/// Casts the allotted rays (LocalRays) of the blocks range.next ... range.end - 1 of ray_blocks(), and counts them. If
+/// the run is stopped, it casts those of fewer blocks. Moves range.next past the blocks done, and leaves the counts
+/// merged. Ray n of the allotment takes the item first_item + n of the sequence.
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
                 ShardRange& range, const RunControl& run, LineCounts& counts);
 

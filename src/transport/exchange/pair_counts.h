@@ -15,27 +15,28 @@ namespace multipath {
 struct PairCount
 {
     std::uint32_t joined = 0;  ///< lines with no surface in between
-    std::uint32_t through = 0; ///< all lines, occluded ones included
+    std::uint32_t through = 0; ///< all lines, with or without surfaces in between
 };
 
-/// Counts of global lines for every pair of patches. Sums of integers are exact: however the lines are split and in
-/// whatever order the counts are added, the bits are the same.
+/// Counts of global lines for every pair of patches. Sums of integers are exact, so the bits do not depend on how the
+/// lines are divided, or in which order the counts are added.
 struct PairCounts
 {
     explicit PairCounts(std::uint32_t patches) : pairs(patches), escaped(patches, 0), behind(patches, 0) {}
 
-    PairCounts& operator+=(const PairCounts& others); ///< of the same scene
-    void visit(Archive& archive);                     ///< saves to or restores from a checkpoint
+    PairCounts& operator+=(const PairCounts& others); ///< needs counts of the same scene
+    void visit(Archive& archive);                     ///< saves the counts to a checkpoint or restores them
 
     std::uint64_t lines = 0;            ///< global lines cast
     PairMatrix<PairCount> pairs;        ///< lines through each pair of patches
-    std::vector<std::uint64_t> escaped; ///< per patch: lines that left its front and met nothing more
-    std::vector<std::uint64_t> behind;  ///< per patch: lines that left its front and met a surface from behind
+    std::vector<std::uint64_t> escaped; ///< per patch: lines that left its front, in either direction, and met nothing
+    std::vector<std::uint64_t> behind;  ///< per patch: lines that left its front and next met a side without a patch
 };
 
-/// Casts global lines from the items first_item, first_item + 1, ... and counts what they join. Casts all `lines_cast`
-/// of them, those of the run's shard, or fewer if the run is stopped; PairCounts::lines says how many. Needs lines_cast
-/// < 2^32, so that no count can overflow.
+/// Casts global lines, line k with the item first_item + k for k = 0 ... lines_cast - 1, and counts the pairs of
+/// patches along them. A shard (one of several runs that divide the work) casts only its part of the lines, a run that
+/// is stopped casts fewer; PairCounts::lines is the number of lines that were cast. Needs lines_cast < 2^32, so that no
+/// count can overflow.
 PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
                        std::uint64_t lines_cast, const RunControl& run);
 

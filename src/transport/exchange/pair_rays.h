@@ -11,29 +11,31 @@
 
 namespace multipath {
 
-/// Sampler of rays between two patches. The weight of a ray is proportional to the light that it carries, so that
-/// weighted means over the rays estimate means over all lines that join the patches. Distant pairs take uniform points
-/// of both patches, near ones a uniform point of the first and a direction uniform in the solid angle of the second
-/// (Arvo 1995).
+/// Sampler of rays between two patches; they leave the first patch towards the second. The weight of a ray is
+/// proportional to the light that the ray carries, so that weighted means over the rays estimate means over all lines
+/// that join the patches. For distant pairs the rays join uniform points of both patches. For near pairs they start at
+/// a uniform point of the first patch, in a direction uniform in the solid angle of the second (Arvo 1995).
 class RayPair
 {
 public:
     struct Ray
     {
         Line line;     ///< from the first patch towards a point of the second
-        double weight; ///< 0 if one of the two points is behind the plane of the other patch
+        double weight; ///< [1/m^2] for distant pairs, [sr] for near ones; 0 if the ray carries no light, since one of
+                       ///< its ends is behind the plane of the other patch
     };
 
-    /// The rays of two patches of the scene; they leave the smaller one.
+    /// Rays between two patches of the scene, given by their indices. The smaller patch is the first.
     RayPair(const Scene& scene, std::uint32_t one, std::uint32_t other);
-    /// The rays from `from`, which should be the smaller one, to `to`. Each may be any part of its surface.
+    /// Rays between two parts of surfaces, which need not be patches of the scene. `from` is the first patch, and
+    /// should be the smaller one.
     RayPair(const Scene& scene, const Patch& from, const Patch& to);
 
-    /// The ray of one item: item[0], item[1] for the point of the first patch, item[2], item[3] for the second. The
-    /// weights of near pairs are bounded, even when the patches touch.
+    /// The ray of one item: item[0] and item[1] choose the point of the first patch, item[2] and item[3] the point or
+    /// the direction of the second. The weights of near pairs are bounded, even when the patches touch.
     Ray ray(const Item& item) const;
 
-    /// Expected weight of a ray, given the unoccluded exchange [m^2] of the pair.
+    /// Expected weight of a ray, in the unit of the weights, given the unoccluded exchange [m^2] of the pair.
     double mean_weight(double unoccluded) const;
 
     std::uint32_t from_surface() const { return from_.surface; }
@@ -51,21 +53,22 @@ private:
     Vec3 from_normal_;
     Vec3 to_normal_;
     double sampled_area_; ///< area of the sampled points: that of the first patch [m^2], or the product of both [m^4]
-    bool near_;           ///< samples the solid angle of the second patch instead of its area
+    bool near_;           ///< true if the solid angle of the second patch is sampled instead of its area
 };
 
 /// Rays to be cast between pairs of patches, to estimate their mutual visibility.
 struct PairRays
 {
-    std::uint64_t first_item = 0; ///< of the sequence; one item per ray (RayPair::ray)
-    std::uint64_t rays = 0;       ///< total number
-    std::uint64_t seed = 0;       ///< of the rounding to whole rays
+    std::uint64_t first_item = 0; ///< index in the sequence of the item of the first ray; one item per ray
+    std::uint64_t rays = 0;       ///< total number of rays; no ray is cast if no pair is uncertain
+    std::uint64_t seed = 0;       ///< seed of the random rounding to whole rays per pair
 };
 
-/// Refines the estimate with shadow rays between pairs, allotted so that the error (1) falls most (Neyman 1934): to
-/// pairs that exchange much light and whose visibility is uncertain. `radiosity` [W/m^2] need only be roughly right.
-/// The estimate must come from estimate_exchange with the same `crossing_area` [m^2]. It is refined in place, row by
-/// row, so a checkpoint must also hold it. If the run is stopped or is a shard, only some rows are refined.
+/// Refines an estimate of estimate_exchange with shadow rays between pairs of patches. The rays are allotted so that
+/// the mean square error of the radiosity falls most (Neyman 1934): to pairs that exchange much light and whose
+/// visibility is uncertain. `radiosity` [W/m^2] need only be roughly right. `unoccluded` [m^2] and `crossing_area`
+/// [m^2] must be those of estimate_exchange. The estimate changes row by row, so the caller must save it in the
+/// checkpoint. If the run is stopped or is a shard, only some rows are refined.
 void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
                     double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
                     const PairRays& plan, const RunControl& run);

@@ -7,8 +7,8 @@
 
 namespace multipath {
 
-/// The products of a symmetric matrix with several vectors of its size, in the order of the vectors. Sums have a fixed
-/// order: the same bits for any number of threads.
+/// The products of a symmetric matrix with several vectors of matrix.size() elements, in the order of the vectors. Sums
+/// are added in a fixed order, so the bits do not depend on the number of threads.
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads);
 

@@ -7,13 +7,13 @@
 
 namespace multipath {
 
-/// The exchange area A_i F_ij [m^2] of every pair of patches without regard to obstacles (F1): see exchange_area. Zero
-/// for patches of the same surface, and for coincident patches that lie back to back. The same bits for any number of
-/// threads.
+/// The exchange area A_i F_ij [m^2] of every pair of patches without regard to obstacles (exchange_area, (F1) in
+/// docs/equations.md). It is zero for patches of the same surface, and for coincident patches that lie back to back.
+/// The bits do not depend on the number of threads.
 PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads);
 
-/// The matrix of unoccluded_exchange, computed on first use, so that lines can be cast before. Thread-safe. The scene
-/// must outlive it.
+/// The matrix of unoccluded_exchange, computed on first use, so that lines can be cast before it takes memory.
+/// Thread-safe. The scene must outlive this object.
 class UnoccludedExchange
 {
 public:

@@ -12,53 +12,54 @@
 
 namespace multipath {
 
-/// The part of a line between two successive surfaces along it, or before the first or after the last one. `from` is
-/// the patch that the segment leaves, `to` the patch that it reaches, on the sides of the surfaces that face the
-/// segment. An end is `behind` if its surface has no patch on that side (a back), and `outside` if there is no surface.
+/// The part of a line between two successive surfaces along it, before the first, or after the last surface. `from` is
+/// the patch that the segment leaves, `to` the patch that it reaches, both on the sides of the surfaces that face the
+/// segment. Instead of a patch, an end is `behind` if its surface has no patch on that side (a back), and `outside` if
+/// there is no surface.
 struct Segment
 {
     static constexpr std::uint32_t behind = 0xfffffffeu;
     static constexpr std::uint32_t outside = 0xffffffffu;
 
-    std::uint32_t from;
-    std::uint32_t to;
+    std::uint32_t from; ///< patch, `behind` or `outside`
+    std::uint32_t to;   ///< patch, `behind` or `outside`
 
     static bool is_patch(std::uint32_t end) { return end < behind; }
-    /// True for a facing pair of the paper: both ends are patches, which exchange power.
+    /// True if both ends are patches, which then exchange power: a facing pair of the paper.
     bool joins_patches() const { return is_patch(from) && is_patch(to); }
 };
 
-/// The patches on the two sides of a surface at a hit: the one at which the line arrives and the one from which it goes
-/// on. Segment::behind stands for a side without a patch.
+/// The patches on the two sides of a surface at a hit. Segment::behind stands for a side without a patch.
 struct Passage
 {
-    std::uint32_t arrives_at;
-    std::uint32_t leaves;
+    std::uint32_t arrives_at; ///< patch on the side from which the line comes
+    std::uint32_t leaves;     ///< patch on the side on which the line goes on
 };
 
 Passage passage_at(const Scene& scene, const Hit& hit);
 
-/// Finds the passage of every hit of many lines, line after line. Replaces the contents of `passages`.
+/// Finds the passages of all hits of many lines, in the order of the lines and their hits. Replaces the contents of
+/// `passages`.
 void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages);
 
-/// Appends the segments of one line, given its hits in order. Segments that touch no patch are left out.
+/// Appends the segments of one line in order, given its hits in order. Segments that touch no patch are left out.
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments);
 
-/// Finds the segments of many lines, line after line. Replaces the contents of `segments`.
+/// Finds the segments of many lines like append_segments, line after line. Replaces the contents of `segments`.
 void find_segments(const Scene& scene, const HitLists& lists, std::vector<Segment>& segments);
 
-/// The global lines of a stage, cut into blocks.
+/// The global lines of one stage of a run, divided into blocks.
 struct LineBlocks
 {
     const Scene& scene;
     const GlobalLines& global_lines;
     const Sequence& sequence;
-    std::uint64_t first_item; ///< item of the sequence that makes the first line
-    Blocks lines;
+    std::uint64_t first_item; ///< index in the sequence of the item of line 0; line k has the k-th item after it
+    Blocks lines;             ///< number of lines, and lines per block
 };
 
-/// Number of lines in a block: 4096, or fewer if a block would need too much memory. `records_per_line` is the mean
-/// number of records that a line makes and that are stored until its block is done.
+/// Number of lines in a block: 4096, or fewer (at least 1) if a block would need too much memory. `records_per_line` is
+/// the mean number of records per line that are stored until the block is done.
 inline std::uint64_t lines_per_block(double records_per_line)
 {
     constexpr double most_lines = 4096.0;
@@ -70,7 +71,8 @@ inline std::uint64_t lines_per_block(double records_per_line)
 class LineBlock
 {
 public:
-    /// Traces block `number`. Returns the hits of each of its lines in order, valid until the next call.
+    /// Traces block `number`. Returns the hits of its lines, in the order of the lines; they are valid until the next
+    /// call.
     const HitLists& trace(const LineBlocks& blocks, std::uint64_t number)
     {
         items_.resize(blocks.lines.length(number));
@@ -95,6 +97,7 @@ struct SegmentBlock
     LineBlock lines;
     std::vector<Segment> segments;
 
+    /// Traces block `number` and sets `segments`.
     void trace(const LineBlocks& blocks, std::uint64_t number)
     {
         find_segments(blocks.scene, lines.trace(blocks, number), segments);

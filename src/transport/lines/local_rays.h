@@ -18,11 +18,11 @@ class LocalRays
 public:
     explicit LocalRays(const Patch& patch);
 
-    /// The ray from a uniform point, by item[0] and item[1], in a cosine-distributed direction, by item[2] and item[3].
+    /// The ray of one item: item[0] and item[1] choose its start, uniform on the patch, item[2] and item[3] its
+    /// cosine-distributed direction.
     Line line(const Item& item) const;
 
-    /// The same ray, given the direction `local` about +z that square_to_cosine_hemisphere makes of item[2] and
-    /// item[3].
+    /// The same ray, for a caller that has already computed `local` = square_to_cosine_hemisphere(item[2], item[3]).
     Line line(const Item& item, Vec3 local) const;
 
 private:
@@ -30,28 +30,29 @@ private:
     ObliqueAxes axes_;
 };
 
-/// The ray of LocalRays, for a patch of which a single one is needed.
+/// A single ray of LocalRays(patch).
 Line local_line(const Patch& patch, const Item& item);
 
-/// Writes `count` rays: ray k leaves patches[k] and takes items[k]. The same rays as local_line, computed faster.
+/// Writes `count` rays to `lines`: ray k leaves patches[k] and takes items[k]. They are the same as those of
+/// local_line, computed faster.
 void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines);
 
-/// Traces a ray that leaves a patch of `surface`. Returns the patch that it reaches, Segment::behind or
-/// Segment::outside.
+/// Traces a ray that leaves a patch of `surface`. Returns the patch that the ray reaches, Segment::behind if it meets a
+/// side without a patch, or Segment::outside if it meets nothing.
 std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ray);
 
-/// The patch on the side of the surface that is hit, or Segment::behind if that side has none.
+/// The patch on the side of the surface that a ray hits, or Segment::behind if that side has none.
 std::uint32_t receiving_patch(const Scene& scene, const Hit& hit);
 
-/// Many rays from patches, traced together in reusable buffers: the results of local_line and receiver, computed
-/// faster.
+/// Many rays from patches, traced together in reusable buffers. The results are those of local_line and receiver,
+/// computed faster.
 struct RayBlock
 {
-    std::vector<std::uint32_t> patches;   ///< per ray: the patch that it leaves
-    std::vector<Item> items;              ///< per ray: its item (see LocalRays)
-    std::vector<std::uint32_t> receivers; ///< per ray: the patch that it reaches, Segment::behind or Segment::outside
+    std::vector<std::uint32_t> patches;   ///< per ray: the patch that the ray leaves
+    std::vector<Item> items;              ///< per ray: the item that makes it (LocalRays::line)
+    std::vector<std::uint32_t> receivers; ///< per ray: the result of receiver()
 
-    /// Sets `receivers`, given `patches` and `items`.
+    /// Sets `receivers`, given `patches` and `items` of equal length.
     void trace(const Scene& scene);
 
 private:

@@ -5,22 +5,24 @@
 
 namespace multipath {
 
-/// The contribution of row i of a symmetric matrix, stored up to its diagonal, to its product with one vector.
+/// The contribution of row i of a symmetric matrix to the product of the matrix with one vector. Only the lower
+/// triangle is stored; the row has its elements j < i.
 struct RowProduct
 {
     const double* x; ///< the vector
     double factor;   ///< x[i]
     double* y;  ///< the product: the kernel adds row[j] * factor to y[j], for the mirrored elements above the diagonal
-    double sum; ///< the kernel sets it to the sum of row[j] * x[j], to be added to y[i]
+    double sum; ///< result of the kernel: the sum of row[j] * x[j], which the caller adds to y[i]
 };
 
 /// The innermost loop of symmetric_product, compiled for one instruction set. All kernels add in the same order, in
-/// eight partial sums, and so give the same bits.
+/// eight partial sums, so all give the same bits.
 struct RowKernel
 {
-    const char* name; ///< of the instruction set
+    const char* name; ///< name of the instruction set
 
-    /// Multiply row[0] ... row[count - 1] with one vector, or with three: `products` then has three elements.
+    /// Both multiply row[0] ... row[count - 1]: multiply_one with the vector of one RowProduct, multiply_three with
+    /// those of an array of three.
     void (*multiply_one)(const float* row, std::uint32_t count, RowProduct* product);
     void (*multiply_three)(const float* row, std::uint32_t count, RowProduct* products);
 };
