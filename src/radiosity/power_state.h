@@ -7,57 +7,63 @@
 
 namespace multipath {
 
-/// Balance of the power of the sources, per channel [W]. emitted = absorbed + unshot + escaped + behind.
+/// Balance of the power of the sources [W]: emitted = absorbed + unshot + escaped + behind, in each channel.
 struct PowerBalance
 {
-    Rgb emitted;  ///< sent or held by the sources, or received from the sun; differs from Phi_T by the forecast's noise
-    Rgb absorbed; ///< by the patches
-    Rgb unshot;   ///< received or emitted, not yet sent on when the work ended
-    Rgb escaped;  ///< left the scene through an opening, or reached the sky
-    Rgb behind;   ///< met a surface on a side that has no patch
+    /// Power that the sources sent or still hold, or that arrived from the sun. It differs from `source` by the noise
+    /// of the forecast (multipath.h), at random.
+    Rgb emitted;
+    Rgb absorbed; ///< power that patches absorbed
+    Rgb unshot;   ///< power that patches emitted or reflected, but had not sent on when the work ended
+    Rgb escaped;  ///< power that left the scene through an opening, or reached the sky
+    Rgb behind;   ///< power that met a surface on a side that has no patch
 
-    Rgb source; ///< Phi_T; `emitted` without the noise of the forecast
+    Rgb source; ///< Phi_T, the power of the sources
     /// [W] Upper estimate of the standard error of `emitted` for independent global lines, mean of the channels. 0 if
     /// no line needs a forecast.
     double emitted_error = 0.0;
 
-    /// Largest error of the balance over the channels, relative to `emitted` or `source`, whichever is larger.
+    /// [1] Largest difference between the two sides of the balance in any channel, relative to `emitted` or `source`,
+    /// whichever is larger.
     double relative_error() const;
 };
 
 /// Power received and held by the patches: the state that all stages of the solver advance.
 struct PowerState
 {
-    /// The initial state: sources hold the power that they emit, and sunlit patches what they reflect of the sunlight.
+    /// The initial state: the patches of sources hold the power that they emit. Sunlit patches have received the
+    /// sunlight, and hold the reflected part of it.
     explicit PowerState(const Scene& scene);
-    /// All zero, for sums.
+    /// A state of zeros, for sums.
     static PowerState empty(const Scene& scene);
 
-    void visit(Archive& archive); ///< for a checkpoint
+    void visit(Archive& archive); ///< saves the state to a checkpoint or restores it
 
-    std::vector<Rgb> incident; ///< [W] per patch, received so far
-    std::vector<Rgb> unshot;   ///< [W] per patch, emitted or reflected, not yet sent on
-    Rgb emitted;               ///< [W] see PowerBalance
-    Rgb escaped;               ///< [W]
-    Rgb behind;                ///< [W]
-    /// [W] Sum of (1 - rho) * incident over the patches, minus the power that was really absorbed there: the noise of
-    /// the estimator, of either sign.
+    std::vector<Rgb> incident; ///< [W] per patch: power received so far
+    std::vector<Rgb> unshot;   ///< [W] per patch: power emitted or reflected, but not yet sent on
+    Rgb emitted;               ///< [W] see PowerBalance::emitted
+    Rgb escaped;               ///< [W] see PowerBalance::escaped
+    Rgb behind;                ///< [W] see PowerBalance::behind
+    /// [W] Sum of (1 - rho) * incident over the patches, minus the power that the lines really left there. It is the
+    /// noise of the estimator, of either sign.
     Rgb surplus;
-    double emitted_variance = 0.0; ///< [W^2] see PowerBalance::emitted_error
+    double emitted_variance = 0.0; ///< [W^2] square of PowerBalance::emitted_error
 };
 
-/// Closes the balance for an estimate of all light from `sources` [W]. The arguments state the estimated losses;
-/// incident power of the state contains `absorbed` already. They come from different lines and do not add up to
-/// `sources`, so one factor per channel scales all of them, the absorbed part by PowerState::surplus. In a channel in
-/// which nothing was found, the power stays unshot at the first patch.
+/// Closes the balance for an estimate of all light from `sources` [W]. `absorbed`, `escaped` and `behind` [W] are the
+/// estimated losses; PowerState::incident already contains the light of which `absorbed` is the absorbed part. The
+/// three losses come from different lines and do not add up to `sources`, so one factor per channel scales them: the
+/// state gets the scaled `escaped` and `behind`, and the change of `absorbed` goes into PowerState::surplus. In a
+/// channel without losses, the power of the sources is added to the unshot power of the first patch.
 void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state);
 
-/// Adds `share` times one balance to another. Standard errors add up as those of independent estimates.
+/// Adds `share` [1] times one balance to another. Standard errors add up as those of independent estimates.
 void add(const PowerBalance& part, double share, PowerBalance& sum);
 
+/// The balance of a state. Light on the patches of the sky counts as escaped, not as absorbed.
 PowerBalance power_balance(const Scene& scene, const PowerState& state);
 
-/// B = E + rho H per patch [W/m^2].
+/// [W/m^2] Radiosity B = E + rho H of every patch: its emittance plus the reflected part of its irradiance.
 std::vector<Rgb> radiosity(const Scene& scene, const PowerState& state);
 
 } // namespace multipath

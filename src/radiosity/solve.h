@@ -12,30 +12,36 @@
 
 namespace multipath {
 
-/// Called with the finished fraction of the work, 0 ... 1, in increasing order, by the thread that just finished a
-/// part.
+/// Called now and then with the finished fraction of the work, 0 ... 1, which never decreases. The calls come from any
+/// thread, but one at a time.
 using ProgressCallback = std::function<void(double done)>;
 
-/// Data shared by all runs of a scene whose options differ only in seed and lines.
+/// Data shared by all runs of a scene whose options differ only in seed and lines. The method decides which of them are
+/// set.
 struct Preparation
 {
-    std::optional<double> ratio;                          ///< N_l / N_g, for methods that use it
-    std::shared_ptr<const UnoccludedExchange> unoccluded; ///< for `reuse` with a table of all pairs
-    std::shared_ptr<const SceneLights> lights;            ///< for `reuse` without a table
+    std::optional<double> ratio; ///< N_l / N_g, local lines per global line, for methods that shoot first
+    std::shared_ptr<const UnoccludedExchange>
+        unoccluded;                            ///< for the method `reuse` with a table of all pairs of patches
+    std::shared_ptr<const SceneLights> lights; ///< for the method `reuse` without a table
 };
 
 /// Prepares runs of the scene. Throws InputError if light is trapped among surfaces that reflect all of it.
 Preparation prepare(const Scene& scene, const SolveOptions& options);
 
-/// Solves for the radiosity of every patch. The result is a function of scene, options and seed, not of the number of
-/// threads. If the checkpoint stops the work, returns the solution so far; a shard of `reuse` returns nothing useful,
-/// as its counts are in the checkpoint. Throws SettingsError for a sequence with too few items, more rays by
-/// power_by_line than lines, more lines than `reuse` can count, or a shard with too few; InputError for a shard whose
-/// counts do not fit into the memory, or if the equations have no sound solution; std::invalid_argument for an unknown
-/// sequence.
+/// Solves for the radiosity of every patch. The result is a function of scene, options (the seed is one of them) and
+/// preparation, not of the number of threads. If the checkpoint stops the work, returns the solution so far. `shard`:
+/// the part of the work for the method `reuse`, if several runs divide its lines; the result of such a run is not
+/// useful, since its counts are in the checkpoint.
+///
+/// Throws SettingsError for a sequence with too few items, for a first shot that needs more rays of power_by_line than
+/// there are lines, for more lines than `reuse` can count, and for a shard with too few lines per patch. Throws
+/// InputError for a shard whose counts do not fit into the memory, and if the equations have no sound solution. Throws
+/// std::invalid_argument for a sequence that cannot be made, and ArchiveError if the checkpoint does not fit.
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 
+/// The same with the preparation that prepare() makes; throws what prepare() throws, too.
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress);
 
 } // namespace multipath

@@ -14,37 +14,40 @@
 
 namespace multipath {
 
-/// Which stage uses which items of the sequence. One running number through the whole sequence ensures that no item is
-/// used twice: after `skip` omitted items come the rays of the first shot, one item each in the order of the patches,
-/// then the global lines, one item each. Two stages of a quasi-random sequence together are then as evenly spread as
-/// one.
+/// Which stage uses which items of the sequence. Each stage takes the items after those of the stage before it, so no
+/// item is used twice: after the omitted items come those of the rays of the first shot, one per ray in the order of
+/// the patches, then those of the global lines, one per line. In a quasi-random sequence, the items of both stages
+/// together are then as evenly spread as those of one stage.
 struct ItemPlan
 {
-    std::uint64_t first_shot = 0;  ///< first item of the first shot
-    std::uint64_t global_pass = 0; ///< first item of the global pass
+    std::uint64_t first_shot = 0;  ///< index of the first item of the first shot
+    std::uint64_t global_pass = 0; ///< index of the first item of the global pass
     std::uint64_t end = 0;         ///< one past the last item used
 };
 
-/// Throws SettingsError if the sequence has too few items.
+/// Plans the items of a run that omits `skip` items, and then casts so many local lines and global lines. Throws
+/// SettingsError if the sequence has too few items.
 ItemPlan plan_items(const Sequence& sequence, std::uint64_t skip, std::uint64_t local_lines,
                     std::uint64_t global_lines_cast);
 
-/// The order in which a walk follows its global lines: that of the sequence, as in the paper, or shuffled in blocks.
-/// What a line carries depends on the lines before it, and successive items of a quasi-random sequence are not
-/// independent. In their own order they make the walk converge to a slightly wrong result.
+/// The order in which a walk follows its global lines: that of the sequence, as in the paper, or shuffled in blocks. A
+/// line carries what the lines before it have left, and successive items of a quasi-random sequence are not
+/// independent. In the order of such a sequence the walk converges to a slightly wrong result.
 enum class LineOrder { sequence, shuffled };
 
-/// The items first_item ... first_item + lines - 1 of the sequence, in the order of the walk.
+/// The sequence with its items first_item ... first_item + lines - 1 in the order of the walk. `sequence` must outlive
+/// the result.
 inline ShuffledOrder walking_order(const Sequence& sequence, LineOrder order, std::uint64_t first_item,
                                    std::uint64_t lines)
 {
     return {sequence, first_item, order == LineOrder::shuffled ? lines : 0};
 }
 
-/// How `reuse` finds the direct light: by rays of the extended first shot, or by rays between pairs of patches, or
-/// patches and lights.
+/// How the method `reuse` finds the direct light. shoot: by rays of the extended first shot. gather: by rays between
+/// pairs of patches if it makes a table of all pairs, else by shadow rays from the patches to the lights.
 enum class Direct { shoot, gather };
 
+/// Options of a run. Those that a method does not use (MethodInfo::options) have no effect.
 struct SolveOptions
 {
     Method method = Method::first_shot;
@@ -52,25 +55,27 @@ struct SolveOptions
     Pairing pairing = Pairing::four_dimensional;
     LineOrder line_order = LineOrder::shuffled;   ///< for methods whose power walks along global lines
     std::optional<Chords> chords;                 ///< empty: default of the method
-    std::uint64_t seed = 1;                       ///< of all random numbers
+    std::uint64_t seed = 1;                       ///< seed of all random numbers
     std::uint64_t skip = 0;                       ///< number of items to omit at the beginning of the sequence
-    std::uint64_t lines = 1u << 20;               ///< N_l + N_g
-    std::optional<double> ratio;                  ///< N_l / N_g; empty: (3), with figures measured in the scene
-    std::optional<double> power_by_line;          ///< [W] of one ray of the (extended) first shot; replaces the ratio
-    std::optional<double> threshold;              ///< [W/m^2] unshot radiosity kept by every patch; empty: (4)
+    std::uint64_t lines = 1u << 20;               ///< number of local and global lines together
+    std::optional<double> ratio;                  ///< local lines per global line; empty: see ratio_for()
+    std::optional<double> power_by_line;          ///< [W] power of one ray of a first shot; replaces the ratio
+    std::optional<double> threshold;              ///< [W/m^2] unshot radiosity kept by every patch in a first shot;
+                                                  ///< empty: threshold_radiosity()
     int most_steps = 1000;                        ///< maximum number of passes of the extended first shot
-    bool bidirectional = true;                    ///< (M2)
+    bool bidirectional = true;                    ///< power flows both ways along a line (M2); if false, one way only
     Estimator estimator = Estimator::collision;   ///< for the methods local and gathering
-    std::optional<std::uint64_t> bundle;          ///< parallel lines per direction, for transillumination; empty: auto
-    std::shared_ptr<const Importance> importance; ///< for the method jacobi; empty: all patches are equally important
+    std::optional<std::uint64_t> bundle;          ///< parallel lines per direction, for transillumination; empty:
+                                                  ///< about as many as directions
+    std::shared_ptr<const Importance> importance; ///< for the method jacobi; null: all patches are equally important
     Direct direct = Direct::gather;               ///< for the method reuse
-    bool denoise = true;                          ///< for the method reuse
-    bool all_pairs = true;                        ///< allows reuse to make a table of all pairs if that pays
-    double memory = 2e9;                          ///< [bytes] for the whole run; reuse limits its pairs accordingly
+    bool denoise = true;                          ///< for the method reuse without a table of all pairs
+    bool all_pairs = true;                        ///< allows reuse to make a table of all pairs where that pays
+    double memory = 2e9; ///< [bytes] for the whole run; limits the table and the counts of reuse
     int threads = 1;
 };
 
-/// Distribution of the global lines of the run.
+/// Distribution of the global lines of the run: options.chords, or the default of the method.
 inline Chords chords_of(const SolveOptions& options)
 {
     return options.chords.value_or(options.method->chords);

@@ -47,11 +47,11 @@ struct TruthAtPoint
 /// threads at once.
 using Truth = std::function<TruthAtPoint(const Hit& hit, std::uint64_t number)>;
 
-/// Compares the smooth shading of `radiosity` [W/m^2 per patch] with the truth at `points` points, except those that
-/// another surface covers. The points come from a fixed Sobol' sequence: equal parts of them are distributed by area,
-/// evenly over the patches, and in proportion to the power that the patches reflect by `guide`, an approximate
-/// radiosity [W/m^2 per patch]. The product of the deviations from two independent estimates has the square of the true
-/// deviation as its mean, however noisy the estimates are.
+/// Compares the smooth shading of `radiosity` [W/m^2 per patch] with the truth at `points` points, except those on
+/// the sky and those that another surface covers. The points come from a fixed Sobol' sequence: equal parts of them are
+/// distributed by area, evenly over the patches, and in proportion to the power that the patches reflect by `guide`, an
+/// approximate radiosity [W/m^2 per patch]. The product of the deviations from two independent estimates has the square
+/// of the true deviation as its mean, however noisy the estimates are.
 ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
                        const Truth& truth, std::uint64_t points, int threads);
 

@@ -8,23 +8,27 @@ namespace multipath {
 
 struct GatheringResult
 {
-    std::uint64_t segments = 0; ///< number cast, about options.lines
-    bool solved = false;        ///< true if at least one round was finished; otherwise the state is unchanged
+    std::uint64_t segments = 0; ///< number of segments cast, about options.lines
+    bool solved = false;        ///< true if at least one round was finished; if false, the state is unchanged
 };
 
-/// Gathering random walks (Bekaert: Hierarchical and stochastic algorithms for radiosity, 1999, section 4.4). Paths
-/// start at the patches whose light is sought, are reflected with probability rho, and gather the emittance of the
-/// sources where they pass (collision estimator) or end (absorption estimator) (W1). They solve the adjoint of the
-/// system that shooting walks solve: the precision of a patch costs the same whether much or little light arrives
-/// there. Every one of up to 16 rounds covers all patches. A run that is stopped has the mean of its rounds so far, and
-/// no result during the first one. The caller must save `state` in the checkpoint; this function saves the rest.
+/// Gathering random walks (Bekaert: Hierarchical and stochastic algorithms for radiosity, 1999, section 4.4; (W1) in
+/// docs/equations.md). Walks start at the patches whose light is sought, and are reflected with probability rho. They
+/// gather the emittance of every source patch that they meet (collision estimator), or only of the patch where they end
+/// (absorption estimator). They solve the adjoint of the system that shooting walks solve: the precision of a patch
+/// costs the same whether much or little light arrives there.
+///
+/// `state` must be the initial state of a run; the function adds all light. The walks are divided into 1 ... 16 rounds,
+/// each of which covers all patches. If the run is stopped, the result is the mean of the rounds so far; during the
+/// first round there is none. The caller must save `state` in the checkpoint; this function saves the rest.
 GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                                 const RunControl& run, PowerState& state);
 
-/// The walks of the first round. Walk n takes the item options.first_item + n.
+/// The walks of the first round. Walk n takes the item options.first_item + n of the sequence. Their power_per_ray is
+/// the weight [1] of a walk, the inverse of the number of walks from its patch.
 Particles first_walks(const Scene& scene, const LocalOptions& options, int threads);
 
-/// [W/m^2] What a step of a walk adds to the irradiance of the patch where the walk starts (W1); black if the step ends
+/// [W/m^2] What a step of a walk adds to the irradiance of the patch where the walk starts (W1). Black if the step ends
 /// at no patch.
 Rgb gathered_irradiance(const Scene& scene, const ParticleStep& step, Estimator estimator);
 

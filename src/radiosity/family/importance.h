@@ -9,14 +9,16 @@
 namespace multipath {
 
 /// Importance of the patches (Smits, Arvo, Salesin: An importance-driven radiosity algorithm, 1992). The goal is a
-/// small sum of w_i A_i (error of B_i)^2, where w_i [1] is the weight of patch i.
+/// small sum of w_i A_i (error of B_i)^2 over all patches i, where w_i [1] is the weight of patch i, A_i its area and
+/// B_i its radiosity.
 struct Importance
 {
-    std::vector<double> weight; ///< w_i, per patch
+    std::vector<double> weight; ///< w_i [1] per patch, >= 0
 
-    /// Relative noise sigma_i that the power from each patch i causes in the important patches (I1). With rays from
-    /// patch i in proportion to P_i sigma_i, the weighted error is smallest. Estimated by `rays_per_patch` rays from
-    /// each patch, with one item each from first_item on.
+    /// [1/m] Noise factor sigma_i of each patch i: the square root of the weighted error that a single ray per watt
+    /// sent by patch i would cause ((I1) in docs/equations.md). If patch i sends the power P_i, the error is smallest
+    /// with rays in proportion to P_i sigma_i. Estimated by `rays_per_patch` >= 1 rays from each patch, one item per
+    /// ray from first_item on in the order of the patches.
     std::vector<double> noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                       std::uint32_t rays_per_patch, int threads) const;
 };
