@@ -1,8 +1,8 @@
-// The total power of all passes is not known beforehand, and neither is the power of one line with which the passes use
-// N_l lines. A pilot with a small share of the lines estimates how the power is distributed over the passes. Each pass
-// then gets a part of the remaining lines, namely the power that the pilot shot in this pass over the power that it
-// shot in this and all later passes. Errors of the pilot are corrected by the following passes, and the total number of
-// lines is as planned.
+// The total power of all passes is not known beforehand, and neither is the power per ray with which the passes use N_l
+// rays. A pilot run with a small fraction of the rays, which are not charged, estimates how the power is distributed
+// over the passes. Each pass then gets a fraction of the remaining rays: the power that the pilot shot in this pass,
+// over the power that it shot in this and all later passes. So later passes correct the errors of the pilot. The last
+// pass of the pilot, and any pass after it, gets all rays that are left.
 
 #include "radiosity/extended_first_shot.h"
 

@@ -1,10 +1,10 @@
-// Halton sequences. The radical inverse of n is split into a low and a high part, with base^k as large as a table of at
-// most 4096 entries allows:
+// Halton sequences. The radical inverse of n is split into a part of the low k digits and a part of the high digits:
 //
-//   inverse(n) = inverse(n mod base^k) + inverse(n / base^k) / base^k.
+//   inverse(n) = inverse(n mod base^k) + inverse(floor(n / base^k)) / base^k.
 //
-// The first term comes from the table. The second one is the same for base^k successive n, so blocks of points cost
-// little more than a look-up and an addition per coordinate. Permuted digits work in the same way.
+// The first term comes from a table of base^k entries: as many as possible up to 4096, but at least one digit. The
+// second term is the same for base^k successive n, so blocks of points cost little more than a look-up and an addition
+// per coordinate. Permuted digits work in the same way.
 
 #include "sampling/halton.h"
 

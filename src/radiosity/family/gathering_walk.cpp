@@ -1,6 +1,7 @@
-// A gathering walk is traced like a particle (Particles), but from the receiver. Its weight is the inverse of the
-// number of walks of its patch, and at each patch that it meets it adds the emittance there times its weight to the
-// irradiance of the first patch. Rounds over all patches make a run that is stopped as good as its lines allow.
+// A gathering walk is traced like a particle (Particles), but from the receiver. It starts with a weight instead of a
+// power: the inverse of the number of walks of its patch. At each patch that it meets, the emittance there times the
+// weight is added to the irradiance of the first patch. The walks are cast in rounds over all patches, so that a run
+// that is stopped has sampled all patches.
 
 #include "radiosity/family/gathering_walk.h"
 

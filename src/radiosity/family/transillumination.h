@@ -11,70 +11,78 @@
 
 namespace multipath {
 
-/// Parallel lines through the smallest rectangle that is perpendicular to their direction and covers the projection of
-/// the scene's box.
+/// Parallel lines through a rectangle that is perpendicular to their direction and covers the projection of a box, such
+/// as the bounding box of the scene. The rectangle is nearly the smallest possible one.
 class Bundle
 {
 public:
-    /// item[0], item[1]: direction, uniform on the sphere; item[2], item[3]: random shift of the lattice. The number of
-    /// lines is chosen so that `lines` of them meet the box in expectation over the shift; at most 8 times `lines`.
+    /// item[0] and item[1] choose the direction, uniform on the sphere, item[2] and item[3] a shift of the lattice of
+    /// lines. The number of lines is chosen so that `lines` of them meet the box in expectation over the shift; but it
+    /// is at least 1 and at most 8 times `lines`.
     Bundle(const Bounds& box, const Item& item, std::uint64_t lines);
 
     Vec3 direction() const { return direction_; }
     std::uint64_t count() const { return count_; }
     double section() const { return section_; } ///< [m^2] cross-section that each line represents
 
-    /// Line k = 0 ... count() - 1 of a shifted rank-1 lattice: (k / n, k times the golden section).
+    /// Line k = 0 ... count() - 1. Its position on the rectangle is point k of a shifted rank-1 lattice of n = count()
+    /// points: (k + 1/2) / n along one side, k times the golden section along the other, both modulo 1. The line begins
+    /// before the box.
     Line line(std::uint64_t k) const;
 
 private:
     Vec3 direction_;
     Vec3 along_u_;
     Vec3 along_v_;
-    Vec3 centre_; ///< of the rectangle, before the box along the direction
-    double half_u_ = 0.0;
+    Vec3 centre_;         ///< centre of the rectangle, which lies before the box
+    double half_u_ = 0.0; ///< [scene units] half of the sides of the rectangle
     double half_v_ = 0.0;
-    double shift_u_;
+    double shift_u_; ///< [1] shift as a fraction of a side
     double shift_v_;
     std::uint64_t count_ = 0;
-    double section_ = 0.0;
+    double section_ = 0.0; ///< [m^2]
 };
 
+/// Parameters of transillumination.
 struct TransilluminationOptions
 {
-    std::uint64_t first_item = 0; ///< of the sequence; one item per ray, then one per direction
-    std::uint64_t lines = 0;      ///< number to use; lines that miss the scene's box are not charged (N1)
-    /// Parallel lines per direction, at most 1/16 of all lines. Empty: the square root of the number of lines, so that
-    /// there are as many directions as lines per direction.
+    /// Index in the sequence of the first item: one item per ray of estimate_by_rays(), then one per direction.
+    std::uint64_t first_item = 0;
+    std::uint64_t lines = 0; ///< number of rays and lines to use; lines that miss the bounding box are not charged (N1)
+    /// Lines per direction that meet the bounding box, reduced to 1/16 of all lines if it is more. Empty: the square
+    /// root of the number of lines, so that there are about as many directions as lines per direction.
     std::optional<std::uint64_t> bundle;
-    std::uint64_t seed = 0; ///< of the rounding to whole rays
+    std::uint64_t seed = 0; ///< seed of the random rounding to whole rays
 };
 
-/// The estimate of all light before the first iteration, by rays from the patches. Uses about an eighth of the lines,
-/// at most half of them. Returns the number of rays cast.
+/// The estimate of all light before the first iteration, by rays from the patches (send_series). Uses about an eighth
+/// of options.lines, at most half of them. Returns the number of rays cast, and adds the light to `state`.
 std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
                                const RunControl& run, PowerState& state);
 
-/// How the lines that remain after the rays are used.
+/// How the lines that remain after estimate_by_rays() are used.
 struct BundlePlan
 {
-    std::uint64_t bundle;     ///< lines per direction that meet the scene's box
-    std::uint64_t directions; ///< number of directions in all iterations
+    std::uint64_t bundle;     ///< lines per direction that meet the bounding box
+    std::uint64_t directions; ///< number of directions of all iterations together
 };
 
+/// `rays`: number of rays that estimate_by_rays() cast.
 BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays);
 
-/// [W] Power that a patch of this radiosity sends along a line that represents `section` [m^2] of one of `directions`
-/// directions. A direction together with its opposite stands for the solid angle 2 pi / D, and per projected area a
-/// patch sends B / pi: 2 section B / D (P1).
+/// [W] Power that a patch of this radiosity B [W/m^2] sends along a line that represents `section` [m^2] of one of D =
+/// `directions` directions: 2 section B / D ((P1) in docs/equations.md). A patch sends along a line towards its front
+/// only, so each direction stands for the solid angle 2 pi / D of the hemisphere; and per projected area and solid
+/// angle the patch sends B / pi.
 Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions);
 
-/// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines, ray bundles, Szirmay-Kalos and
-/// Purgathofer 1998) of the unshot power of `state`. In the iterations of stochastic_jacobi.h, T P is estimated by
-/// parallel lines through the whole scene, in directions of the sequence. Along each direction all patches exchange
-/// power, both ways (P1). Begins with estimate_by_rays(). Returns the number of lines used, fewer if the run is
-/// stopped: an unfinished iteration has no effect. The caller must save `state` in the checkpoint; this function saves
-/// the rest.
+/// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines per direction, ray bundles,
+/// Szirmay-Kalos and Purgathofer 1998): distributes the unshot power of `state`. It begins with estimate_by_rays().
+/// Iterations as in stochastic_jacobi.h follow, in which parallel lines through the whole scene estimate the power T P
+/// that the patches receive; each direction comes from an item of the sequence. Along each line all patches exchange
+/// power, both ways (P1). If the run is stopped, an unfinished iteration has no effect. Returns the number of rays and
+/// lines used, without those of an unfinished iteration. The caller must save `state` in the checkpoint; this function
+/// saves the rest.
 std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
                                  const RunControl& run, PowerState& state);
 

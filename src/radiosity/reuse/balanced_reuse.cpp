@@ -1,7 +1,8 @@
 // Neyman allocation (Neyman 1934). Let a single ray from a patch of area A and reflectance rho estimate the power that
 // it receives with standard deviation A sigma. Then m rays give its radiosity the variance rho^2 sigma^2 / m, which
 // adds rho^2 sigma^2 A / m to the error (1), up to a factor that all patches share. For a given total number of rays,
-// the sum over the patches is smallest with m in proportion to rho sigma sqrt(A), and not to A, as with global lines.
+// the sum over the patches is smallest with m in proportion to rho sigma sqrt(A), while global lines would cross the
+// patches in proportion to A.
 //
 // The standard deviations sigma are estimated in rounds. The first rounds are small; each round distributes its rays by
 // water-filling, so that together with the earlier rays they come as near as possible to the optimum. After each round

@@ -210,10 +210,10 @@ public:
     std::size_t size() const { return count_; }
     double total_area() const { return total_area_; }
     double area(std::size_t k) const { return area_[k]; }
-    Rgb found(std::size_t k) const { return found_[k]; }          ///< y
+    Rgb found(std::size_t k) const { return found_[k]; }          ///< B
     Rgb noise(std::size_t k) const { return noise_[k]; }          ///< s^2
-    Rgb value(std::size_t k) const { return value_[k]; }          ///< f
-    double leverage(std::size_t k) const { return leverage_[k]; } ///< h
+    Rgb value(std::size_t k) const { return value_[k]; }          ///< B~
+    double leverage(std::size_t k) const { return leverage_[k]; } ///< l
 
 private:
     /// Orthogonalises the polynomial against the basis (Gram-Schmidt), and adds it to basis and fit. A polynomial that
@@ -275,10 +275,10 @@ private:
     std::vector<double> leverage_;
 };
 
-/// Residual of a fit, and the noise in it [W^2/m^2].
+/// The sums of (R6) for a fit [W^2/m^2].
 struct Residual
 {
-    Rgb found; ///< sum of a (f - y)^2
+    Rgb found; ///< sum of A_i (B~_i - B_i)^2
     Rgb noise; ///< sum of A_i s_i^2
     Rgb trace; ///< sum of A_i^2 s_i^2 l_i
     double risk() const { return sum(found) + price * sum(trace) - sum(noise); }

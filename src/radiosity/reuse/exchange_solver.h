@@ -8,42 +8,48 @@
 
 namespace multipath {
 
-/// Solution of B_i = S_i + rho_i / A^_i sum over j of G_ij B_j (R1), where A^_i are the row areas of the exchange G.
+/// Solution of the linear system B_i = S_i + rho_i / A^_i sum over j of G_ij B_j ((R1) in docs/equations.md). G_ij are
+/// the exchange areas (exchange.h), A^_i the row areas of the exchange, rho the reflectances, S the radiosities of the
+/// sources.
 struct ExchangeSolution
 {
-    std::vector<Rgb> radiosity; ///< B [W/m^2]
-    /// False if no solution exists since the exchange is too noisy, or if the steps did not suffice.
+    std::vector<Rgb> radiosity; ///< [W/m^2] B, per patch
+    /// False if the system turned out to have no sound solution, since the exchange is too noisy, or if the steps did
+    /// not suffice; `radiosity` is then no solution.
     bool converged = false;
 };
 
-/// Preconditioned conjugate gradients for all channels at once, from the first guess on. Ends when the preconditioned
-/// norm of the residual is at most `tolerance` times that of the right-hand side, or after most_steps.
+/// Solves the system by preconditioned conjugate gradients for all channels at once, from `first_guess` [W/m^2] on.
+/// `source` is S [W/m^2]; all lists have one entry per patch. Ends when the preconditioned norm of the residual is at
+/// most `tolerance` times that of the right-hand side in every channel, or after most_steps.
 ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
                                 const std::vector<Rgb>& source, std::vector<Rgb> first_guess, double tolerance,
                                 int most_steps, int threads);
 
-/// The same with a tolerance far below the noise of any practical number of lines.
+/// The same with at most 500 steps, and a tolerance far below the noise of any practical number of lines.
 ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
                                 const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads);
 
-/// The error to throw if (R1) has no solution, or the steps did not suffice.
+/// The error to throw if ExchangeSolution::converged is false.
 InputError no_solution(const Scene& scene);
 
+/// [1] Reflectance of every patch.
 std::vector<Rgb> reflectances(const Scene& scene);
 
-/// Unshot power per area, U / A, of each patch [W/m^2].
+/// [W/m^2] Unshot power per area of every patch: PowerState::unshot / A.
 std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state);
 
-/// Moves the power of a solution of (R1) for the unshot radiosity: every patch sends its `radiosity`, which is
-/// received, escapes, or arrives behind a surface. The difference between what a patch should send and what it sent
-/// stays unshot: the residual of the solution. Several solutions are averaged by their shares, which must add up to 1.
+/// Updates the state by a solution of the system whose sources S were the unshot radiosity: every patch sends the power
+/// of its `radiosity` [W/m^2], which other patches receive, or which escapes or arrives behind a surface. The residual
+/// of the solution, what a patch should have sent minus what it sent, stays unshot. The powers are multiplied by
+/// `share` [1]: 1 for a single solution; to average several solutions, call it for each, with shares that add up to 1.
 void distribute(const Scene& scene, const Exchange& exchange, const std::vector<Rgb>& radiosity, double share,
                 int threads, PowerState& state);
 
-/// Removes negative irradiance, which the noise of (R1) causes in dark places. Replaces the irradiance by the nearest
-/// one, in least squares weighted by area, that is nowhere negative and of which the patches absorb the same power. If
-/// the absorbed power is right, this projection onto a convex set does not increase the squared error of the
-/// irradiance.
+/// Removes negative irradiance, which the noise of the exchange causes in dark places. Of all irradiances that are
+/// nowhere negative, and of which the patches absorb the same power as before, it takes the nearest one, in least
+/// squares weighted by area. If the absorbed power is right, this projection onto a convex set does not increase the
+/// squared error of the irradiance. A channel without negative irradiance does not change.
 void remove_negative_light(const Scene& scene, PowerState& state);
 
 } // namespace multipath

@@ -16,8 +16,9 @@
 
 namespace multipath {
 
-/// Trees over the lights and over the patches of a scene, and the light cut of every patch. They are the same for all
-/// runs, and are built on first use. Safe to share between threads; the scene must outlive this object.
+/// Trees over the lights (emitting surfaces) and over the patches of a scene, and the light cut of every patch
+/// (LightCuts). They are the same for all runs, and are built on first use, on `threads` threads. Safe to share between
+/// threads; the scene must outlive this object.
 class SceneLights
 {
 public:
@@ -38,27 +39,29 @@ private:
     mutable std::optional<SurfaceTree> patches_;
 };
 
-/// Sums over the shadow rays of a patch. For each ray, g is its true kernel divided by the assumed kernel of its
-/// cluster, and v is 1 if nothing blocks it, else 0.
+/// Sums over the shadow rays of a patch. For each ray, g is the light that it would carry without obstacles, divided by
+/// the light that the approximate irradiance of its cluster (SeenCluster) assumes; v is 1 if nothing blocks the ray,
+/// else 0.
 struct ShadowRaySums
 {
-    double rays = 0.0;
+    double rays = 0.0;   ///< number of rays
     double kernel = 0.0; ///< sum of g
-    double error = 0.0;  ///< sum of g - 1 over the rays to clusters whose irradiance is approximate
+    double error = 0.0;  ///< sum of g - 1 over the rays to clusters of several lights, whose irradiance is approximate
     double square = 0.0; ///< sum of (g - 1)^2 over the same rays
     double free = 0.0;   ///< number of unblocked rays
-    Rgb light;           ///< sum of g v c, where c is the colour of the light, with mean 1
+    Rgb light;           ///< sum of g v c, where c is the emittance of the light divided by the mean of its channels
 };
 
-/// Direct light, gathered by shadow rays from the patches. Each patch casts rays to its lights in proportion to their
-/// unoccluded irradiance, H0 in total. Its irradiance is
+/// Direct light, gathered by shadow rays from the patches. Each patch casts rays to its lights in proportion to the
+/// irradiance that they would cause without obstacles, H0 in total. The estimated irradiance of the patch is
 ///
-///   H0 (1 + e) sum of g v c / sum of g        (R5)
+///   H0 (1 + e) sum of g v c / sum of g        ((R5) in docs/equations.md)
 ///
-/// Here e estimates the mean of g - 1, which removes the effect of the approximations in H0. It is a sum of two
-/// shrinkage estimates (empirical Bayes), first of the mean over the surrounding patches, then of the patch's own
-/// deviation from it. If typical errors have size b (0.1 and 0.03), m rays get the weight b^2 m / (b^2 m + variance of
-/// g). There is no noise where H0 is exact and the lights are fully visible or fully hidden.
+/// with g, v and c as in ShadowRaySums. Here e estimates the mean of g - 1, to remove the effect of the approximations
+/// in H0. It is a sum of two shrinkage estimates (empirical Bayes): of the mean over the surrounding patches, and of
+/// the deviation of the patch from this mean. If typical errors have size b (0.1 for the first, 0.03 for the second), m
+/// rays get the weight b^2 m / (b^2 m + variance of g + 0.01). There is no noise where H0 is exact and the lights are
+/// fully visible or fully hidden.
 class GatheredLight
 {
 public:
@@ -67,27 +70,28 @@ public:
     GatheredLight(const GatheredLight&) = delete;
     GatheredLight& operator=(const GatheredLight&) = delete;
 
-    /// [W/m^2] Approximate irradiance without obstacles, mean of the channels.
+    /// [W/m^2] Approximate irradiance H0 without obstacles, mean of the channels.
     double unoccluded(std::uint32_t patch) const { return cuts_.irradiance(patch); }
-    double cluster_bytes() const { return cuts_.bytes(); }               ///< memory of the light cuts
-    double rays(std::uint32_t patch) const { return sums_[patch].rays; } ///< cast so far
+    double cluster_bytes() const { return cuts_.bytes(); }               ///< [bytes] memory of the light cuts
+    double rays(std::uint32_t patch) const { return sums_[patch].rays; } ///< number of rays cast so far
 
-    /// The blocks of patches that `cast` processes one by one.
+    /// The division of so many patches into blocks, the units of work of cast().
     static Blocks blocks(std::uint32_t patches);
 
-    /// Casts the allotted rays of the blocks range.next ... range.end - 1, or of fewer if the run is stopped. Ray n
-    /// takes the item first_item + n.
+    /// Casts the allotted rays of the patches in the blocks range.next ... range.end - 1 of blocks(), and adds them to
+    /// the sums. If the run is stopped, it casts those of fewer blocks. Moves range.next past the blocks done. Ray n of
+    /// the allotment takes the item first_item + n of the sequence.
     void cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, ShardRange& range,
               const RunControl& run);
 
-    /// [W/m^2] Standard deviation of the irradiance estimated by a single ray of each patch. Estimated from its own
-    /// rays if they are many, otherwise with those of the surrounding patches.
+    /// [W/m^2] Per patch: standard deviation of its irradiance if a single ray estimates it. It comes from the rays of
+    /// the patch if they are 16 or more, otherwise from those of the surrounding patches as well.
     std::vector<double> deviations() const;
 
-    /// [W] Incident power of each patch.
+    /// [W] Per patch: estimated incident power from all lights.
     std::vector<Rgb> incident() const;
 
-    void visit(Archive& archive); ///< for a checkpoint
+    void visit(Archive& archive); ///< saves the sums to a checkpoint or restores them
 
 private:
     template <class Value, class Make>
@@ -102,8 +106,8 @@ private:
     std::vector<ShadowRaySums> sums_; ///< per patch
 };
 
-/// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected direct light. Independent of
-/// the method, and deterministic.
+/// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected light of lamps and sun. It
+/// is computed by GatheredLight whatever the method, with the same rays in every call.
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads);
 
 } // namespace multipath

@@ -12,8 +12,8 @@
 
 namespace multipath {
 
-/// Binary tree over the emitting surfaces, for treating distant groups of them as one light (lightcuts: Walter et al.
-/// 2005).
+/// Binary tree over the lights, the emitting surfaces of a scene, for treating a distant group of lights as one light
+/// (lightcuts: Walter et al. 2005). Each leaf is a single light.
 class LightTree
 {
 public:
@@ -23,73 +23,80 @@ public:
     struct Cluster
     {
         Vec3 centre;
-        double radius = 0.0; ///< of a sphere about the centre that contains all of them
+        double radius = 0.0; ///< [scene units] radius of a sphere about the centre that contains all lights
         Bounds bounds;
-        double area = 0.0;                     ///< [m^2]
-        double power = 0.0;                    ///< [W] mean of the channels
-        Vec3 area_vector;                      ///< sum of area * normal
-        std::array<double, 6> second_moment{}; ///< sum of area * normal normal^T: xx yy zz xy xz yz
+        double area = 0.0;                     ///< [m^2] total area
+        double power = 0.0;                    ///< [W] total power, mean of the channels
+        Vec3 area_vector;                      ///< [m^2] sum of area * normal
+        std::array<double, 6> second_moment{}; ///< [m^2] sum of area * normal normal^T: xx yy zz xy xz yz
 
-        /// [m^2] Upper bound of the area seen from the direction (of length 1); exact if all surfaces have the same
-        /// normal.
+        /// [m^2] Upper bound of the projected area of the fronts, seen by a viewer in this direction (a unit vector
+        /// from the lights to the viewer). Exact if all lights have the same normal.
         double projected_area(Vec3 direction) const;
-        /// [1] |sum of area * normal| / area, but at least 1/3. It is 1 if all normals agree. Not set for leaves.
+        /// [1] |sum of area * normal| / area, but at least 1/3. It is 1 if all normals agree. 0 (not set) for leaves.
         double coherence = 0.0;
     };
 
-    bool empty() const { return pieces_.empty(); }
+    bool empty() const { return pieces_.empty(); }                               ///< true if no surface emits
     const Cluster& cluster(std::uint32_t node) const { return clusters_[node]; } ///< node 0 is the root
     bool is_leaf(std::uint32_t node) const { return tree_.nodes()[node].is_leaf(); }
+    /// The first of the two children of an inner node; the other one is the next node.
     std::uint32_t first_child(std::uint32_t node) const { return tree_.nodes()[node].first_child; }
-    /// The light of a leaf, and the index of its surface.
+    /// The light of a leaf.
     const FlatPiece& piece(std::uint32_t leaf) const { return pieces_[tree_.nodes()[leaf].begin]; }
+    /// The index in the scene of the surface that is the light of a leaf.
     std::uint32_t surface(std::uint32_t leaf) const { return lights_[tree_.surface(tree_.nodes()[leaf].begin)]; }
 
-    /// Samples a leaf below the node in proportion to power, by x in [0, 1).
+    /// Samples a leaf below the node with a probability in proportion to its power, given x uniform in [0, 1). A leaf
+    /// returns itself.
     std::uint32_t choose(std::uint32_t node, double x) const;
 
 private:
     std::vector<std::uint32_t> lights_; ///< surface of each light
-    SurfaceTree tree_;                  ///< over the lights
+    SurfaceTree tree_;                  ///< tree over the indices in lights_
     std::vector<Cluster> clusters_;     ///< per node
-    std::vector<FlatPiece> pieces_;     ///< in the order of the tree
+    std::vector<FlatPiece> pieces_;     ///< per light, in the order of the tree
 };
 
 /// A cluster in the light cut of a patch.
 struct SeenCluster
 {
-    std::uint32_t node;
-    float irradiance; ///< [W/m^2] approximate, without obstacles; mean of the channels
+    std::uint32_t node; ///< of the LightTree
+    float irradiance;   ///< [W/m^2] irradiance of the patch by the cluster without obstacles, mean of the channels;
+                        ///< approximate unless the node is a leaf
 };
 
-/// The light cut of every patch: clusters of distant lights, and single near lights.
+/// The light cut of every patch: a list of clusters of the tree that contains each light in front of the patch once.
+/// Distant lights are grouped into clusters, near ones are leaves. Clusters without irradiance are left out.
 class LightCuts
 {
 public:
-    /// A cluster is used as a whole if its radius plus that of the patch is below `angle` times their distance, less
-    /// where its normals differ (`coherence`), since its projected area is then less certain.
+    /// A cluster is used as a whole if its radius plus that of the patch is below `angle` [1] times its coherence times
+    /// the distance of their centres. (Where the normals of the lights differ, their projected area is less certain.)
     LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads);
 
     const SeenCluster* begin(std::uint32_t patch) const { return clusters_.data() + first_[patch]; }
     const SeenCluster* end(std::uint32_t patch) const { return clusters_.data() + first_[patch + 1]; }
     double irradiance(std::uint32_t patch) const { return irradiance_[patch]; } ///< [W/m^2] sum over its clusters
+    /// [bytes] Memory of all clusters.
     double bytes() const { return static_cast<double>(clusters_.capacity() * sizeof(SeenCluster)); }
 
-    /// Power [W] from a light that touches the patch face to face, which no shadow ray can find.
+    /// Power [W] that a patch receives from lights that touch it face to face. No shadow ray can find such a light, and
+    /// no cluster contains this power.
     struct Contact
     {
         std::uint32_t patch;
         Rgb power;
     };
-    const std::vector<Contact>& contacts() const { return contacts_; }
+    const std::vector<Contact>& contacts() const { return contacts_; } ///< in the order of the patches
 
-    /// True if the radii of light and patch together reach at least `angle` times their distance.
+    /// True if the radii of light and patch together are at least `angle` [1] times the distance of their centres.
     static bool is_near(const LightTree::Cluster& light, const FlatPiece& patch, double angle);
 
 private:
     std::vector<SeenCluster> clusters_;
-    std::vector<std::size_t> first_; ///< index of the first cluster of each patch, and the total number
-    std::vector<double> irradiance_;
+    std::vector<std::size_t> first_; ///< per patch: index of its first cluster; one more entry holds their number
+    std::vector<double> irradiance_; ///< [W/m^2] per patch
     std::vector<Contact> contacts_;
 };
 
