@@ -6,6 +6,7 @@
 
 namespace multipath {
 
+/// Result of gather_by_walks().
 struct GatheringResult
 {
     std::uint64_t segments = 0; ///< number of segments cast, about options.lines

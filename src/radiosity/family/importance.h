@@ -15,8 +15,8 @@ struct Importance
 {
     std::vector<double> weight; ///< w_i [1] per patch, >= 0
 
-    /// [1/m] Noise factor sigma_i of each patch i: the square root of the weighted error that a single ray per watt
-    /// sent by patch i would cause ((I1) in docs/equations.md). If patch i sends the power P_i, the error is smallest
+    /// [1/m] Noise factor sigma_i of each patch i: the square root of the weighted error that a single ray of 1 W
+    /// from patch i would cause ((I1) in docs/equations.md). If patch i sends the power P_i, the error is smallest
     /// with rays in proportion to P_i sigma_i. Estimated by `rays_per_patch` >= 1 rays from each patch, one item per
     /// ray from first_item on in the order of the patches.
     std::vector<double> noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,

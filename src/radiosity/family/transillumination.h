@@ -70,10 +70,10 @@ struct BundlePlan
 /// `rays`: number of rays that estimate_by_rays() cast.
 BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays);
 
-/// [W] Power that a patch of this radiosity B [W/m^2] sends along a line that represents `section` [m^2] of one of D =
-/// `directions` directions: 2 section B / D ((P1) in docs/equations.md). A patch sends along a line towards its front
-/// only, so each direction stands for the solid angle 2 pi / D of the hemisphere; and per projected area and solid
-/// angle the patch sends B / pi.
+/// [W] Power that a patch of this radiosity B [W/m^2] sends along a line that represents `section` [m^2] of one of
+/// D = `directions` directions: 2 section B / D ((P1) in docs/equations.md). Each line leaves the front of the patch in
+/// one of its two senses, so D directions share the hemisphere above the patch, 2 pi / D each. Per projected area and
+/// solid angle the patch sends B / pi.
 Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions);
 
 /// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines per direction, ray bundles,

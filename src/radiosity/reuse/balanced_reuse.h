@@ -25,6 +25,7 @@ std::uint64_t min_balanced_rays(const Scene& scene);
 /// [bytes] Lower bound of the total memory of a run with balanced reuse, without the light cuts (LightCuts).
 double min_balanced_bytes(const Scene& scene);
 
+/// Result of reuse_balanced().
 struct BalancedResult
 {
     std::uint64_t rays = 0; ///< number of rays planned so far; all of them were cast unless the run was stopped

@@ -1,6 +1,7 @@
 // The cut of a patch is found by descending from the root: a cluster that is seen under a small angle is used as a
-// whole, otherwise its children are visited. The irradiance from a cluster is that of a point light of the projected
-// area of all its surfaces, from a single light the exact exchange. Parts below the horizon of the patch are left out.
+// whole, otherwise its children are visited. The irradiance from a cluster is estimated as that of a point light with
+// the projected area of all its surfaces; that from a single light is computed with the exact exchange area. Clusters
+// below the horizon of the patch are left out.
 
 #include "radiosity/reuse/light_tree.h"
 

@@ -47,8 +47,8 @@ public:
     /// The index in the scene of the surface that is the light of a leaf.
     std::uint32_t surface(std::uint32_t leaf) const { return lights_[tree_.surface(tree_.nodes()[leaf].begin)]; }
 
-    /// Samples a leaf below the node with a probability in proportion to its power, given x uniform in [0, 1). A leaf
-    /// returns itself.
+    /// Samples a leaf below the node with a probability in proportion to its power, given x uniform in [0, 1). Returns
+    /// the node itself if it is a leaf.
     std::uint32_t choose(std::uint32_t node, double x) const;
 
 private:
@@ -61,7 +61,7 @@ private:
 /// A cluster in the light cut of a patch.
 struct SeenCluster
 {
-    std::uint32_t node; ///< of the LightTree
+    std::uint32_t node; ///< node of the LightTree
     float irradiance;   ///< [W/m^2] irradiance of the patch by the cluster without obstacles, mean of the channels;
                         ///< approximate unless the node is a leaf
 };

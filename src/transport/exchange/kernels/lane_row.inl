@@ -1,5 +1,6 @@
 // The product of a row of a symmetric matrix with one or three vectors, and the contribution of its mirror image, the
-// column above the diagonal. This file is included once for each instruction set; parallel/lanes/plain.inl defines the functions of lanes.
+// column above the diagonal. This file is included once for each instruction set; parallel/lanes/plain.inl defines the
+// functions of lanes.
 
 namespace multipath {
 namespace LANE_SET {
