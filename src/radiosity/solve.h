@@ -12,8 +12,8 @@
 
 namespace multipath {
 
-/// Called now and then with the finished fraction of the work, 0 ... 1, which never decreases. The calls come from any
-/// thread, but one at a time.
+/// Called now and then with the finished fraction of the work, 0 ... 1. The fraction never decreases during one call of
+/// solve(); rounds and further runs begin at 0 again. The calls come from any thread, but one at a time.
 using ProgressCallback = std::function<void(double done)>;
 
 /// Data shared by all runs of a scene whose options differ only in seed and lines. The method decides which of them are
@@ -21,8 +21,8 @@ using ProgressCallback = std::function<void(double done)>;
 struct Preparation
 {
     std::optional<double> ratio; ///< N_l / N_g, local lines per global line, for methods that shoot first
-    std::shared_ptr<const UnoccludedExchange>
-        unoccluded;                            ///< for the method `reuse` with a table of all pairs of patches
+    /// For the method `reuse` with a table of all pairs of patches.
+    std::shared_ptr<const UnoccludedExchange> unoccluded;
     std::shared_ptr<const SceneLights> lights; ///< for the method `reuse` without a table
 };
 
@@ -34,10 +34,11 @@ Preparation prepare(const Scene& scene, const SolveOptions& options);
 /// the part of the work for the method `reuse`, if several runs divide its lines; the result of such a run is not
 /// useful, since its counts are in the checkpoint.
 ///
-/// Throws SettingsError for a sequence with too few items, for a first shot that needs more rays of power_by_line than
-/// there are lines, for more lines than `reuse` can count, and for a shard with too few lines per patch. Throws
-/// InputError for a shard whose counts do not fit into the memory, and if the equations have no sound solution. Throws
-/// std::invalid_argument for a sequence that cannot be made, and ArchiveError if the checkpoint does not fit.
+/// Throws SettingsError for a sequence with too few items, for a first shot whose first pass needs more rays of
+/// power_by_line than there are lines, for more lines than `reuse` can count, and for a shard with too few lines per
+/// patch. Throws InputError for a shard whose counts do not fit into the memory, and if the equations have no sound
+/// solution. Throws std::invalid_argument for a sequence that cannot be made, and ArchiveError if the checkpoint does
+/// not fit.
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 

@@ -14,7 +14,7 @@
 namespace multipath {
 
 /// Error of a displayed solution against the true radiosity, as a mean over the area of all sides that can be seen.
-/// Colours enter as the mean of their channels.
+/// Radiosities and squared deviations are means over the colour channels.
 struct ShownError
 {
     std::uint64_t points = 0;          ///< sample points that no other surface covers

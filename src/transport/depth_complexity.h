@@ -18,7 +18,8 @@ double pairs_along_line(const Scene& scene, const GlobalLines& lines);
 
 // Affordable share: the fraction [1] of the wanted lines or rays that costs as much as all of them cost in an ordinary
 // scene. It is 1 if a line or ray is compared with at most 16 surfaces on the average, else 16 over this number. The
-// number is (G1) for global lines. For rays it is estimated with a few rays, which are the same in every call.
+// number is crossings_per_line() for global lines. For rays it is estimated with a few rays, which are the same in
+// every call.
 
 /// Affordable share of global lines, each of which is compared with all surfaces along the line.
 double affordable_lines(const Scene& scene);

@@ -58,8 +58,8 @@ private:
 
     int row_bits_;    ///< number of bits of a row in a key
     int column_bits_; ///< number of bits of a column in a key
-    std::vector<std::uint64_t>
-        row_begin_;                       ///< offset of each row in reached_; one more entry holds the size of reached_
+    /// Offset of each row in reached_; one more entry holds the size of reached_.
+    std::vector<std::uint64_t> row_begin_;
     std::vector<std::uint32_t> reached_;  ///< columns, row after row, in ascending order within a row
     std::vector<std::uint64_t> escaped_;  ///< per row: lines that left the scene
     std::vector<std::uint64_t> behind_;   ///< per row: lines that met a side without a patch
