@@ -1,6 +1,6 @@
 // The maps of warp.cpp to the sphere and the hemisphere, and the sine and cosine of geometry/elementary.h, for several
-// points at a time: the same operations in the same order, with selections instead of branches. Read warp.cpp first. This file is included once for
-// each instruction set; parallel/lanes/plain.inl defines the functions of lanes.
+// points at a time: the same operations in the same order, with selections instead of branches. Read warp.cpp first.
+// This file is included once for each instruction set; parallel/lanes/plain.inl defines the functions of lanes.
 
 namespace multipath {
 namespace LANE_SET {
