@@ -283,8 +283,7 @@ void require_same_scene(const PatchTable& table, const Scene& scene)
         refuse(std::to_string(table.areas.size()) + " patches, but the scene has " +
                std::to_string(scene.patch_count()));
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (!scene.is_sky(scene.surface_of(i)) &&
-            !(std::abs(table.areas[i] - scene.area(i)) <= 1e-9 * scene.area(i)))
+        if (!scene.is_sky(scene.surface_of(i)) && !(std::abs(table.areas[i] - scene.area(i)) <= 1e-9 * scene.area(i)))
             refuse("patch " + std::to_string(i) + " has another area than in the scene");
 }
 

@@ -159,7 +159,8 @@ textures() {
     sed 's/^newmtl white.*/&\nmap_Kd checks.ppm/' "$root/scenes/cornell.mtl" >cornell.mtl
     { printf 'vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n'; sed 's/^\(f [0-9-]*\) \([0-9-]*\) \([0-9-]*\) \([0-9-]*\)$/\1\/1 \2\/2 \3\/3 \4\/4/' "$root/scenes/cornell.obj"; } >floor.obj
     ends 0 solve floor.obj $quick -o t.csv -o t.png -o t.glb --state t.state && ! says err "not read" || return
-    [ "$(grep ',white,' t.csv | cut -d, -f11 | sort -u | wc -l)" -gt 1 ] && grep -q '"baseColorTexture"' t.glb && rm checks.ppm &&
+    ends 0 solve floor.obj --patches 300 --lines 1000 -q -o fine.csv && # a reflectance for each patch
+        [ "$(grep ',white,' fine.csv | cut -d, -f11 | sort -u | wc -l)" -gt 8 ] && grep -q '"baseColorTexture"' t.glb && rm checks.ppm &&
         ends 0 render t.state --size 80x60 --samples 1 -o again.ppm -o again.glb -q && cmp t.glb again.glb &&
         ends 0 compare t.csv t.state && says out "relative 0, its root 0" &&
         ends 0 solve floor.obj $quick -o plain.csv && says err "1 of 1 textures are not read" && says err "(checks.ppm: not found)"

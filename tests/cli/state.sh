@@ -109,6 +109,14 @@ rendered() {
 }
 check "render makes the same pictures and tables from the state alone" rendered
 
+recorded() {
+    ends 0 solve "$root/scenes/cornell.obj" $quick --lines 2000 --lamp red=3 --lamp green=2 -o two.csv -o two.state &&
+        ends 0 render two.state -q -o again.csv && grep '^# command' again.csv | grep -q -- '--lamp red=3 --lamp green=2' || return
+    ends 1 solve "$root/scenes/cornell.obj" $quick --lines 3000 --lamp green=2 --from-state two.state && says err "made with --lamp red=3 --lamp green=2, not with --lamp green=2" &&
+        ends 2 render two.state -o none-made.state && says err "render writes no states" && [ ! -e none-made.state ]
+}
+check "a state records every value of an option; render makes no states" recorded
+
 compared() {
     ends 0 compare all.state direct.csv && says out "MSE        0 W" && ends 0 compare direct.csv all.state --json
 }
