@@ -4,7 +4,7 @@
 # make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
 # make mutants    plants the bugs of tests/mutants.list one by one and tells which the tests notice; takes about an hour
 # make bench      measures speed; close other programs first. OBJ=FILE.obj: of lines through this file
-# make paper      computes the paper's tables and figures again: build/paper/index.html, in five minutes on two processors
+# make paper      computes the paper's tables and figures again: build/paper/index.html, in six minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
 # make pictures   runs the commands of the gallery and of the lectures, docs/{gallery,method,beyond}.md, and renews their pictures and numbers
 # make install    puts program, manual, completion, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX

@@ -9,9 +9,9 @@
 #include <vector>
 
 // Stochastic Jacobi iterations (Neumann: Monte Carlo radiosity, Computing 55, 1995). For the powers P that the patches
-// send, the radiosity system is P = U + rho T P, where U is the power of the sources and T P the power that each patch
-// receives. The system is solved by iterating P <- U + rho T P, with a new estimate of T P in every iteration. The
-// result is the mean of the iterations. Labels such as (J1) are explained in docs/equations.md.
+// send, the radiosity system is P = U + rho T P, where U is the unshot power of the sources and T P the power that each
+// patch receives. The system is solved by iterating P <- U + rho T P, with a new estimate of T P in every iteration.
+// The result is the mean of the iterations. Labels such as (J1) are explained in docs/equations.md.
 
 namespace multipath {
 

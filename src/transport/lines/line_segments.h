@@ -25,7 +25,7 @@ struct Segment
     std::uint32_t to;   ///< patch, `behind` or `outside`
 
     static bool is_patch(std::uint32_t end) { return end < behind; }
-    /// True if both ends are patches, which then exchange power: a facing pair of the paper.
+    /// True if both ends are patches, which the segment joins; they exchange power along it.
     bool joins_patches() const { return is_patch(from) && is_patch(to); }
 };
 
