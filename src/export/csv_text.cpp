@@ -226,7 +226,7 @@ CsvTable parse_csv(std::string_view text, const std::string& path)
 
 CsvTable read_csv(const std::string& path)
 {
-    TextLines lines(path);
+    TextLines lines(path, false);
     std::string text;
     TextLine line;
     while (lines.next(line))

@@ -57,7 +57,7 @@ struct CsvTable
 CsvTable parse_csv(std::string_view text, const std::string& path);
 
 /// Parses a CSV file. Throws InputError like parse_csv(), and if the file cannot be read, is UTF-16 text, or has a line
-/// longer than 16 MiB. The lines come from TextLines, so one that ends in a backslash is joined with the next.
+/// longer than 16 MiB.
 CsvTable read_csv(const std::string& path);
 
 } // namespace multipath

@@ -1,11 +1,13 @@
 #include "export/html_text.h"
 
+#include "scene/text/text_format.h"
+
 namespace multipath {
 
 std::string html_escaped(const std::string& text)
 {
     std::string result;
-    for (const char c : text)
+    for (const char c : valid_utf8(text))
         result += c == '&'   ? std::string("&amp;")
                   : c == '<' ? std::string("&lt;")
                   : c == '>' ? std::string("&gt;")

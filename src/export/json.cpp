@@ -13,29 +13,10 @@ namespace multipath {
 
 namespace {
 
-/// Makes text valid UTF-8: bytes that are not part of a UTF-8 character, such as in names from old files, are taken for
-/// Latin-1.
-std::string utf8_text(std::string_view bytes)
-{
-    std::string text;
-    while (!bytes.empty()) {
-        const std::size_t length = utf8_character_size(bytes);
-        if (length == 0) {
-            const auto latin = static_cast<unsigned char>(bytes[0]);
-            text += static_cast<char>(0xc0 | latin >> 6);
-            text += static_cast<char>(0x80 | (latin & 0x3f));
-        } else {
-            text += bytes.substr(0, length);
-        }
-        bytes.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return text;
-}
-
 std::string quoted(std::string_view text)
 {
     std::string result = "\"";
-    for (const char c : utf8_text(text)) {
+    for (const char c : valid_utf8(text)) {
         if (c == '"' || c == '\\') {
             result += '\\';
             result += c;

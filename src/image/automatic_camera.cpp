@@ -170,7 +170,8 @@ LitScene::LitScene(const Scene& whole, const std::vector<Rgb>& radiosity)
 ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double aspect, int rows)
 {
     const Scene& scene = lit_scene.scene;
-    const int columns = std::max(1, static_cast<int>(std::lround(aspect * rows)));
+    constexpr double most_columns = 4096.0; // of extremely wide pictures the middle is judged
+    const int columns = std::max(1, static_cast<int>(std::lround(std::min(most_columns, aspect * rows))));
     const PixelRays rays(camera, columns, rows);
     const Vec3 up = normalized(camera.up);
     std::vector<Line> lines;

@@ -80,7 +80,7 @@ void reuse_rays(Run& run)
         particles(run);
         return;
     }
-    const BalancedRays rays{run.first_local_item(), left, gathers(run), true};
+    const BalancedRays rays{run.first_local_item(), left, gathers(run), true, run.options.importance.get()};
     BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays, run.options.memory,
                                            run.control(1, 1, run.shard),
                                            run.state); // (R1) (R4) (R5)
@@ -193,7 +193,7 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
 void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation& preparation)
 {
     constexpr double many_pairs = 4096.0;
-    if (options.all_pairs && table_pays(scene, options.lines) &&
+    if (options.all_pairs && !options.importance && table_pays(scene, options.lines) &&
         reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
         pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
         preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
@@ -255,8 +255,9 @@ constexpr MethodInfo table[] = {
     {"reuse",
      "Lines are only counted: which patches they join, and what is in their way. The light is then solved for. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
-     "ratio chords direct denoise power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot", Chords::box,
-     Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "", "extended"},
+     "ratio chords direct denoise important power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot",
+     Chords::box, Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "",
+     "extended"},
     {"jacobi",
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",

@@ -153,6 +153,15 @@ TEST_CASE("a file is read as its text, with or without a UTF-8 mark")
     CHECK(contains(problem_of([&] { read_csv(folder.write("empty.csv", "")); }), "empty.csv:1: the file ends here"));
 }
 
+TEST_CASE("a row of a file may end in a backslash")
+{
+    const ScratchFolder folder;
+    const CsvTable table = read_csv(folder.write("t.csv", "a,b\n1,C:\\\n2,d\n"));
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[0].fields[1] == "C:\\");
+    CHECK(table.rows[1].line == 3);
+}
+
 TEST_CASE("a field is quoted where it must be, and is read back")
 {
     CHECK(csv_field("sobol") == "sobol");

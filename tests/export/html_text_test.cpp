@@ -13,6 +13,12 @@ TEST_CASE("text in HTML can neither open a tag nor end an attribute")
     CHECK(html_escaped("a < b > \"c\" & d &amp; 'e'") == "a &lt; b &gt; &quot;c&quot; &amp; d &amp;amp; 'e'");
 }
 
+TEST_CASE("bytes that are not UTF-8 are taken for Latin-1")
+{
+    CHECK(html_escaped("caf\xe9") == "caf\xc3\xa9");
+    CHECK(html_escaped("caf\xc3\xa9") == "caf\xc3\xa9");
+}
+
 TEST_CASE("a part of a page's record is one line, whose attribute the text cannot end")
 {
     CHECK(html_record_line("command: multipath solve '\">.obj'") ==

@@ -1,6 +1,7 @@
 #include "export/svg/svg_plot.h"
 
 #include "geometry/elementary.h"
+#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ std::string svg_point(SvgPoint point)
 std::string svg_escaped(const std::string& text)
 {
     std::string result;
-    for (const char c : text)
+    for (const char c : valid_utf8(text))
         if (c == '&')
             result += "&amp;";
         else if (c == '<')

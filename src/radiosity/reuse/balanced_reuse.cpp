@@ -254,11 +254,11 @@ private:
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.lamp_power());
+        const std::vector<double> importance_of = round_ > 0 ? importance_of_irradiance() : std::vector<double>();
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
-            constexpr double dark = 0.01;     // the irradiance of black patches matters too, though less
             constexpr double exponent = 0.35; // of the area, as long as the light is unknown
-            const double worth = round_ > 0 ? (mean(rho_[i]) + dark) * std::sqrt(scene_.area(i))
-                                            : elementary::pow(scene_.area(i), exponent);
+            const double worth =
+                round_ > 0 ? importance_of[i] * std::sqrt(scene_.area(i)) : elementary::pow(scene_.area(i), exponent);
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
             // A ray over the hemisphere counts for both of its ends, and denoising removes most of its noise.
             constexpr double left_of_variance = 0.35;
@@ -277,6 +277,54 @@ private:
                                                                         mean(scene_.emittance(i)) / source);
         });
         return distribute_rays(budget, importance, had, least);
+    }
+
+    /// [1] How much an error of each patch's irradiance counts: rho, unless some patches are more important (I1). Then
+    /// it is the root of rho^2 w + A (rho Z)^2 / (sum of w A), where w is the weight of the patch and Z its influence
+    /// on all important patches by what it reflects. Z is the solution of Z_i = sum of F_ij rho_j (root of w_j + Z_j).
+    std::vector<double> importance_of_irradiance() const
+    {
+        constexpr double dark = 0.01; // the irradiance of black patches matters too, though less
+        std::vector<double> result = large_vector<double>(n_);
+        for (std::uint32_t i = 0; i < n_; ++i)
+            result[i] = mean(rho_[i]) + dark;
+        if (!rays_.importance)
+            return result;
+        constexpr double even = 0.01; // the weight that all patches keep
+        const std::vector<double>& weight = rays_.importance->weight;
+        const std::vector<double> influence = influence_on(weight);
+        double weighted_area = 0.0;
+        for (std::uint32_t i = 0; i < n_; ++i)
+            weighted_area += weight[i] * scene_.area(i);
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            const double reflected = mean(rho_[i]) * influence[i];
+            result[i] = std::sqrt((even + weight[i]) * result[i] * result[i] +
+                                  scene_.area(i) * reflected * reflected / weighted_area);
+        }
+        return result;
+    }
+
+    /// Influence [1] of a watt that leaves each patch on the weighted patches, by the rays so far.
+    std::vector<double> influence_on(const std::vector<double>& weight) const
+    {
+        constexpr int reflections = 8; // more of them would add little, and the result only guides sampling
+        const std::vector<double> density = densities();
+        std::vector<double> influence(n_);
+        std::vector<double> next(n_);
+        for (int k = 0; k < reflections; ++k) {
+            parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
+                double sum = 0.0;
+                double all = 0.0;
+                for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+                    all += rays * w;
+                    if (j != nothing)
+                        sum += rays * w * mean(rho_[j]) * (std::sqrt(weight[j]) + influence[j]);
+                });
+                next[i] = all > 0.0 ? sum / all : 0.0;
+            });
+            influence.swap(next);
+        }
+        return influence;
     }
 
     /// [W/m^2] Standard deviation of the radiosity that a single ray over the hemisphere of each patch finds, by the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parallel/run_control.h"
+#include "radiosity/family/importance.h"
 #include "radiosity/power_state.h"
 #include "radiosity/reuse/gathered_light.h"
 #include "sampling/sequence.h"
@@ -17,6 +18,7 @@ struct BalancedRays
     std::uint64_t rays = 0;       ///< number of rays, at least min_balanced_rays()
     bool direct = true;           ///< true: distributes the light of the sources; false: this was done before
     bool indirect = true;         ///< true: distributes the reflected light; false: the reflected light stays unshot
+    const Importance* importance = nullptr; ///< if set, the patches that matter get more rays (I1); null: all are equal
 };
 
 /// Minimum number of rays for balanced reuse. With fewer, most patches would have no estimate.

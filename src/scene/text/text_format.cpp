@@ -64,6 +64,23 @@ std::size_t utf8_character_size(std::string_view text)
     return wrong ? 0 : size;
 }
 
+std::string valid_utf8(std::string_view text)
+{
+    std::string valid;
+    while (!text.empty()) {
+        const std::size_t length = utf8_character_size(text);
+        if (length == 0) {
+            const auto latin = static_cast<unsigned char>(text[0]);
+            valid += static_cast<char>(0xc0 | latin >> 6);
+            valid += static_cast<char>(0x80 | (latin & 0x3f));
+        } else {
+            valid += text.substr(0, length);
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return valid;
+}
+
 std::size_t column_count(std::string_view text)
 {
     return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation));

@@ -32,6 +32,9 @@ std::string option_text(std::string_view name, std::string_view value);
 /// begin with a complete, valid character.
 std::size_t utf8_character_size(std::string_view text);
 
+/// The text with bytes that are not part of a UTF-8 character, such as in names from old files, taken for Latin-1.
+std::string valid_utf8(std::string_view text);
+
 /// The width of a UTF-8 text on the screen [columns], at one column per character.
 std::size_t column_count(std::string_view text);
 

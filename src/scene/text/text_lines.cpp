@@ -86,7 +86,8 @@ std::string in_quotes(std::string_view word)
     return text + (word.size() > longest_quote ? "...`" : "`");
 }
 
-TextLines::TextLines(const std::string& path) : path_(path), buffer_(first_buffer_size)
+TextLines::TextLines(const std::string& path, bool joins_lines)
+    : path_(path), joins_lines_(joins_lines), buffer_(first_buffer_size)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
@@ -110,7 +111,7 @@ bool TextLines::next(TextLine& line)
     if (!physical_line(text))
         return false;
     line = {text, place(), ended_};
-    if (ends_in_backslash(text)) {
+    if (joins_lines_ && ends_in_backslash(text)) {
         std::string_view rest = text;
         if (!takes_name(next_word(rest)))
             line = join_continued(text);

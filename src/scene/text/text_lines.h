@@ -43,8 +43,9 @@ class TextLines
 public:
     static constexpr std::size_t longest_line = std::size_t{16} << 20; ///< [bytes]
 
-    /// Throws InputError for a file that cannot be read, a directory, and a file that looks like UTF-16.
-    explicit TextLines(const std::string& path);
+    /// Throws InputError for a file that cannot be read, a directory, and a file that looks like UTF-16. `joins_lines`:
+    /// joins lines continued by a backslash; false for files that do not have such lines.
+    explicit TextLines(const std::string& path, bool joins_lines = true);
 
     /// Reads the next statement; returns false after the last one. Throws InputError for a control character other than
     /// blanks and line ends, a line longer than longest_line, a file that ends after a continuation backslash, and an
@@ -67,6 +68,7 @@ private:
     TextLocation place() const { return {path_, number_}; }
 
     std::string path_;
+    bool joins_lines_;
     std::unique_ptr<std::FILE, Closer> file_;
     std::vector<char> buffer_;
     double size_ = 0.0;          ///< size of the file [bytes]; 0 if unknown
