@@ -122,9 +122,10 @@ OptionGroup solve_method_group()
          "Total number of lines, local and global; auto takes 2^20, or a larger power of two that gives each patch 24 "
          "or more. Global lines that miss the scene's bounding box are not counted."},
         true);
-    group.options.push_back({"important", 0, "WHAT", "",
-                             "For jacobi: send more rays that matter for an object or a material of this name, or for "
-                             "what the given cameras see (view). The rest of the scene gets fewer."});
+    group.options.push_back(
+        {"important", 0, "WHAT", "",
+         "For reuse and jacobi: send more rays that matter for an object or a material of this name, or for "
+         "what the given cameras see (view). The rest of the scene gets fewer."});
     return group;
 }
 
