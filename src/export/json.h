@@ -7,9 +7,9 @@
 
 namespace multipath {
 
-/// Builds a JSON object. Members appear in the order of the calls, which can be chained. Bytes of texts that are not
-/// UTF-8 are taken for Latin-1. A number has the shortest form of 15 to 17 digits from which the same double is read
-/// back; a number that is not finite becomes null.
+/// Builds a JSON object. Members appear in the order of the calls, which can be chained. Bytes that are not part of
+/// valid UTF-8 are read as Latin-1. A number is rounded to 15, 16 or 17 significant digits, the fewest from which the
+/// same double is read back; a number that is not finite becomes null.
 class JsonObject
 {
 public:

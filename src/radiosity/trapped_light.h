@@ -8,10 +8,10 @@
 namespace multipath {
 
 /// A patch in a space in which light is trapped, or std::nullopt if there is no such space. Light is trapped if it
-/// meets only patches of reflectance 1 in some channel, so that the radiosity is unbounded. Found by following 4096
-/// particles, spread evenly over the patches of the sources, for up to 65,536 reflections: of more than 4096 such
-/// patches some send no particle. A space that loses light in less than a fraction 1e-5 of the reflections may count as
-/// closed.
+/// meets only patches of reflectance 1 in some channel, so that the radiosity is unbounded. The function follows 4096
+/// particles from the source patches for up to 65,536 reflections each; light is trapped if one of them never meets a
+/// patch that absorbs. With more than 4096 source patches some send no particle, so a trap may be missed. A space in
+/// which a reflection loses light with a probability below 1e-4 may be taken for a trap.
 std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene);
 
 /// Throws InputError if light is trapped (patch_of_trapped_light).

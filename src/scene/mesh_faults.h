@@ -14,7 +14,8 @@ struct CoincidentFaces
 {
     std::uint32_t first;
     std::uint32_t second;
-    /// True if both face the same way, so that the smaller one hides the larger; false if they face opposite ways.
+    /// True if both face the same way: lines then meet the smaller one, a convention of this program; false if they
+    /// face opposite ways.
     bool same_side;
 };
 

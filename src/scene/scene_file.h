@@ -35,7 +35,7 @@ struct SceneFile
     SurfaceList surfaces;
     std::vector<std::uint32_t> material; ///< index into materials
     std::vector<std::uint32_t> group;    ///< index into groups
-    /// Line of the face in the file; the first one if faces were joined; 0 for the sky.
+    /// Line of the face in the file; that of the first face if several were joined into one surface; 0 for the sky.
     std::vector<std::uint32_t> line;
 
     std::vector<std::shared_ptr<const Texture>> textures;
@@ -43,7 +43,7 @@ struct SceneFile
 
     std::uint32_t sky_surfaces = 0; ///< number of surfaces of the sky, which encloses the scene
     std::optional<Sun> sun;
-    bool photometric = false; ///< true if emittances are in lm/m^2; then results are in lm and lx
+    bool photometric = false; ///< true if emittances are in lm/m^2; then W stands for lm everywhere
 
     /// Number of surfaces without the sky.
     std::size_t own_surfaces() const { return surfaces.size() - sky_surfaces; }

@@ -11,11 +11,13 @@ namespace multipath {
 
 /// Returns for each vertex the index of the first vertex at exactly the same position: one representative for all
 /// vertices there. Exporters repeat a vertex per face or per object; with these indices, faces that share an edge are
-/// found. Linear time. In a file made to cause hash collisions some vertices keep their own index.
+/// found. Linear time, since the search for each vertex is bounded: in a file made to cause hash collisions some equal
+/// vertices are not merged.
 LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices);
 
-/// Index triple of the point of a grid nearest to `point`; the spacing is 1e-7 of the diagonal of `bounds`. Corners of
-/// surfaces are computed from edges and differ by rounding; snapped they become equal.
+/// Integer coordinates of the grid point that is nearest to `point`; the spacing of the grid is 1e-7 of the diagonal of
+/// `bounds`. Corners that are computed from edges differ by rounding; snapped they are equal, except in the rare case
+/// that the border between two grid points lies between them.
 Vec3 snapped(Vec3 point, const Bounds& bounds);
 
 } // namespace multipath

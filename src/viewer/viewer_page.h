@@ -31,7 +31,7 @@ struct ViewerQuantity
     std::vector<Rgb> values; ///< per patch, >= 0; NaN where a patch has no value
 };
 
-/// The radiosity after a run with fewer lines.
+/// The radiosity after a shorter run than the one that the page shows.
 struct ViewerStage
 {
     std::uint64_t lines;
@@ -46,8 +46,10 @@ struct ViewerTransfer
     std::uint32_t from;  ///< patch that sends the power
     std::uint32_t to;    ///< patch that receives the power; Scene::no_patch if the power is lost
     Rgb forecast;        ///< [W] forecast part of the sent power, see (G3) in docs/equations.md; only on global lines
-    Rgb held;    ///< [W] rest of the sent power: what the patch has received and reflected, or what a ray carries
-    Rgb counted; ///< [W] power counted as arrived, or as lost if there is no receiver
+    /// [W] Rest of the sent power: on a global line what the patch had received, reflected and not yet sent on; on a
+    /// ray all of its power.
+    Rgb held;
+    Rgb counted; ///< [W] power that the method adds for it; for particles that of the estimator, else all that is sent
 };
 
 /// A traced line.
@@ -57,7 +59,7 @@ struct ViewerLine
     std::vector<ViewerTransfer> transfers; ///< in the order in which they happen
 };
 
-/// Traces of successive lines of one stage of a run.
+/// Traces of successive lines of one phase of a run, such as its first shot.
 struct ViewerChapter
 {
     std::string title;
@@ -68,14 +70,14 @@ struct ViewerChapter
 /// Everything that a page shows besides the scene.
 struct ViewerContent
 {
-    std::vector<std::string> record;        ///< provenance: "command: multipath ..."
-    Camera camera;                          ///< initial camera
-    RenderOptions render;                   ///< picture for which the exposure is measured, and initial shading
-    ToneMapOptions tone;                    ///< initial tone operator and exposure; `scale` is ignored
+    std::vector<std::string> record; ///< provenance: "command: multipath ..."
+    Camera camera;                   ///< initial camera
+    RenderOptions render;            ///< options of the picture whose brightness gives the exposure; initial shading
+    ToneMapOptions tone;             ///< initial tone operator and exposure; ToneMapOptions::scale is ignored
     std::vector<ViewerQuantity> quantities; ///< the first is the radiosity [W/m^2], shown as light
     std::size_t shown = 0;                  ///< index of the initial quantity
     std::uint64_t lines = 0;                ///< number of lines of the run that computed the radiosity
-    std::vector<ViewerStage> stages;        ///< runs with fewer lines, by increasing number of lines
+    std::vector<ViewerStage> stages;        ///< shorter runs, by increasing number of lines
     std::vector<ViewerChapter> chapters;
 };
 
@@ -91,7 +93,7 @@ std::string viewer_page(const Scene& scene, const ViewerContent& content);
 /// surface; a patch then has its own value.
 struct CornerValues
 {
-    /// Fronts of all surfaces, then backs; for each the grid points, row by row (increasing j).
+    /// Fronts of all surfaces, then backs; for each the grid points, row by row along edge_v.
     std::vector<Rgb> shared;
     /// Corners with an own value: 4 * patch + index of the corner in Scene::corners().
     std::vector<std::uint32_t> slots;

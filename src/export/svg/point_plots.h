@@ -25,10 +25,10 @@ std::vector<DimensionPair> all_pairs(int dimensions);
 std::string scatter_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
                           const std::vector<std::string>& comments);
 
-/// Plots of the correlation of successive points, two per pair. The first has arrows from each of the first hundred
-/// points to the next, from dark to bright. The second is a lag plot of both coordinates of every point (across)
-/// against those of the next point (up), in which correlated points fall on a few lines. Needs at least two points and
-/// one pair.
+/// Two plots for each pair of dimensions that show how successive points are correlated. The first has arrows from each
+/// of the first hundred points to the next, from dark to bright. The second is a lag plot: each coordinate of a point
+/// (horizontal) against the same coordinate of the next point (vertical), in which correlated points fall on a few
+/// lines. Needs at least two points and one pair.
 std::string order_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
                         const std::vector<std::string>& comments);
 

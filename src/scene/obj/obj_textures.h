@@ -10,11 +10,12 @@ namespace multipath {
 
 /// Reads the textures of a scene's materials and maps them onto its surfaces. The reflectance of a material with
 /// `map_Kd` becomes Kd times the area-weighted mean of the texture over its surfaces, and the emittance of one with
-/// `map_Ke` becomes Ke times such a mean. Beside a map, a Kd that is 0 or missing and a missing Ke count as 1. A map
+/// `map_Ke` becomes Ke times such a mean. In a material with the map, Kd counts
+/// as 1 if it is 0 or missing, and Ke only if it is missing, since Ke = 0 switches a lamp off. A map
 /// whose file is missing or cannot be read is ignored; one warning reports all of them.
 ///
-/// `definitions` has one entry per material of the scene, `pieces` one per surface. The channels of Kd are lowered to
-/// `limit` [1] before they multiply a texture (--reflectance-limit).
+/// `definitions` has one entry per material of the scene, `pieces` one per surface. Each channel of Kd is clamped to at
+/// most `limit` (--reflectance-limit, without unit) before it multiplies a texture.
 void add_textures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
                   double limit, SceneFile& scene);
 

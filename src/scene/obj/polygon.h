@@ -28,8 +28,8 @@ struct Triangulation
 
 /// Triangulates a polygon whose area vector is not zero, by ear clipping. Seen along that vector, the triangles cover
 /// the polygon once, unless it crosses itself. A corner counts as straight, and is dropped without a triangle, if the
-/// triangle with its two neighbours is at most `smallest_area` [scene units^2], as projected along the largest
-/// component of the area vector. The time is proportional to corners x (1 + reflex corners).
+/// triangle with its two neighbours has an area of at most `smallest_area` [scene units^2] when it is projected along
+/// the axis of the largest component of the area vector. The time is proportional to corners x (1 + reflex corners).
 Triangulation clip_ears(const std::vector<Vec3>& corners, Vec3 area_vector, double smallest_area);
 
 } // namespace multipath
