@@ -253,7 +253,7 @@ constexpr MethodInfo table[] = {
      Shards::averaged, any_lines, no_lines, stages_of_walk, prepare_ratio, extended_shots,
      "first-shot extended:PASS global"},
     {"reuse",
-     "Lines are only counted: which patches they join, and what is in their way. Then a linear system is solved for the light. "
+     "Lines are only counted: which patches they join, and what is in their way. A linear system then gives the light. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
      "ratio chords direct denoise important power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot",
      Chords::box, Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "",
