@@ -5,6 +5,7 @@
 #include "scene/mesh_faults.h"
 
 #include "geometry/intersector/intersector.h"
+#include "geometry/intersector/surface_sizes.h"
 #include "scene/vertex_weld.h"
 
 #include <algorithm>
