@@ -43,7 +43,7 @@ valued_options() { "$program" "$1" --help | sed -n 's/^  \(-., \|    \)--\([a-z-
 # May the work fail, for a file that is not there or a memory of two bytes?
 may_fail() {
     case $1:$2 in
-    paper:* | *:output | *:cache | *:reference | *:with | *:state | *:from | *:scenes | *:memory | *:patch-size | *:camera) ;;
+    paper:* | *:output | *:cache | *:reference | *:with | *:state | *:from | *:scenes | *:memory | *:patch-size | *:camera | *:important) ;;
     *) return 1 ;;
     esac
 }
