@@ -100,8 +100,8 @@ struct CornerValues
     std::vector<Rgb> own; ///< own value for each entry of `slots`
 };
 
-/// Computes the corner values. On a surface that quadtrees divide (tessellation.h), `shared` holds four values for each
-/// patch instead of grid points, and no patch shares them.
+/// Computes the corner values. On a surface that quadtrees divide (tessellation.h), `shared` holds the four corners of
+/// each patch instead of grid points.
 CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
 /// The text of a file of the folder src/viewer/page. The Makefile embeds these files in the program. Throws

@@ -8,8 +8,8 @@
 namespace multipath {
 
 /// A mesh as a binary PLY file (Stanford's format 1.0, little endian). Each vertex has a position, a normal, an 8-bit
-/// colour (`colour`), the radiosity [W/m^2] and, if known, the standard error of the radiosity. Each face has the index
-/// of its patch and the radiosity of the patch. The comments become comment lines of the header.
+/// colour (`colour`), and the radiosity and, if PatchMesh::error is not empty, its standard error [W/m^2]. Each face
+/// has the index of its patch and the radiosity of the patch. The comments become comment lines of the header.
 std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_per_patch, const ScreenColour& colour,
                       const std::vector<std::string>& comments);
 

@@ -36,10 +36,10 @@ std::string order_plots(const PointSet& points, const std::vector<DimensionPair>
 /// and 3. `seed`: of the random points.
 std::string paper_figure_1(std::uint64_t count, std::uint64_t seed, const std::vector<std::string>& comments);
 
-/// Figure 2 of the paper: the first and second point of `count` lines, drawn like order_plots(). The lines are made
-/// from (a) the Halton sequence with two 2-D items (points of the sequence) per line, (b) random numbers, (c) 4-D items
-/// of the Halton sequence, and (d) 4-D items of the Sobol sequence. In (a) the two points of a line are far from each
-/// other by construction.
+/// Figure 2 of the paper: for each of four sequences, arrows from the first to the second point of up to a hundred
+/// lines, and a lag plot of the two points of all `count` lines. The lines are made from (a) the Halton sequence with
+/// two 2-D items (points of the sequence) per line, (b) random numbers, (c) 4-D items of the Halton sequence, and (d)
+/// 4-D items of the Sobol sequence. In (a) the two points of a line are far from each other by construction.
 std::string paper_figure_2(std::uint64_t count, std::uint64_t seed, const std::vector<std::string>& comments);
 
 } // namespace multipath
