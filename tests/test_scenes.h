@@ -42,6 +42,16 @@ private:
     Vec3 x_, y_, z_;
 };
 
+/// A closed room with a lamp for a ceiling; the three channels of its reflectances and emittance differ.
+inline Scene coloured_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.6, 0.0);
+    const std::uint32_t red = builder.material({0.8, 0.2, 0.1}, {});
+    const std::uint32_t lamp = builder.material({0.5, 0.5, 0.5}, {3.0, 2.0, 1.0});
+    return builder.room({0, 0, 0}, {2, 1, 3}, {grey, lamp, red, grey, grey, red}).scene(0.5);
+}
+
 /// The second cell of every surface and each third one after it cut into four, of these two again, and one a third
 /// time.
 inline Scene unevenly_refined(const Scene& scene)

@@ -191,14 +191,25 @@ BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const 
 
 namespace {
 
+/// Where a ray from a patch meets the next surface; empty if it leaves the scene.
+std::optional<Crossing> first_crossing(const Scene& scene, const Patch& patch, const Line& ray)
+{
+    const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, ray);
+    return hit ? std::optional(crossing_at(scene, ray, *hit)) : std::nullopt;
+}
+
 /// Traces one ray of a shot and adds its power to the receiver's unshot power.
 ShotRay trace_ray(const Scene& scene, const Shot& shot, const LineOrigin& origin, PowerState& state)
 {
     const Patch patch = scene.patch(shot.patch);
     const Line ray = local_line(patch, origin.numbers);
-    ShotRay trace{origin, shot.patch, ray, {}, receiver(scene, patch.surface, ray), shot.power_per_ray, {}};
-    if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, ray))
-        trace.crossing = crossing_at(scene, ray, *hit);
+    ShotRay trace{origin,
+                  shot.patch,
+                  ray,
+                  first_crossing(scene, patch, ray),
+                  receiver(scene, patch.surface, ray),
+                  shot.power_per_ray,
+                  {}};
     if (Segment::is_patch(trace.where)) {
         state.unshot[trace.where] += scene.reflectance(trace.where) * trace.power; // (S1)
         trace.unshot = state.unshot[trace.where];
@@ -263,15 +274,9 @@ namespace {
 TracedStep trace_step(const Scene& scene, const ParticleStep& step)
 {
     const Patch patch = scene.patch(step.from);
-    TracedStep trace{step, local_line(patch, step.item), {}, {}};
-    if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, trace.ray))
-        trace.crossing = crossing_at(scene, trace.ray, *hit);
-    return trace;
+    const Line ray = local_line(patch, step.item);
+    return {step, ray, first_crossing(scene, patch, ray), {}};
 }
-
-} // namespace
-
-namespace {
 
 /// The paths of the range, each of which begins with the item of its number after first_item. counted(step) is what
 /// the estimator adds for a step that ends at a patch.
@@ -347,10 +352,8 @@ JacobiTrace trace_iteration(const Scene& scene, const SolveOptions& options, con
     for (const IterationRay& ray : iteration.rays) {
         const Patch patch = scene.patch(ray.from);
         const LineOrigin origin{range.first + trace.rays.size(), ray.item, sequence->item(ray.item)};
-        JacobiRay traced{origin, ray, local_line(patch, origin.numbers), {}};
-        if (const std::optional<Hit> hit = scene.intersector().closest_hit_from(patch.surface, traced.ray))
-            traced.crossing = crossing_at(scene, traced.ray, *hit);
-        trace.rays.push_back(traced);
+        const Line line = local_line(patch, origin.numbers);
+        trace.rays.push_back({origin, ray, line, first_crossing(scene, patch, line)});
     }
     return trace;
 }

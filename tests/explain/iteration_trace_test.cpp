@@ -12,15 +12,6 @@ using namespace multipath;
 
 namespace {
 
-Scene coloured_room()
-{
-    SceneBuilder builder;
-    const std::uint32_t grey = builder.grey(0.6, 0.0);
-    const std::uint32_t red = builder.material({0.8, 0.2, 0.1}, {});
-    const std::uint32_t lamp = builder.material({0.5, 0.5, 0.5}, {3.0, 2.0, 1.0});
-    return builder.room({0, 0, 0}, {2, 1, 3}, {grey, lamp, red, grey, grey, red}).scene(0.5);
-}
-
 SolveOptions run(bool bidirectional)
 {
     SolveOptions options;

@@ -51,42 +51,42 @@ std::vector<ViewerLine> viewer_lines(const Scene& scene, const ShotTrace& trace)
     return lines;
 }
 
-std::vector<ViewerLine> viewer_lines(const Scene& scene, const ParticleTrace& trace)
+/// The lines of some paths, whose step k is drawn as segment 2 k: between two steps a path goes on within a patch, for
+/// which the drawing has a segment, too. add_transfer(path, k, transfers) adds what step k carries.
+template <class AddTransfer>
+std::vector<ViewerLine> path_lines(const std::vector<DrawnLine>& drawn, const std::vector<TracedParticle>& paths,
+                                   const AddTransfer& add_transfer)
 {
-    const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
     std::vector<ViewerLine> lines;
-    for (std::size_t n = 0; n < trace.particles.size(); ++n) {
-        ViewerLine line{drawn[n], {}};
-        // Between two steps the particle moves within a patch; the drawing has a segment for this too.
-        std::size_t segment = 0;
-        for (const TracedStep& traced : trace.particles[n].steps) {
-            line.transfers.push_back(
-                {segment, traced.step.from, receiver(traced.step.where), {}, traced.step.power, traced.counted});
-            segment += 2;
-        }
-        lines.push_back(line);
+    for (std::size_t n = 0; n < paths.size(); ++n) {
+        lines.push_back({drawn[n], {}});
+        for (std::size_t k = 0; k < paths[n].steps.size(); ++k)
+            add_transfer(paths[n], k, lines.back().transfers);
     }
     return lines;
+}
+
+std::vector<ViewerLine> viewer_lines(const Scene& scene, const ParticleTrace& trace)
+{
+    return path_lines(
+        drawn_lines(scene, trace), trace.particles,
+        [](const TracedParticle& path, std::size_t k, std::vector<ViewerTransfer>& transfers) {
+            const TracedStep& traced = path.steps[k];
+            transfers.push_back(
+                {2 * k, traced.step.from, receiver(traced.step.where), {}, traced.step.power, traced.counted});
+        });
 }
 
 /// A step of a walk brings light from where it arrives to the patch where the walk starts.
 std::vector<ViewerLine> viewer_lines(const Scene& scene, const WalkTrace& trace)
 {
-    const std::vector<DrawnLine> drawn = drawn_lines(scene, trace);
-    std::vector<ViewerLine> lines;
-    for (std::size_t n = 0; n < trace.walks.size(); ++n) {
-        ViewerLine line{drawn[n], {}};
-        const std::uint32_t first = trace.walks[n].steps.front().step.from;
-        std::size_t segment = 0; // as for particles
-        for (const TracedStep& traced : trace.walks[n].steps) {
-            const Rgb power = scene.area(first) * traced.counted;
-            if (power != Rgb{})
-                line.transfers.push_back({segment, traced.step.where, first, {}, power, power});
-            segment += 2;
-        }
-        lines.push_back(line);
-    }
-    return lines;
+    return path_lines(drawn_lines(scene, trace), trace.walks,
+                      [&](const TracedParticle& path, std::size_t k, std::vector<ViewerTransfer>& transfers) {
+                          const std::uint32_t first = path.steps.front().step.from;
+                          const Rgb power = scene.area(first) * path.steps[k].counted;
+                          if (power != Rgb{})
+                              transfers.push_back({2 * k, path.steps[k].step.where, first, {}, power, power});
+                      });
 }
 
 std::vector<ViewerLine> viewer_lines(const Scene& scene, const JacobiTrace& trace)

@@ -52,34 +52,47 @@ private:
 
 } // namespace
 
+double Importance::weighted_area(const Scene& scene) const
+{
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        area += weight[i] * scene.area(i);
+    return area;
+}
+
+std::vector<double> Importance::influence(const Scene& scene, const MeanOverRays& mean_over_rays, int threads) const
+{
+    constexpr int reflections = 8; // more of them would add little, and the result only guides sampling
+    std::vector<double> result(scene.patch_count());
+    for (int k = 0; k < reflections; ++k) {
+        const std::vector<double> before = result;
+        parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
+            result[i] = mean_over_rays(i, [&](std::uint32_t j) {
+                const double rho = mean(scene.reflectance(j));
+                return rho * std::sqrt(weight[j]) + rho * before[j];
+            });
+        });
+    }
+    return result;
+}
+
 // Noise dP in the power that arrives at patch j changes B_j by rho_j dP / A_j. Its square counts with w_j A_j. In
-// addition, patch j reflects the noise to other patches. Its influence R_j on all important patches solves the adjoint
-// system, and if the influence is spread over their weighted area, the noise contributes (rho_j R_j dP)^2 / that area.
+// addition, patch j reflects the noise to other patches. Its influence Z_j on all important patches solves the adjoint
+// system, and if the influence is spread over their weighted area, the noise contributes (rho_j Z_j dP)^2 / that area.
 std::vector<double> Importance::noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                               std::uint32_t rays_per_patch, int threads) const
 {
-    constexpr int reflections = 8; // more of them would add little, and the result only guides sampling
     const HemisphereRays rays(scene, sequence, first_item, rays_per_patch, threads);
     const std::uint32_t n = scene.patch_count();
-    std::vector<double> direct(n);
-    double area = 0.0;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        direct[i] = mean(scene.reflectance(i)) * std::sqrt(weight[i]);
-        area += weight[i] * scene.area(i);
-    }
-    std::vector<double> influence(n);
-    for (int k = 0; k < reflections; ++k) {
-        const std::vector<double> before = influence;
-        parallel_numbers(n, threads, [&](std::uint32_t i) {
-            influence[i] =
-                rays.mean_of(i, [&](std::uint32_t j) { return direct[j] + mean(scene.reflectance(j)) * before[j]; });
-        });
-    }
+    const double area = weighted_area(scene);
+    const std::vector<double> influence_of = influence(
+        scene, [&](std::uint32_t i, const Value& value) { return rays.mean_of(i, value); }, threads);
     std::vector<double> result(n);
     parallel_numbers(n, threads, [&](std::uint32_t i) {
         result[i] = std::sqrt(rays.mean_of(i, [&](std::uint32_t j) {
-            const double reflected = mean(scene.reflectance(j)) * influence[j];
-            return direct[j] * direct[j] / scene.area(j) + reflected * reflected / area; // (I1)
+            const double direct = mean(scene.reflectance(j)) * std::sqrt(weight[j]);
+            const double reflected = mean(scene.reflectance(j)) * influence_of[j];
+            return direct * direct / scene.area(j) + reflected * reflected / area; // (I1)
         }));
     });
     return result;

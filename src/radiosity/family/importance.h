@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace multipath {
@@ -14,6 +15,16 @@ namespace multipath {
 struct Importance
 {
     std::vector<double> weight; ///< w_i [1] per patch, >= 0
+
+    double weighted_area(const Scene& scene) const; ///< [m^2] sum of w A
+
+    /// Mean of value(receiver) over some rays from the patch, as a share of all its rays.
+    using Value = std::function<double(std::uint32_t receiver)>;
+    using MeanOverRays = std::function<double(std::uint32_t patch, const Value& value)>;
+
+    /// Influence Z_i [1] of a watt that leaves patch i on the important patches, per patch: the solution of Z_i = sum
+    /// of F_ij (rho_j root of w_j + rho_j Z_j) after some reflections, where `mean` estimates the sum.
+    std::vector<double> influence(const Scene& scene, const MeanOverRays& mean, int threads) const;
 
     /// [1/m] Noise factor sigma_i of each patch i: the square root of the weighted error that a single ray of 1 W
     /// from patch i would cause ((I1) in docs/equations.md). If patch i sends the power P_i, the error is smallest

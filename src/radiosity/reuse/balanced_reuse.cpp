@@ -292,39 +292,25 @@ private:
             return result;
         constexpr double even = 0.01; // the weight that all patches keep
         const std::vector<double>& weight = rays_.importance->weight;
-        const std::vector<double> influence = influence_on(weight);
-        double weighted_area = 0.0;
-        for (std::uint32_t i = 0; i < n_; ++i)
-            weighted_area += weight[i] * scene_.area(i);
+        const double weighted_area = rays_.importance->weighted_area(scene_);
+        const std::vector<double> density = densities();
+        const auto mean_over_rays = [&](std::uint32_t i, const Importance::Value& value) {
+            double sum = 0.0;
+            double all = 0.0;
+            for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+                all += rays * w;
+                if (j != nothing)
+                    sum += rays * w * value(j);
+            });
+            return all > 0.0 ? sum / all : 0.0;
+        };
+        const std::vector<double> influence = rays_.importance->influence(scene_, mean_over_rays, run_.threads);
         for (std::uint32_t i = 0; i < n_; ++i) {
             const double reflected = mean(rho_[i]) * influence[i];
             result[i] = std::sqrt((even + weight[i]) * result[i] * result[i] +
                                   scene_.area(i) * reflected * reflected / weighted_area);
         }
         return result;
-    }
-
-    /// Influence [1] of a watt that leaves each patch on the weighted patches, by the rays so far.
-    std::vector<double> influence_on(const std::vector<double>& weight) const
-    {
-        constexpr int reflections = 8; // more of them would add little, and the result only guides sampling
-        const std::vector<double> density = densities();
-        std::vector<double> influence(n_);
-        std::vector<double> next(n_);
-        for (int k = 0; k < reflections; ++k) {
-            parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
-                double sum = 0.0;
-                double all = 0.0;
-                for_row(i, density, [&](double w, double rays, std::uint32_t j) {
-                    all += rays * w;
-                    if (j != nothing)
-                        sum += rays * w * mean(rho_[j]) * (std::sqrt(weight[j]) + influence[j]);
-                });
-                next[i] = all > 0.0 ? sum / all : 0.0;
-            });
-            influence.swap(next);
-        }
-        return influence;
     }
 
     /// [W/m^2] Standard deviation of the radiosity that a single ray over the hemisphere of each patch finds, by the
