@@ -48,29 +48,82 @@ CommandTable explain_table()
             "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
 }
 
-enum class StageKind { shot, global, bundle, local, gathering, iteration };
+/// Text and drawn lines of one trace.
+struct Explanation
+{
+    std::string text;
+    std::string title;
+    std::vector<DrawnLine> lines;
+    bool from_outside = false; ///< the drawing shows the sphere or box from which the lines start
+};
+
+Explanation explain_shot(const TracedRun& run, std::size_t pass, const TracedRange& range)
+{
+    const ShotTrace trace = trace_shot_pass(run.scene, run.options, pass, range);
+    return {trace_text(run, trace), "Rays of pass " + std::to_string(pass + 1) + " of the first shot",
+            drawn_lines(run.scene, trace)};
+}
+
+Explanation explain_global(const TracedRun& run, std::size_t, const TracedRange& range)
+{
+    const GlobalTrace trace = trace_global_pass(run.scene, run.options, range);
+    return {trace_text(run, trace), "Lines of the global pass", drawn_lines(trace.lines), true};
+}
+
+Explanation explain_bundle(const TracedRun& run, std::size_t, const TracedRange& range)
+{
+    const BundleTrace trace = trace_bundle(run.scene, run.options, range);
+    return {trace_text(run, trace), "Lines of one direction of transillumination", drawn_lines(trace.lines)};
+}
+
+Explanation explain_particles(const TracedRun& run, std::size_t, const TracedRange& range)
+{
+    const ParticleTrace trace = trace_particles(run.scene, run.options, range);
+    return {trace_text(run, trace), "Particles of local Monte Carlo", drawn_lines(run.scene, trace)};
+}
+
+Explanation explain_walks(const TracedRun& run, std::size_t, const TracedRange& range)
+{
+    const WalkTrace trace = trace_walks(run.scene, run.options, range);
+    return {trace_text(run, trace), "Gathering random walks", drawn_lines(run.scene, trace)};
+}
+
+Explanation explain_iteration(const TracedRun& run, std::size_t, const TracedRange& range)
+{
+    const JacobiTrace trace = trace_iteration(run.scene, run.options, range);
+    return {trace_text(run, trace), "Rays of a stochastic Jacobi iteration", drawn_lines(run.scene, trace)};
+}
 
 struct NamedStage
 {
     std::string_view name; ///< see MethodInfo::traced
-    StageKind kind;
+    Explanation (*explain)(const TracedRun& run, std::size_t pass, const TracedRange& range);
 };
 
 constexpr std::string_view later_pass = "extended:PASS";
-constexpr std::array<NamedStage, 7> known_stages = {{{"first-shot", StageKind::shot},
-                                                     {later_pass, StageKind::shot},
-                                                     {"global", StageKind::global},
-                                                     {"bundle", StageKind::bundle},
-                                                     {"local", StageKind::local},
-                                                     {"gathering", StageKind::gathering},
-                                                     {"iteration", StageKind::iteration}}};
+constexpr std::array<NamedStage, 7> known_stages = {{{"first-shot", explain_shot},
+                                                     {later_pass, explain_shot},
+                                                     {"global", explain_global},
+                                                     {"bundle", explain_bundle},
+                                                     {"local", explain_particles},
+                                                     {"gathering", explain_walks},
+                                                     {"iteration", explain_iteration}}};
 
 /// The stage of the run whose lines are traced.
 struct Stage
 {
-    StageKind kind;
+    const NamedStage* kind;
     std::size_t pass = 0; ///< of a shot, from 0
 };
+
+/// "a, b or c".
+std::string alternatives(const std::vector<std::string_view>& names)
+{
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + std::string(names[k]);
+    return text;
+}
 
 bool has_stage(Method method, std::string_view name)
 {
@@ -81,10 +134,7 @@ bool has_stage(Method method, std::string_view name)
 /// "first-shot or global, or --method extended": the stages of the method, and the methods with the stage.
 std::string expected_stages(Method method, std::string_view name)
 {
-    const std::vector<std::string_view> stages = traced_stages(method);
-    std::string text;
-    for (std::size_t k = 0; k < stages.size(); ++k)
-        text += (k == 0 ? "" : k + 1 < stages.size() ? ", " : " or ") + std::string(stages[k]);
+    std::string text = alternatives(traced_stages(method));
     const char* before = ", or --method ";
     for (const Method other : all_methods())
         if (has_stage(other, name)) {
@@ -103,16 +153,18 @@ Stage read_stage(const CommandLine& line)
     const std::string_view name = pass_named ? later_pass : std::string_view(text);
     const auto* const stage =
         std::find_if(known_stages.begin(), known_stages.end(), [&](const NamedStage& s) { return s.name == name; });
-    if (stage == known_stages.end())
-        throw UsageError(
-            "--stage: expected first-shot, extended:PASS, global, bundle, local, gathering or iteration, got " +
-            quoted_argument(text));
+    if (stage == known_stages.end()) {
+        std::vector<std::string_view> names;
+        for (const NamedStage& known : known_stages)
+            names.push_back(known.name);
+        throw UsageError("--stage: expected " + alternatives(names) + ", got " + quoted_argument(text));
+    }
     if (!has_stage(method, name))
         throw UsageError("--stage: --method " + line.text("method") + " has no stage " + text + "; expected " +
                          expected_stages(method, name));
     if (!pass_named)
-        return {stage->kind};
-    return {stage->kind, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
+        return {stage};
+    return {stage, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
 TracedRange read_traced_range(const CommandLine& line)
@@ -121,49 +173,14 @@ TracedRange read_traced_range(const CommandLine& line)
             read_count("--lines", line.text("lines"), 1, most_traced_lines)};
 }
 
-/// Text and drawn lines of one trace.
-struct Explanation
-{
-    std::string text;
-    std::string title;
-    std::vector<DrawnLine> lines;
-};
-
-Explanation explain(const TracedRun& run, const Stage& stage, const TracedRange& range)
-{
-    if (stage.kind == StageKind::global) {
-        const GlobalTrace trace = trace_global_pass(run.scene, run.options, range);
-        return {trace_text(run, trace), "Lines of the global pass", drawn_lines(trace.lines)};
-    }
-    if (stage.kind == StageKind::bundle) {
-        const BundleTrace trace = trace_bundle(run.scene, run.options, range);
-        return {trace_text(run, trace), "Lines of one direction of transillumination", drawn_lines(trace.lines)};
-    }
-    if (stage.kind == StageKind::local) {
-        const ParticleTrace trace = trace_particles(run.scene, run.options, range);
-        return {trace_text(run, trace), "Particles of local Monte Carlo", drawn_lines(run.scene, trace)};
-    }
-    if (stage.kind == StageKind::gathering) {
-        const WalkTrace trace = trace_walks(run.scene, run.options, range);
-        return {trace_text(run, trace), "Gathering random walks", drawn_lines(run.scene, trace)};
-    }
-    if (stage.kind == StageKind::iteration) {
-        const JacobiTrace trace = trace_iteration(run.scene, run.options, range);
-        return {trace_text(run, trace), "Rays of a stochastic Jacobi iteration", drawn_lines(run.scene, trace)};
-    }
-    const ShotTrace trace = trace_shot_pass(run.scene, run.options, stage.pass, range);
-    return {trace_text(run, trace), "Rays of pass " + std::to_string(stage.pass + 1) + " of the first shot",
-            drawn_lines(run.scene, trace)};
-}
-
-LineDrawing drawing_of(const TracedRun& run, const Stage& stage, const std::string& title)
+LineDrawing drawing_of(const TracedRun& run, const Explanation& explanation)
 {
     LineDrawing drawing;
-    drawing.title = title;
+    drawing.title = explanation.title;
     drawing.subtitle = run.scene.path() + ", --method " + run.method + ", sequence " + run.sequence;
-    if (stage.kind == StageKind::global && chords_of(run.options) == Chords::box)
+    if (explanation.from_outside && chords_of(run.options) == Chords::box)
         drawing.box = run.scene.bounds();
-    else if (stage.kind == StageKind::global)
+    else if (explanation.from_outside)
         drawing.sphere = DrawnSphere{run.scene.bounds().centre(), 0.5 * run.scene.bounds().diagonal()};
     return drawing;
 }
@@ -184,8 +201,8 @@ int run_explain(const CommandLine& line)
     for (const std::string& warning : scene.file().warnings)
         print_note(warning + "\n");
     const TracedRun run{scene, options, line.text("method"), sequence};
-    const Explanation explanation = explain(run, stage, range);
-    LineDrawing drawing = drawing_of(run, stage, explanation.title);
+    const Explanation explanation = stage.kind->explain(run, stage.pass, range);
+    LineDrawing drawing = drawing_of(run, explanation);
     drawing.up = up;
     drawing.comments = provenance(explain_table(), line, scene);
     for (PlannedOutput& output : outputs)

@@ -191,6 +191,13 @@ BundleTrace trace_bundle(const Scene& scene, const SolveOptions& options, const 
 
 namespace {
 
+/// Index of the first item that the run does not skip.
+std::uint64_t first_item_of(const Scene& scene, const Sequence& sequence, const SolveOptions& options)
+{
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    return plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines)).first_shot;
+}
+
 /// Where a ray from a patch meets the next surface; empty if it leaves the scene.
 std::optional<Crossing> first_crossing(const Scene& scene, const Patch& patch, const Line& ray)
 {
@@ -241,18 +248,17 @@ void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds(), chords_of(options));
-    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
 
     ObservedPass observed;
     std::size_t passes_begun = 0;
-    const auto keep_pass = [&](std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state) {
+    const auto keep_pass = [&](std::uint64_t first_of_pass, const std::vector<Shot>& shots, const PowerState& state) {
         if (passes_begun++ == pass)
-            observed = {first_item, shots, state};
+            observed = {first_of_pass, shots, state};
     };
     PowerState state(scene);
     const std::vector<ShotPass> passes =
-        shoot_first(scene, *sequence, items.first_shot, options, {options.threads}, state, keep_pass);
+        shoot_first(scene, *sequence, first_item, options, {options.threads}, state, keep_pass);
     require_pass(passes, pass);
     require_in_stage(range, ray_count(observed.shots), "rays");
 
@@ -304,24 +310,22 @@ std::vector<TracedParticle> trace_paths(const Scene& scene, const Sequence& sequ
 ParticleTrace trace_particles(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds());
-    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
     const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
     require_in_stage(range, particles.count(), "particles");
     return {particles.count(), particles.shots().size(),
-            trace_paths(scene, *sequence, particles, items.first_shot, range,
+            trace_paths(scene, *sequence, particles, first_item, range,
                         [&](const ParticleStep& step) { return scored_power(scene, step, options.estimator); })};
 }
 
 WalkTrace trace_walks(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds());
-    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
     const Particles walks =
-        first_walks(scene, {options.lines, options.estimator, items.first_shot, options.seed}, options.threads);
+        first_walks(scene, {options.lines, options.estimator, first_item, options.seed}, options.threads);
     require_in_stage(range, walks.count(), "walks");
-    return {walks.count(), trace_paths(scene, *sequence, walks, items.first_shot, range, [&](const ParticleStep& step) {
+    return {walks.count(), trace_paths(scene, *sequence, walks, first_item, range, [&](const ParticleStep& step) {
                 return gathered_irradiance(scene, step, options.estimator); // (W1)
             })};
 }
@@ -329,20 +333,15 @@ WalkTrace trace_walks(const Scene& scene, const SolveOptions& options, const Tra
 JacobiTrace trace_iteration(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds());
-    const ItemPlan items = plan_items(*sequence, options.skip, 0, lines.lines_to_cast(options.lines));
+    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
     PowerState state(scene);
     JacobiTrace trace;
-    trace.series_rays =
-        send_series(scene, *sequence,
-                    series_before_iterations(items.first_shot, options.lines, options.bidirectional, options.seed),
-                    {options.threads}, state);
-    const JacobiOptions jacobi{items.first_shot + trace.series_rays,
-                               trace.series_rays,
-                               options.lines - std::min(options.lines, trace.series_rays),
-                               options.bidirectional,
-                               options.seed,
-                               options.importance.get()};
+    trace.series_rays = send_series(
+        scene, *sequence, series_before_iterations(first_item, options.lines, options.bidirectional, options.seed),
+        {options.threads}, state);
+    const JacobiOptions jacobi{
+        first_item + trace.series_rays, trace.series_rays, options.lines - std::min(options.lines, trace.series_rays),
+        options.bidirectional,          options.seed,      options.importance.get()};
     if (jacobi.lines == 0)
         throw SettingsError("this run has too few lines for an iteration");
     const IterationTrace iteration =
