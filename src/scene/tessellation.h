@@ -12,7 +12,7 @@
 namespace multipath {
 
 /// A corner point of a grid on a surface: i steps along u and j along v. The grid of a Tessellation has cells_u by
-/// cells_v steps, that of Tessellation::corners() grid_u() by grid_v().
+/// cells_v steps. Points from Tessellation::corners() count the steps of a finer grid, grid_u() by grid_v().
 struct GridPoint
 {
     std::uint32_t i = 0;
@@ -52,7 +52,7 @@ public:
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::uint8_t depth() const { return depth_; } ///< highest level
     std::uint8_t level(std::uint32_t leaf) const { return leaves_[leaf].level; }
-    /// The index that this leaf has as a cell of Tessellation::uniform(level(leaf)), where all cells have its level.
+    /// The index of the cell of Tessellation::uniform(level(leaf)) that coincides with this leaf.
     std::uint32_t cell_of_level(std::uint32_t leaf) const { return leaves_[leaf].cell; }
     /// The leaf that contains a point of cell `cell` of the grid. (x, y) is measured from the cell's origin along its
     /// edges, whose lengths count as 1.
@@ -78,8 +78,8 @@ private:
 
 /// The subdivision of a surface into cells: of a parallelogram into cells_u x cells_v equal parallelograms, of a
 /// triangle into cells_u^2 triangles similar to it (cells_v = cells_u). If there are trees, a "cell" below is one of
-/// their leaves, and a "cell of the grid" is an undivided one. The cell at (u, v) is found in constant time, or in time
-/// proportional to the depth of its tree.
+/// their leaves, and a "cell of the grid" is the root of a tree. The cell at (u, v) is found in constant time, or in
+/// time proportional to the depth of its tree.
 struct Tessellation
 {
     Shape shape = Shape::parallelogram;
@@ -167,14 +167,15 @@ Tessellation tessellate(const Surface& surface, double patch_size);
 /// [scene units] gives more than an integer holds.
 double cell_count(const SurfaceList& surfaces, double patch_size);
 
-/// The default patch size [scene units], a round number: 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten. It
-/// is the largest one up to sqrt(A / 2500), where A is the total area, which gives at least about 2500 patches. While
-/// that gives more than 4000 patches, the next round number is taken, up to 3 sqrt(A / 2500). Beyond that, the next one
-/// is taken only while there are more than 2^17 patches plus 8 per surface.
+/// The default patch size [scene units], a round number: 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
+/// The search starts at the largest one up to s = sqrt(A / 2500), where A is the total area; it gives at least about
+/// 2500 patches. It goes on to the next round number, up to 3 s, while there are more than 4000 patches, and then
+/// without limit while there are more than 2^17 + 8 * (number of surfaces) patches.
 double default_patch_size(const SurfaceList& surfaces);
 
-/// The patch size [scene units] that gives as many patches as possible up to about `wanted`, never more. If there are
-/// more surfaces than `wanted`, it is the diagonal of the scene, which gives one patch per surface.
+/// The smallest patch size [scene units], found by bisection, that gives at most `wanted` patches. If there are more
+/// surfaces than `wanted`, no size does, and the result is the diagonal of the scene, which gives one patch per
+/// surface.
 double patch_size_for_count(const SurfaceList& surfaces, std::uint64_t wanted);
 
 } // namespace multipath

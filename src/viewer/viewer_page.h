@@ -11,7 +11,8 @@
 #include <string_view>
 #include <vector>
 
-// Content of the page in plain lists. The viewer does not know how the content was computed.
+// The viewer is an HTML page that shows a solved room. Its content is given here as plain lists; the viewer does not
+// know how they were computed.
 
 namespace multipath {
 
@@ -45,11 +46,13 @@ struct ViewerTransfer
     std::size_t segment; ///< index among the segments of the line
     std::uint32_t from;  ///< patch that sends the power
     std::uint32_t to;    ///< patch that receives the power; Scene::no_patch if the power is lost
-    Rgb forecast;        ///< [W] forecast part of the sent power, see (G3) in docs/equations.md; only on global lines
-    /// [W] Rest of the sent power: on a global line what the patch had received, reflected and not yet sent on; on a
-    /// ray all of its power.
+    /// [W] On a global line the part of its unshot power that the patch adds to each line, (G3) in docs/equations.md;
+    /// on a parallel line all power sent; otherwise 0.
+    Rgb forecast;
+    /// [W] Rest of the sent power: on a global line, power that the patch has received and reflected but not yet sent
+    /// on; on a ray or a step of a random walk, all the power.
     Rgb held;
-    Rgb counted; ///< [W] power that the method adds for it; for particles that of the estimator, else all that is sent
+    Rgb counted; ///< [W] incident power counted at `to`: the score of a particle, else all the power sent
 };
 
 /// A traced line.
@@ -72,7 +75,7 @@ struct ViewerContent
 {
     std::vector<std::string> record; ///< provenance: "command: multipath ..."
     Camera camera;                   ///< initial camera
-    RenderOptions render;            ///< options of the picture whose brightness gives the exposure; initial shading
+    RenderOptions render;            ///< for the preview that sets the brightness; its shading is the initial one
     ToneMapOptions tone;             ///< initial tone operator and exposure; ToneMapOptions::scale is ignored
     std::vector<ViewerQuantity> quantities; ///< the first is the radiosity [W/m^2], shown as light
     std::size_t shown = 0;                  ///< index of the initial quantity
@@ -93,15 +96,16 @@ std::string viewer_page(const Scene& scene, const ViewerContent& content);
 /// surface; a patch then has its own value.
 struct CornerValues
 {
-    /// Fronts of all surfaces, then backs; for each the grid points, row by row along edge_v.
+    /// Fronts of all surfaces, then backs if the scene is two-sided; for each the grid points (i, j), i fastest. Rows
+    /// of a triangle get shorter.
     std::vector<Rgb> shared;
     /// Corners with an own value: 4 * patch + index of the corner in Scene::corners().
     std::vector<std::uint32_t> slots;
     std::vector<Rgb> own; ///< own value for each entry of `slots`
 };
 
-/// Computes the corner values. On a surface that quadtrees divide (tessellation.h), `shared` holds the four corners of
-/// each patch instead of grid points.
+/// Computes the corner values. On a surface that quadtrees divide (tessellation.h), `shared` holds four values per
+/// patch, those of its corners (the fourth of a triangle is 0), instead of grid points.
 CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
 /// The text of a file of the folder src/viewer/page. The Makefile embeds these files in the program. Throws

@@ -9,11 +9,11 @@
 
 namespace multipath {
 
-/// [m^2/W] Scale from radiosity [W/m^2] to linear colours, which are clipped at 1. The scale refers to the area of all
-/// patches but sources and sky (or of all but the sky, if everything emits). On 99 % of this area no channel exceeds 1,
-/// even where a texture is white. If the contrast is too high for that, the scale is larger, so that the brightest
-/// channel reaches 0.18, middle grey, on half of the area. Returns 1 if at most 1 % of the area is lit. Independent of
-/// any camera, unlike the scale of a picture.
+/// [m^2/W] Scale from radiosity [W/m^2] to linear colours, which are clipped at 1. The scale is the largest at which no
+/// channel exceeds 1 on 99 % of the area, with every texture taken as white. If the brightest channel would then reach
+/// 0.18, middle grey, on less than half of the area, the scale is raised until it does, and more than 1 % of the area
+/// is clipped. The area is that of all patches except sources and sky (only except the sky, if everything emits).
+/// Returns 1 if at most 1 % of the area is lit. Independent of any camera, unlike the scale of a picture.
 double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity);
 
 /// A pinhole camera.
@@ -37,9 +37,10 @@ JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number);
 /// - COLOR_0 = min(1, scale * radiosity), linear; floats, so that dark corners keep their shades when brightened;
 /// - _RADIOSITY [W/m^2], not clipped, and _ERROR [W/m^2], the standard error of the radiosity, if known.
 /// In a scene with textures, `mesh` must contain the radiosity without the detail of textures (without_texture()), and
-/// `images` one file per texture (texture_files()). Textured materials show the texture times COLOR_0; COLOR_0 is
-/// then the colour for a white texture. The extras of the asset contain the scale [m^2/W] and the comments. Throws
-/// InputError for 4 GB or more, the limit of the format.
+/// `images` one file per texture (texture_files()). Textured materials show the texture times COLOR_0, which is
+/// therefore the colour of a white point of the texture: the radiosity is first multiplied by white / mean reflectance.
+/// The extras of the asset contain the scale [m^2/W] and the comments. Throws InputError for 4 GB or more, the limit of
+/// the format.
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
                       const std::vector<std::string>& comments, const std::vector<ImageFile>& images = {});
 

@@ -30,8 +30,8 @@ struct MarkStyle
 /// [px] Approximate distance from the centre of a mark to its border.
 constexpr double mark_radius = 4.5;
 
-/// Mark of a series: cycles through twelve shapes and eight colours (Okabe and Ito, brown for yellow), so that 96
-/// series differ.
+/// Mark of a series. The marks of the first 96 series differ: they are all pairs of twelve shapes and eight colours
+/// (Okabe and Ito, brown for yellow).
 MarkStyle svg_series_mark(std::size_t series);
 
 /// One mark per point, all in one path. Filled marks have a white rim, which separates overlapping marks. `hollow`:
