@@ -21,6 +21,22 @@ installs() {
 }
 check "make install puts every file where it belongs, and no other" installs
 
+# `install` of BSD has the options -c, -d and -m, before all operands. Other systems have no `nproc`.
+other_tools() {
+    mkdir tools && cat >tools/install <<END &&
+#!/bin/sh
+portable() {
+    while getopts cdm: option; do [ "\$option" != "?" ] || return; done
+    shift \$((OPTIND - 1))
+    for operand; do case \$operand in -*) return 1 ;; esac; done
+}
+portable "\$@" && exec $(command -v install) "\$@"
+END
+        printf '#!/bin/sh\nexit 127\n' >tools/nproc && chmod +x tools/* &&
+        PATH="$here/tools:$PATH" made install "DESTDIR=$here/bsd" PREFIX= && diff -r bsd "$tree/opt/multipath"
+}
+check "make install needs neither the options of GNU's install nor nproc" other_tools
+
 for_everybody() { [ -x "$tree/opt/multipath/bin/multipath" ] && [ -z "$(find "$tree" ! -perm -444)" ]; }
 check "everybody may read what is installed" for_everybody
 
