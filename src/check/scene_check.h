@@ -8,10 +8,10 @@
 
 namespace multipath {
 
-/// Share [1] of the power of the sources, or of the area of the surfaces, from which on a finding makes the result
-/// wrong. A finding about a smaller share changes less than one step of an 8-bit picture, and less than the noise of
-/// most runs. The share does not matter for some kinds: "trapped" is always an error, while "open", "reflectance" and
-/// findings without a share are always remarks.
+/// Least share [1] of the power of the sources, or of the area of the surfaces, with which a finding is an error: the
+/// result is wrong. A finding about a smaller share changes less than one step of an 8-bit picture, and less than the
+/// noise of most runs. The share does not matter for some kinds: "trapped" is always an error, while "open",
+/// "reflectance" and findings without a share are always remarks.
 constexpr double share_that_matters = 0.005;
 
 /// A diagnostic about a scene. Findings of the same cause are merged into one, whose message says how many there are.
@@ -19,8 +19,8 @@ struct Finding
 {
     std::string kind;        ///< identifier for programs, such as "behind" or "unused-material"
     bool makes_wrong_result; ///< true for an error, false for a remark
-    std::string place;   ///< file and line of the first case, such as "room.obj:12"; the file alone if no line is known
-    std::string message; ///< one line: the fault and its remedy
+    std::string place; ///< file and line of the first or worst case ("room.obj:12"); the file alone if no line is known
+    std::string message;      ///< one line: the fault, and its remedy if it needs one
     double power_share = 0.0; ///< share [1] of the source power that is concerned; 0 if the finding is not about power
     double area_share = 0.0;  ///< share [1] of the area of all surfaces concerned; 0 if the finding is not about area
 };

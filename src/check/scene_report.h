@@ -22,12 +22,12 @@ struct LineSurvey
     std::uint64_t crossings = 0;       ///< number of intersections of all lines with surfaces
 
     // Counts per surface. Every line counts in both directions.
-    std::vector<std::uint64_t> departures; ///< the line leaves a patch of the surface
+    std::vector<std::uint64_t> departures; ///< times that a line leaves a patch of the surface
     std::vector<std::uint64_t> arrivals;   ///< departures from the surface that reach another patch
     std::vector<std::uint64_t> escapes;    ///< departures from the surface that meet nothing
     std::vector<std::uint64_t> met_behind; ///< departures from any surface that meet this one on a side without a patch
-    /// The line leaves the back of the surface and meets the back of a surface that emits nothing. 0 if the scene is
-    /// two-sided.
+    /// Times that a line leaves the back of the surface and then meets the back of a surface that emits nothing. All 0
+    /// if the scene is two-sided.
     std::vector<std::uint64_t> back_to_back;
 };
 
@@ -54,7 +54,7 @@ struct SceneReport
     std::optional<double> ratio_first_shot; ///< [1] optimal N_l / N_g (3); empty if any ratio is as good
     std::optional<double>
         ratio_extended; ///< [1] optimal N_l / N_g (3) for the extended first shot; empty if any is as good
-    double threshold_radiosity = 0.0; ///< [W/m^2] (4), above which patches shoot in the first shot
+    double threshold_radiosity = 0.0; ///< [W/m^2] radiosity (4) above which patches shoot in the first shot
 
     LineSurvey survey;
     std::uint64_t wanted_lines = 0; ///< number of lines that report_on was asked for

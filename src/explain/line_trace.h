@@ -23,7 +23,7 @@
 
 namespace multipath {
 
-/// The lines (or rays, particles, walks) of a stage to be traced, numbered from 0: first ... first + count - 1.
+/// The lines (or rays, particles, walks) to trace in a stage: first ... first + count - 1, numbered from 0.
 struct TracedRange
 {
     std::uint64_t first = 0;
@@ -73,8 +73,8 @@ struct TracedSegment
     std::size_t after; ///< number of intersections of the line before the segment
     Segment segment;
     std::vector<Transfer> transfers; ///< two if power flows both ways (M2): both senders send what they held before
-    Rgb from_holds;                  ///< [W] held by segment.from afterwards; black if segment.from is no patch
-    Rgb to_holds;                    ///< [W] held by segment.to afterwards; black if segment.to is no patch
+    Rgb from_holds;                  ///< [W] held by segment.from afterwards; black if no patch or in transillumination
+    Rgb to_holds;                    ///< [W] held by segment.to afterwards; black if no patch or in transillumination
 };
 
 /// The trace of a global line, or of a line of transillumination: the intersections, and the power sent along the
@@ -105,8 +105,8 @@ struct GlobalTrace
 /// SettingsError for lines that the pass does not have.
 GlobalTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range);
 
-/// The traces of some lines along the first direction of transillumination, a method that casts bundles of parallel
-/// lines, with figures of the run up to that direction.
+/// The traces of some lines along the first direction of transillumination (a method that casts bundles of parallel
+/// lines), with figures of the run up to that direction.
 struct BundleTrace
 {
     std::uint64_t shot_lines = 0;    ///< number of rays of the first shot

@@ -23,8 +23,8 @@ public:
     JsonObject& object(std::string_view key, const JsonObject& value);
     JsonObject& objects(std::string_view key, const std::vector<JsonObject>& values);
 
-    /// The text of a JSON file: one indented line per member of the object, and one line per entry of a list by
-    /// objects().
+    /// The text of a JSON file: one indented line per member of the object, and one line per element of an array that
+    /// objects() added.
     std::string document() const;
 
 private:

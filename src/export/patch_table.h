@@ -34,8 +34,9 @@ struct PatchTable
 /// that is no such table, and for one without rows, with patches that are not numbered 0, 1, 2 ..., with negative areas
 /// or standard errors, or with areas that are all 0.
 /// If `beside` is given, a table without areas, for example by another program, needs only the columns `patch` and
-/// `radiosity` [W/m^2], or `radiosity_r`, `_g`, `_b`; the columns of the standard error are optional. Everything else
-/// is copied from `beside`. InputError is thrown unless both tables have the same number of patches.
+/// `radiosity` [W/m^2], or `radiosity_r`, `_g`, `_b`; the columns of the standard error are optional. The surfaces,
+/// materials, centres and areas are copied from `beside`, and InputError is thrown unless both tables have the same
+/// number of patches. A table with areas is read as if `beside` were not given.
 PatchTable read_patch_table(const std::string& path, const PatchTable* beside = nullptr);
 
 } // namespace multipath

@@ -25,9 +25,10 @@ public:
     bool meets(const Line& line) const;
     /// True if the point lies inside the hull or on its sides. Always false for a flat hull.
     bool holds(Vec3 point) const;
-    /// True if the plane of one of the sides has all points on its outer side, or at most `overlap` [scene units] on
-    /// its inner side. Then the convex hull of the points reaches no deeper than `overlap` into this hull. The test is
-    /// sufficient, not necessary: disjoint sets may give false. Always false for a flat hull.
+    /// True if, for at least one side, no point lies more than `overlap` [scene units] behind the plane of the side,
+    /// towards the inside. Then the convex hull of the points reaches no deeper than `overlap` into this hull. A
+    /// negative `overlap` demands a gap. The test is sufficient, not necessary: disjoint sets may give false. Always
+    /// false for a flat hull.
     bool is_separated_from(const std::vector<Vec3>& points, double overlap) const;
 
 private:

@@ -13,13 +13,14 @@ namespace multipath {
 /// A scene and its lit patches. A good picture shows lit patches.
 struct LitScene
 {
-    /// `radiosity`: [W/m^2] per patch. If the list is empty or has no positive value, all patches count as lit.
+    /// `radiosity`: [W/m^2] per patch. If the list is empty, or positive for no patch outside the sky, all patches
+    /// count as lit. The scene must outlive this object.
     explicit LitScene(const Scene& scene, const std::vector<Rgb>& radiosity = {});
 
     const Scene& scene;
     Bounds box;               ///< region that a picture should show; initially the whole scene without its sky
     std::vector<bool> is_lit; ///< per patch
-    double weight = 0.0; ///< sum over all surfaces but the sky of the root of the area; normalises part of the score
+    double weight = 0.0;      ///< sum over all surfaces but the sky of sqrt(area); normalises part of the score
 };
 
 /// Quality of a view, measured with a coarse grid of rays. The shares are fractions of the rays.

@@ -17,7 +17,8 @@ Rgb srgb_encoded(Rgb linear);
 /// Linear light of sRGB values: the inverse of srgb_encoded(), for each channel in [0, 1].
 Rgb srgb_decoded(Rgb encoded);
 
-/// The sRGB byte of a channel of linear light, rounded to the nearest. Light is clamped like in srgb_encoded().
+/// The sRGB value of a channel of linear light, rounded to an integer in 0 ... 255. Light is clamped as in
+/// srgb_encoded().
 std::uint8_t screen_byte(double linear);
 
 enum class ToneOperator {
@@ -40,8 +41,8 @@ inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard"
                                                                      {"percentile", ToneOperator::percentile}}};
 
 /// [m^2/W] Automatic exposure: the scale at which `tone` shows the mid-tones of the image as middle grey. For
-/// ToneOperator::percentile it is the scale that shows the brightest part of the room, below its lamps, as white. Black
-/// pixels are ignored, and lamps and dark corners have little influence. Returns 1 for a black image.
+/// ToneOperator::percentile it is the scale that shows the brightest part of the room, apart from its lamps, as white.
+/// Black pixels are ignored, and lamps and dark corners have little influence. Returns 1 for a black image.
 double automatic_scale(const Image& image, ToneOperator tone);
 
 /// [1] The input at which the output of the tone operator reaches white (1).

@@ -27,7 +27,7 @@ inline std::size_t size_of(Scalar scalar)
     return static_cast<std::size_t>(scalar) & 15u;
 }
 
-/// Element type for numbers of this type; all other types are stored as bytes.
+/// Element type of an array of these numbers.
 template <class Number>
 constexpr Scalar scalar_of()
 {
@@ -39,8 +39,10 @@ constexpr Scalar scalar_of()
         return Scalar::u64;
     else if constexpr (std::is_same_v<Number, std::uint32_t>)
         return Scalar::u32;
-    else
+    else {
+        static_assert(sizeof(Number) == 1);
         return Scalar::bytes;
+    }
 }
 
 /// A field of a record, for Archive::records: a member, and the name of the array that stores this member of all

@@ -71,10 +71,10 @@ void ordered_blocks(std::uint64_t block_count, int threads,
                     const std::function<void(std::uint64_t block, int slot)>& consume);
 
 /// Like ordered_blocks for the blocks `next` ... `end` - 1. Whenever the checkpoint wants a pause, the blocks in
-/// progress are finished first. Then `next` is set to the first block that is not done, so that `next` and the results
-/// of the blocks are consistent; a part of the checkpoint must save both. Returns with `next` < `end` if the pause
-/// stops the work, else with `next` = `end`. Calls the line counter with 0 lines at the start if there are blocks to
-/// do.
+/// progress are finished, `next` is set to the first block that is not done, and Checkpoint::pause() is called. At this
+/// time `next` and the results of the blocks are consistent; a Checkpoint::Part of the caller must save both. On return
+/// `next` = `end`, or `next` < `end` if the checkpoint has stopped the work before the last block. Calls the line
+/// counter with 0 lines at the start if there are blocks to do.
 void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
                       const std::function<void(std::uint64_t block, int slot)>& produce,
                       const std::function<void(std::uint64_t block, int slot)>& consume);

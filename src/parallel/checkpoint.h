@@ -77,8 +77,8 @@ protected:
 
     /// Writes the state of all active parts.
     void save(Archive& archive) const;
-    /// Makes the parts that are constructed next restore their states from the archive, which must outlive this. They
-    /// must have these names, outermost first, each nested in the one before.
+    /// Makes the parts that are constructed next restore their states from the archive, which must exist until the last
+    /// of them has done so. `parts`: the names of these parts, outermost first, each nested in the one before.
     void resume_from(Archive& archive, std::vector<std::string> parts);
 
 private:

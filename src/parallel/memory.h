@@ -29,8 +29,9 @@ void prefetch_all(const Object& object)
         prefetch(reinterpret_cast<const char*>(&object) + byte);
 }
 
-/// Asks the system for pages of 2 MB for this memory, if it has 4 MB or more: fewer page faults when the memory is
-/// first touched, fewer TLB misses afterwards. The contents do not change. Has no effect on systems without such pages.
+/// Asks the system for huge pages (2 MB) for a block of memory: fewer page faults when the memory is first touched,
+/// fewer TLB misses afterwards. The contents do not change. Has no effect on blocks below 4 MB, or on systems without
+/// such pages.
 void ask_for_huge_pages(void* memory, std::size_t bytes);
 
 /// Initial contents of the elements that a constructor or resize(count) adds to a vector with LargeAllocator.

@@ -15,11 +15,13 @@ struct ErrorMeasure
 };
 
 /// Error of `estimate` [W/m^2] against `reference` [W/m^2]. All lists have one entry per patch; the areas are in m^2.
+/// relative_mean_square is not finite if the reference is black.
 ErrorMeasure measure_error(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
                            const std::vector<Rgb>& reference);
 
-/// Expected relative mean square error [1] of an estimate [W/m^2] whose patches have these standard errors [W/m^2],
-/// relative to its own mean radiosity. 0 if the estimate is black.
+/// Expected relative mean square error [1] of an estimate [W/m^2] whose patches have these standard errors [W/m^2]: the
+/// mean of their squares, weighted by area, over the square of the mean radiosity of the estimate. 0 if the estimate is
+/// black.
 double expected_relative_square(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
                                 const std::vector<Rgb>& standard_error);
 

@@ -13,11 +13,11 @@ namespace multipath {
 /// Parameters of the extended first shot.
 struct ExtendedShotOptions
 {
-    /// [W/m^2] Unshot radiosity that every patch keeps: emitted or reflected, but not yet sent on. With threshold 0 the
-    /// method is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991).
+    /// [W/m^2] Unshot radiosity (emitted or reflected, but not yet sent on) that every patch keeps. With threshold 0
+    /// the method is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991).
     double threshold = 0.0;
     std::uint64_t lines = 0; ///< N_l, number of rays to cast, reached approximately; ignored if power_by_line is set
-    std::optional<double> power_by_line; ///< [W] power of one ray, set by the user as in the paper
+    std::optional<double> power_by_line; ///< [W] power of one ray, if the user sets it (ShotRule)
     int most_steps = 1000;               ///< maximum number of passes over the patches
     std::uint64_t seed = 0;              ///< seed of the random rounding to whole rays
 };
@@ -36,7 +36,7 @@ using PassObserver =
     std::function<void(std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state)>;
 
 /// The extended first shot ((S2) in docs/equations.md): in each pass, every patch whose unshot radiosity exceeds the
-/// threshold shoots the excess. Ends when a pass has no ray left to shoot, or after most_steps passes. The rays take
+/// threshold shoots the excess. Ends when the next pass would have no rays, or after most_steps passes. The rays take
 /// the items of the sequence from first_item on. Returns the passes. The caller must save `state` in the checkpoint;
 /// this function saves the rest.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,

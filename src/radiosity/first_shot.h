@@ -15,7 +15,7 @@ struct Shot
 {
     std::uint32_t patch;
     std::uint64_t rays;
-    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper, as a colour
+    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper (Castro, Martinez, Sbert 1998), as a colour
 };
 
 /// Casts the rays of all shots, in order, with one item each from first_item on. The power that arrives at a patch is
@@ -45,10 +45,11 @@ struct ShotRule
 double power_above(const Scene& scene, const PowerState& state, double threshold);
 
 /// The shots of one pass, in the order of the patches: every patch with unshot radiosity above the threshold shoots the
-/// excess (S1) (S2). A patch whose excess is worth n rays of power_by_line gets n rounded down or up, n on the average
-/// over the offset. If n >= 1, these rays carry the excess of the patch; otherwise the patch gets a single ray at
-/// times, which carries power_by_line. One factor per channel then corrects the error of the rounding, so that all rays
-/// together carry the whole excess. The factor is at most 2: with very few rays they carry less.
+/// excess (S1) (S2). A patch whose excess is worth n rays of power_by_line gets n rays, rounded down or up so that the
+/// mean over all offsets is n. If n >= 1, these rays carry the excess of the patch. If n < 1, the patch gets a single
+/// ray with probability n, and this ray carries power_by_line. One factor per channel then corrects the error of the
+/// rounding, so that all rays together carry the whole excess. The factor is at most 2, so very few rays may carry
+/// less.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
 
 /// The shots of one pass for a given total number of rays. Empty if `rays` is 0, or if no patch exceeds the threshold.

@@ -96,8 +96,8 @@ struct ParticleBlock
 /// all paths fit into memory.
 std::uint64_t particles_together(const Scene& scene);
 
-/// As many particles as make about `lines` segments, to 1 %, but at least one. A pilot run, which is not counted,
-/// estimates the mean number of segments of a path. `shots` returns the shots of a given number of particles.
+/// Particles whose paths have about `lines` segments in total, to 1 %; at least one particle. A pilot run, which is not
+/// counted, estimates the mean number of segments of a path. `shots` returns the shots of a given number of particles.
 Particles plan_particles(const Scene& scene, const std::function<std::vector<Shot>(std::uint64_t particles)>& shots,
                          std::uint64_t lines, std::uint64_t seed, int threads);
 

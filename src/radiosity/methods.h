@@ -33,7 +33,7 @@ struct MethodInfo
     std::string_view name;
     std::string_view summary; ///< whole sentences, for help
     /// Command line options of this method that not all methods have, separated by spaces. The entry
-    /// "steps:direct=shoot" stands for an option that has an effect only with this value of another option.
+    /// "steps:direct=shoot" means that the option `steps` has an effect only if the option `direct` is `shoot`.
     std::string_view options;
     Chords chords; ///< default distribution of the global lines
     Shards shards;

@@ -16,9 +16,10 @@
 // paths.
 //
 // Along each line that leaves its front, a patch sends two things. The first is all power that it has received and
-// reflected since it last sent (M1); after this the patch holds nothing. The second is the forecast (G3): an equal
-// share of the unshot power that it had at the beginning of the pass, emitted or reflected but not sent yet. No cosine
-// and no 1/r^2 appear anywhere: the density of the lines contains both (G1). Labels are explained in docs/equations.md.
+// reflected since it last sent (M1); after this the patch holds nothing. The second is the forecast (G3): the unshot
+// power (emitted or reflected, but not sent yet) that the patch had at the beginning of the pass, divided by the
+// expected number of lines that leave its front. No cosine and no 1/r^2 appear anywhere: the density of the lines
+// contains both (G1). Labels are explained in docs/equations.md.
 
 namespace multipath {
 
@@ -93,7 +94,7 @@ private:
     }
     /// Patch i sends to j (M1). If power flows both ways, j sends to i what j had before the exchange (M2).
     void exchange(WalkingPower& i, WalkingPower& j, WalkTally& tally) const;
-    /// The patch sends along a segment that ends at `where`, at no patch.
+    /// Patch i sends along a segment whose other end is no patch. `where`: Segment::behind or Segment::outside.
     void lose(WalkingPower& i, std::uint32_t where, WalkTally& tally) const;
 
     bool bidirectional_;

@@ -10,8 +10,8 @@ namespace multipath {
 /// Balance of the power of the sources [W]: emitted = absorbed + unshot + escaped + behind, in each channel.
 struct PowerBalance
 {
-    /// Power that the sources sent or still hold, or that arrived from the sun. It differs from `source` by the noise
-    /// of the forecast (multipath.h), at random.
+    /// Power that the sources sent or still hold, or that arrived from the sun. It differs from `source` by a random
+    /// error, the noise of the forecast (multipath.h).
     Rgb emitted;
     Rgb absorbed; ///< power that patches absorbed
     Rgb unshot;   ///< power that patches emitted or reflected, but had not sent on when the work ended
@@ -19,8 +19,8 @@ struct PowerBalance
     Rgb behind;   ///< power that met a surface on a side that has no patch
 
     Rgb source; ///< Phi_T, the power of the sources
-    /// [W] Upper estimate of the standard error of `emitted` for independent global lines, mean of the channels. 0 if
-    /// no line needs a forecast.
+    /// [W] Upper estimate of the standard error of the mean of `emitted` over the channels, for independent global
+    /// lines. 0 if no line carries a forecast.
     double emitted_error = 0.0;
 
     /// [1] Largest difference between the two sides of the balance in any channel, relative to `emitted` or `source`,
@@ -44,17 +44,18 @@ struct PowerState
     Rgb emitted;               ///< [W] see PowerBalance::emitted
     Rgb escaped;               ///< [W] see PowerBalance::escaped
     Rgb behind;                ///< [W] see PowerBalance::behind
-    /// [W] Sum of (1 - rho) * incident over the patches, minus the power that the lines really left there. It is the
-    /// noise of the estimator, of either sign.
+    /// [W] Sum of (1 - rho) * incident over the patches, minus the absorbed power with which the balance closes. This
+    /// difference is noise of the estimator, of either sign.
     Rgb surplus;
     double emitted_variance = 0.0; ///< [W^2] square of PowerBalance::emitted_error
 };
 
-/// Closes the balance for an estimate of all light from `sources` [W]. `absorbed`, `escaped` and `behind` [W] are the
-/// estimated losses; PowerState::incident already contains the light of which `absorbed` is the absorbed part. The
-/// three losses come from different lines and do not add up to `sources`, so one factor per channel scales them: the
-/// state gets the scaled `escaped` and `behind`, and the change of `absorbed` goes into PowerState::surplus. In a
-/// channel without losses, the power of the sources is added to the unshot power of the first patch.
+/// Closes the balance after a stage that distributed all light from `sources` [W]. `absorbed`, `escaped` and `behind`
+/// [W] are the estimated losses of this light; the caller must have added its incident power to PowerState::incident.
+/// The three losses come from different lines and do not add up to `sources`, so one factor per channel scales them.
+/// The scaled `escaped` and `behind` are added to the state, and PowerState::surplus grows by as much as `absorbed`
+/// shrinks. If all three losses are 0 in a channel, the power of the sources is added to the unshot power of the first
+/// patch.
 void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerState& state);
 
 /// Adds `share` [1] times one balance to another. Standard errors add up as those of independent estimates.

@@ -21,7 +21,8 @@ public:
 
     /// Carries out all stages, from the first one that the checkpoint does not contain as finished. If the checkpoint
     /// stops the run, the result is that of the work so far. Throws InputError if the result of a run that was not
-    /// stopped is not sound: not finite, darker than the emission, or without a part of the emitted power.
+    /// stopped is not sound: not finite, darker than the emission or, if no forecast was sent, with an emitted power
+    /// other than that of the sources.
     Solution solve();
 
     const Scene& scene;

@@ -25,8 +25,8 @@ struct ItemPlan
     std::uint64_t end = 0;         ///< one past the last item used
 };
 
-/// Plans the items of a run that omits `skip` items, and then casts so many local lines and global lines. Throws
-/// SettingsError if the sequence has too few items.
+/// Plans the items of a run that omits `skip` items, and then casts `local_lines` local lines and `global_lines_cast`
+/// global lines. Throws SettingsError if the sequence has too few items.
 ItemPlan plan_items(const Sequence& sequence, std::uint64_t skip, std::uint64_t local_lines,
                     std::uint64_t global_lines_cast);
 

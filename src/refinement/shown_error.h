@@ -17,7 +17,7 @@ namespace multipath {
 /// Radiosities and squared deviations are means over the colour channels.
 struct ShownError
 {
-    std::uint64_t points = 0;          ///< sample points that no other surface covers
+    std::uint64_t points = 0;          ///< number of sample points used: neither on the sky nor covered
     double area = 0.0;                 ///< [m^2] area that these points represent
     double mean_shown = 0.0;           ///< [W/m^2] mean of the displayed radiosity
     double mean_true = 0.0;            ///< [W/m^2] mean of the true radiosity
@@ -47,11 +47,11 @@ struct TruthAtPoint
 /// threads at once.
 using Truth = std::function<TruthAtPoint(const Hit& hit, std::uint64_t number)>;
 
-/// Compares the smooth shading of `radiosity` [W/m^2 per patch] with the truth at `points` points, except those on
-/// the sky and those that another surface covers. The points come from a fixed Sobol' sequence: equal parts of them are
-/// distributed by area, evenly over the patches, and in proportion to the power that the patches reflect by `guide`, an
-/// approximate radiosity [W/m^2 per patch]. The product of the deviations from two independent estimates has the square
-/// of the true deviation as its mean, however noisy the estimates are.
+/// Compares the smooth shading of `radiosity` [W/m^2 per patch] with the truth at `points` points, except those on the
+/// sky and those that another surface covers. The points come from a fixed Sobol' sequence: equal parts of them are
+/// distributed by area, evenly over the patches, and in proportion to the power that the patches reflect according to
+/// `guide`, an approximate radiosity [W/m^2 per patch]. The product of the deviations from two independent estimates
+/// has the square of the true deviation as its mean, however noisy the estimates are.
 ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
                        const Truth& truth, std::uint64_t points, int threads);
 
@@ -65,13 +65,12 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
 Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
                         int threads);
 
-/// Discretisation error, the part of the error that more lines do not reduce. Two independent solutions by line reuse
-/// are each compared with light gathered from the same solution; in the product of the two deviations the noise of the
-/// lines has mean 0. Errors of the patch averages are not included; they are small, as a point gathers light from many
-/// patches. Uses 4096 points, then 16,384, then 65,536, but no more once the root is at least `enough` [1], or its
-/// upper bound is not above `enough`. `memory` [bytes] is for solving. `progress` reports the fractions 0 ... 0.8,
-/// those of the two solutions. The result is the same for any number of threads. Throws InputError if the scene has no
-/// solution.
+/// Discretisation error, the part of the error that more lines do not reduce. Each of two independent solutions by line
+/// reuse is compared with light gathered from itself; in the product of the two deviations the noise of the lines has
+/// mean 0. Errors of the patch averages are not included; they are small, as a point gathers light from many patches.
+/// Uses 4096 points, then 16,384, then 65,536, but no more once the root is at least `enough` [1], or its upper bound
+/// is not above `enough`. `memory` [bytes] is for solving. `progress` reports the fractions 0 ... 0.8, those of the two
+/// solutions. The result is the same for any number of threads. Throws InputError if the scene has no solution.
 ShownError patch_error(const Scene& scene, double enough, double memory, int threads, const ProgressCallback& progress);
 
 } // namespace multipath

@@ -16,7 +16,8 @@ class WaterFilling
 public:
     WaterFilling();
 
-    /// Adds a receiver of importance w > 0 that already has `lines` >= 0 lines, or an estimate as good as theirs.
+    /// Adds a receiver of importance w > 0 that already has `lines` >= 0 lines, or an estimate as good as that many
+    /// lines would give.
     void add(double importance, double lines);
     /// Adds all receivers of another object.
     void add(const WaterFilling& others);

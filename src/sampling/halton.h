@@ -8,9 +8,9 @@
 namespace multipath {
 
 /// Radical inverse, in [0, 1): the digits of n in `base` (at least 2) mirrored at the radix point. For example, 6 = 110
-/// in base 2 gives 0.011 = 0.375. The digits are reversed as an integer, which is divided once by base^k, so rounding
-/// affects only the last bits. Uses the low k digits, where base^k is the largest power up to 2^63; in bases up to 1024
-/// the others are worth less than 2^-53 together.
+/// in base 2 gives 0.011 = 0.375. The reversed digits form an integer, which is divided once, by a power of the base,
+/// so rounding affects only the last bits. Only the low k digits are used, where base^k is the largest power up to
+/// 2^63; in bases up to 1024 the higher digits are worth less than 2^-53 together.
 double radical_inverse(std::uint64_t base, std::uint64_t n);
 
 /// Computes radical inverses in one base fast: a table holds the radical inverses of the low digits, to which the

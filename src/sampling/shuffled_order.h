@@ -22,10 +22,10 @@ public:
     int dimensions() const override { return base_.dimensions(); }
     std::uint64_t item_limit() const override { return base_.item_limit(); }
     double coordinate(std::uint64_t n, int dimension) const override { return base_.coordinate(item_at(n), dimension); }
-    /// Fast if the wanted items are exactly one block of the shuffled ones.
+    /// Fast if the items first ... first + items.size() - 1 are exactly one of the shuffled blocks.
     void generate(std::uint64_t first, std::vector<Item>& items) const override;
 
-    /// Index in the base sequence of item n.
+    /// Index that item n of this sequence has in the base sequence.
     std::uint64_t item_at(std::uint64_t n) const;
 
 private:

@@ -14,8 +14,8 @@ namespace sobol {
 constexpr int dimensions = 6;
 constexpr int index_bits = 52;
 
-/// Direction numbers of one dimension, one for each bit of an index from the lowest on. They are fixed-point fractions:
-/// bit 63 stands for 1/2.
+/// Direction numbers of one dimension, one for each bit of the Gray code of an index, lowest bit first. They are
+/// fixed-point fractions: bit 63 stands for 1/2.
 using DirectionNumbers = std::array<std::uint64_t, index_bits>;
 
 /// The direction numbers of all dimensions, by Sobol's recurrence.
@@ -43,9 +43,9 @@ inline std::uint64_t reverse_bits(std::uint64_t x)
 
 /// Owen scrambling (nested uniform scrambling) by hashing, of a fixed-point fraction x whose bits are *reversed* (bit 0
 /// stands for 1/2). Whether a bit is flipped depends only on the lower bits and the key: sums and products carry
-/// upwards, and x ^ (x * even) keeps the lowest bit. The method is that of Laine and Karras (Stratified sampling for
-/// stochastic transparency, EGSR 2011), here with 64 bits and multipliers of our own choice; how random the flips look
-/// depends on the multipliers.
+/// upwards only, and since the multipliers are even, bit i of the product in x ^ (x * even) depends only on the bits of
+/// x below i. The method is that of Laine and Karras (Stratified sampling for stochastic transparency, EGSR 2011), here
+/// with 64 bits and multipliers of our own choice; how random the flips look depends on the multipliers.
 inline std::uint64_t scramble_reversed(std::uint64_t x, std::uint64_t key)
 {
     x += key;

@@ -31,8 +31,8 @@ struct SquarePoints
 void load_square_points(const Item* items, std::size_t count, std::size_t first_number, SquarePoints& square);
 
 /// Maps of warp.h for `count` <= warp_block points per call, compiled for one instruction set. All kernels give the
-/// same bits as square_to_uniform_sphere and square_to_cosine_hemisphere for single points. They read and write whole
-/// groups of lanes, of up to 8 points each: up to `count` rounded up to a multiple of 8.
+/// same bits as square_to_uniform_sphere and square_to_cosine_hemisphere for single points. A kernel processes groups
+/// of up to 8 points: if `count` is not a multiple of 8, it may read and write elements up to the next multiple.
 struct WarpKernel
 {
     const char* name; ///< name of the instruction set
@@ -41,10 +41,11 @@ struct WarpKernel
     void (*cosine_hemisphere)(const SquarePoints& square, std::size_t count, WarpedPoints& points);
 };
 
-/// The kernels whose instruction sets this processor has, the fastest first. The plain one is always among them.
+/// The kernels whose instruction set is usable (see parallel/instruction_set.h), fastest first. The plain C++ kernel is
+/// always among them.
 std::vector<const WarpKernel*> available_warp_kernels();
 
-/// The fastest kernel for this processor.
+/// The fastest of available_warp_kernels().
 const WarpKernel& warp_kernel();
 
 } // namespace multipath

@@ -5,9 +5,9 @@
 namespace multipath {
 
 /// Encloses the scene in a box of six black rectangles that face inward and emit `emittance` [W/m^2]: a sky of uniform
-/// radiance emittance / pi. A surface that sees only this sky has the irradiance `emittance`. The box is larger than
-/// the scene's by 5 % of the scene's diagonal on each side. The rectangles become the last surfaces of the file, with a
-/// material and a group of their own.
+/// radiance emittance / pi. A surface that sees only this sky has the irradiance `emittance`. The box is the bounding
+/// box of the scene, enlarged on each side by 5 % of its diagonal. The rectangles become the last surfaces of the file,
+/// with a material and a group of their own.
 void add_sky(SceneFile& file, Rgb emittance);
 
 /// The sun at an azimuth [degrees], clockwise from north, and an elevation [degrees] above the horizon. North is -z if

@@ -13,7 +13,8 @@ public:
     explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Options that do not fit a sound file. Only the contents of the file show that they do not fit.
+/// An error in the options: they do not suit a scene whose file is valid. Unlike an error in the command line itself,
+/// it is found only after the file has been read.
 class SettingsError : public InputError
 {
 public:

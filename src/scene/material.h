@@ -17,12 +17,14 @@ struct Material
     std::string name;
     /// [1] rho, 0 <= rho <= 1 in each channel; MTL `Kd`. If textured: mean over all surfaces of the material.
     Rgb reflectance;
-    Rgb emittance;      ///< [W/m^2] E, emitted power per area (radiant exitance); MTL `Ke`, times the mean of `map_Ke`
+    /// [W/m^2] E, emitted power per area (radiant exitance); MTL `Ke` (or `Ka`, see EmissionFrom), times the mean of
+    /// `map_Ke`.
+    Rgb emittance;
     std::string source; ///< "file:line" of the definition of the material, for messages
 
     static constexpr std::uint32_t no_texture = 0xffffffffu;
     std::uint32_t texture = no_texture; ///< index into SceneFile::textures, or no_texture; MTL `map_Kd`
-    Rgb texture_scale = {};             ///< [1] reflectance at white points of the texture: a factor of the texture
+    Rgb texture_scale = {};             ///< [1] multiplies the texture: the reflectance where the texture is white
 };
 
 } // namespace multipath

@@ -9,7 +9,7 @@
 
 namespace multipath {
 
-/// Two coplanar surfaces that overlap.
+/// Indices of two coplanar surfaces that overlap.
 struct CoincidentFaces
 {
     std::uint32_t first;
@@ -21,7 +21,7 @@ struct CoincidentFaces
 
 struct CoincidentPairs
 {
-    std::vector<CoincidentFaces> pairs; ///< first < second; in ascending order of both
+    std::vector<CoincidentFaces> pairs; ///< first < second in each pair; sorted by first, then by second
     bool complete = true; ///< false if more than `most` pairs were found, or only some of the surfaces were tested
 };
 

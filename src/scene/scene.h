@@ -14,11 +14,12 @@ namespace multipath {
 
 class Intersector;
 
-/// A patch: one side of a cell of a surface (see Tessellation; the cells of a surface with trees are their leaves).
+/// A patch: one side of a cell of a surface (see Tessellation; if quadtrees subdivide the surface, their leaves are its
+/// cells).
 struct Patch
 {
     std::uint32_t surface = 0; ///< index of the surface that the patch is part of
-    Surface shape;             ///< the patch as a small surface that faces to the side of the patch
+    Surface shape;             ///< the patch as a surface of its own, whose front is the side of the patch
 };
 
 /// A scene ready for solving: surfaces for intersection, patches for radiosity. Immutable. Every surface is divided
@@ -36,10 +37,10 @@ public:
     Scene(SceneFile file, double patch_size, bool two_sided = false, int threads = 1);
     Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_sided, int threads);
 
-    /// The same scene with the cells of its grids subdivided by quadtrees, instead of earlier trees. `levels` holds the
-    /// level of each leaf, surface after surface including the sky, in the order of the leaves (see CellTrees); a grid
-    /// cell that is not divided is a leaf of level 0. Throws std::invalid_argument if the levels do not form complete
-    /// trees that fit the grids, SettingsError if there would be 2^31 patches or more.
+    /// The same scene with the cells of its grids subdivided by new quadtrees, which replace any earlier ones. `levels`
+    /// holds the level of each leaf, surface after surface including the sky, in the order of the leaves (see
+    /// CellTrees); a grid cell that is not divided is a leaf of level 0. Throws std::invalid_argument if the levels do
+    /// not form complete trees that fit the grids, SettingsError if there would be 2^31 patches or more.
     Scene refined(const std::vector<std::uint8_t>& levels, int threads = 1) const;
     /// The levels of all leaves, in the order of refined(). Empty if no cell is subdivided; refined() does not accept
     /// an empty list.
@@ -148,7 +149,7 @@ private:
     LargeVector<std::uint32_t> first_cell_;   ///< per surface: index of its first cell
     LargeVector<double> cell_area_;           ///< per surface: [m^2] area of a cell of the grid, before subdivision
     LargeVector<std::uint32_t> surface_of_;   ///< per cell: index of its surface
-    std::uint32_t cell_count_ = 0;            ///< number of cells: front patches
+    std::uint32_t cell_count_ = 0;            ///< number of cells, which is the number of front patches
     std::uint32_t patch_count_ = 0;
     std::uint64_t hash_ = 0;
     double own_area_ = 0.0;

@@ -17,7 +17,7 @@ LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices);
 
 /// Integer coordinates of the grid point that is nearest to `point`; the spacing of the grid is 1e-7 of the diagonal of
 /// `bounds`. Corners that are computed from edges differ by rounding; snapped they are equal, except in the rare case
-/// that the border between two grid points lies between them.
+/// that they lie closest to different grid points.
 Vec3 snapped(Vec3 point, const Bounds& bounds);
 
 } // namespace multipath

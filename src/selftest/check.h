@@ -18,10 +18,11 @@ struct Check
     double measured = 0.0;       ///< mean of independent runs, or a deterministic value
     double standard_error = 0.0; ///< of `measured`; 0 for a deterministic value
     int degrees = 0;             ///< degrees of freedom of the standard error; 0 for a deterministic value
-    /// Largest systematic deviation that is acceptable: rounding, unshot power (which a method received or emitted but
-    /// did not send on), and the common error of runs whose sequence is not randomised.
+    /// Largest systematic deviation that is acceptable: rounding, unshot power (emitted or reflected, but not yet sent
+    /// on at the end of a run), and the common error of runs whose sequence is not randomised.
     double allowance = 0.0;
-    /// Smallest deviation that the check must be able to detect. If its limit is larger, the check is inconclusive.
+    /// Smallest deviation that the check must be able to detect. A check with a larger SignificanceTest::limit() is
+    /// inconclusive.
     double resolution = 0.0;
 };
 

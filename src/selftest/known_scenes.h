@@ -20,7 +20,7 @@ struct KnownAnswer
     double per_unshot_watt;
 };
 
-/// A scene with known answers. Every surface is one patch.
+/// A scene with known answers, which are derived for one patch per surface.
 struct KnownScene
 {
     std::string name;

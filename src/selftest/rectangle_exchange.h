@@ -42,8 +42,8 @@ inline double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interva
     return sum / (2.0 * pi);
 }
 
-/// [m^2] A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15). Both rectangles
-/// lie on the positive side of the other's plane: y.low, z.low >= 0.
+/// [m^2] A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15). Each rectangle
+/// lies on the positive side of the other's plane: y.low, z.low >= 0.
 inline double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z)
 {
     const auto term = [](double u, double c2) {

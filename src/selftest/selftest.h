@@ -14,7 +14,8 @@ struct SelftestSettings
 {
     std::uint64_t seed = 1;
     int replicates = 32; ///< number of independent runs for each check, at least 2
-    /// Lines of every run; a run by `gathering`, which has much noise, takes 4 or 16 times as many.
+    /// Number of lines of every run. A run by `gathering`, which is noisy, takes 4 times as many in
+    /// known_scene_checks(), and 16 times as many in scene_checks().
     std::uint64_t lines = 1 << 15;
     int threads = 1;
 };
@@ -26,9 +27,10 @@ struct SelftestSettings
 std::vector<Check> known_scene_checks(const std::vector<KnownScene>& scenes, const SelftestSettings& settings,
                                       const ProgressCallback& progress);
 
-/// Solves a scene without known answers by every method. Checks for each method that no power is gained or lost, that
-/// the sources emit their power, that no patch reflects negative power, and that the (at most four) materials that
-/// reflect most power reflect the same power as by local Monte Carlo. `progress` gets the finished share of the work.
+/// Solves a scene without known answers by every method, with the sequence sobol-owen. Checks for each method that no
+/// power is gained or lost, that the sources emit their power, and that no patch reflects negative power. The power
+/// that each of the brightest materials reflects (at most four, those that reflect most) must agree with the result of
+/// local Monte Carlo. `progress` gets the finished share of the work.
 std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& settings, const ProgressCallback& progress);
 
 } // namespace multipath

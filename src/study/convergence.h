@@ -16,7 +16,7 @@ namespace multipath {
 struct Reference
 {
     std::vector<Rgb> radiosity; ///< [W/m^2] per patch
-    /// [1] Relative MSE of the reference itself, estimated from its standard errors.
+    /// [1] Relative MSE of the reference itself, estimated from its standard errors; nothing if unknown.
     std::optional<double> relative_square;
     /// Measures the error of a solution, given its radiosity [W/m^2] per patch. If empty, the error is the MSE against
     /// `radiosity`, (1) in docs/equations.md. Called by several threads at the same time.
@@ -39,14 +39,14 @@ struct StudyPlan
     std::uint64_t seed = 1;
 };
 
-/// Runs all executions of a study, measures the error of each against the reference, and averages them for each number
-/// of lines. The executions of a curve are independent. If the seed randomises the sequence, each execution has another
-/// seed, also for different numbers of lines. Of any other sequence, such as Sobol's, successive executions with the
-/// same number of lines take successive ranges of items, starting where the options say. Runs in the journal are not
-/// repeated. `threads` runs go on at the same time; the options of each should ask for one thread, so that the measured
-/// seconds are comparable. A point is part of the fit if its error is more than ten times that of the reference.
-/// `progress` is called often during each run and at its end, by one thread at a time. Throws what prepare(), solve(),
-/// the journal and `progress` throw.
+/// Runs all executions of a study, measures the error of each against the reference, and averages the executions of a
+/// curve that have the same number of lines. The executions of a curve are independent. If the seed randomises the
+/// sequence, each of them has a seed of its own. If not, as with Sobol's sequence, executions with the same number of
+/// lines take successive ranges of items, the first of which starts where the options say. Executions in the journal
+/// are not repeated. `threads` runs go on at the same time; the options of each should ask for one thread, so that the
+/// measured seconds are comparable. A point is part of the fit if its error is more than ten times that of the
+/// reference, or if the error of the reference is unknown. `progress` is called often during each run and at its end,
+/// by one thread at a time. Throws what prepare(), solve(), the journal and `progress` throw.
 Study run_study(const Scene& scene, const Reference& reference, const StudyPlan& plan, Journal& journal, int threads,
                 const ProgressCallback& progress);
 

@@ -52,7 +52,7 @@ struct CurvePoint
     double relative = 0.0;       ///< [1] relative MSE: MSE over the square of the reference's mean radiosity; mean
     double relative_error = 0.0; ///< [1] standard error of `relative`; 0 with one execution
     double seconds = 0.0;        ///< [s] processor time of one execution on one thread, with preparation: mean
-    /// False: the error of the reference itself is not small beside the error of this point, which the fit leaves out.
+    /// True if the fit uses this point: the error of the reference is small beside the error of the point, or unknown.
     bool above_reference = true;
 };
 

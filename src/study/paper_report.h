@@ -58,7 +58,7 @@ struct PublishedBudget
 
 constexpr PublishedBudget published_up = {0.577, 0.7, 0.073, 2.1, 0.41};       ///< first shot, lamp shines upwards
 constexpr PublishedBudget published_down = {0.577, 0.65, 0.67, 2.1, 0.85};     ///< first shot, lamp shines downwards
-constexpr PublishedBudget published_extended = {0.577, 0.577, 1.0, 2.1, 1.06}; ///< extended first shot, both
+constexpr PublishedBudget published_extended = {0.577, 0.577, 1.0, 2.1, 1.06}; ///< extended first shot, up or down
 
 /// The numbers that the program measures for one scene.
 struct SceneFindings

@@ -28,7 +28,8 @@ double affordable_lines(const Scene& scene);
 /// ends, and with all surfaces along the line if its start is covered. 1 if no surface emits.
 double affordable_source_rays(const Scene& scene);
 
-/// Affordable share of rays to every patch, each of which is compared with the surfaces that coincide with the patch.
+/// Affordable share of rays that are aimed at patches, equally many at each patch. A ray is compared with the surfaces
+/// that coincide with its patch.
 double affordable_patch_rays(const Scene& scene);
 
 } // namespace multipath

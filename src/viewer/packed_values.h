@@ -38,7 +38,8 @@ struct PackedLight
     std::string words; ///< a Uint32Array, one word per colour
 };
 
-/// Packs the colours with the smallest power of two as unit for which no finite channel exceeds largest_shared.
+/// Packs the colours. The unit is the smallest power of two for which no finite channel, divided by the unit, exceeds
+/// largest_shared.
 PackedLight packed_light(const std::vector<Rgb>& values);
 
 } // namespace multipath

@@ -6,8 +6,8 @@ namespace multipath {
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
 
-// The signals below are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed). Signals that the program was
-// started to ignore (background jobs of a shell, nohup) stay ignored.
+// The signals below are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed). A signal that is already ignored
+// when the program starts (in background jobs of a shell, under nohup) stays ignored.
 
 /// From now on a signal ends the program at once: it removes all temporary output files, prints one line on stderr and
 /// exits with exit_interrupted.
@@ -17,10 +17,10 @@ void end_at_interrupts();
 /// literal that end_at_interrupts() appends to its line. Only the hint of the first call counts.
 void always_end_at_interrupts(const char* hint = "");
 
-/// From now on a signal makes interrupted() true, so that the work can stop and write its partial results. The program
-/// ends in any case two seconds later (see InterruptDelay), or at once at a second signal. Outputs that are complete by
-/// then are renamed to their targets. One line names the other outputs, whose old files stay. No effect after
-/// always_end_at_interrupts() or a received signal.
+/// From now on a signal makes interrupted() true, so that the work can stop and write its partial results. If the
+/// program still runs two seconds later (see InterruptDelay), or receives a second signal, the handler ends it with
+/// exit_interrupted: outputs that are complete are renamed to their targets, and one line on stderr names the others,
+/// whose old files stay. No effect after always_end_at_interrupts() or a received signal.
 void watch_interrupts();
 
 /// True if a signal has been received since watch_interrupts().
@@ -31,8 +31,9 @@ bool interrupted();
 /// disk of the file fails.
 void end_at_bus_errors();
 
-/// While an object exists, the limit of two seconds of watch_interrupts() is extended, so that a state has the time to
-/// reach the disk. A second signal still ends the program at once.
+/// While an object exists, the program does not end two seconds after a signal (watch_interrupts()): the handler waits
+/// and checks again every second, so that a state has the time to reach the disk. A second signal still ends the
+/// program at once.
 class InterruptDelay
 {
 public:

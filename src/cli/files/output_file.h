@@ -40,8 +40,8 @@ void make_folder(const std::string& path);
 class OutputFile
 {
 public:
-    /// Like write(), complete() and commit(), throws OutputError. After an error an existing target is unchanged,
-    /// unless only the sync of its folder failed.
+    /// Throws OutputError, as write(), complete() and commit() do. After an error an existing target file is unchanged,
+    /// unless it has been replaced and only flushing its folder to the disk failed.
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
@@ -93,7 +93,8 @@ std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, c
 /// files that a scene names.
 void require_no_input(const std::vector<PlannedOutput>& outputs, const std::vector<std::string>& inputs);
 
-/// Commits all outputs. None gets its name before the bytes of all are on the disk. Throws OutputError.
+/// Commits all outputs. Flushes the bytes of every output to the disk before the first one is renamed to its target.
+/// Throws OutputError.
 void commit(std::vector<PlannedOutput>& outputs);
 
 /// True if both names refer to the same file. If one of the files does not exist yet, folders and names are compared.

@@ -36,7 +36,7 @@ struct Operand
     std::string_view name; ///< "SCENE.obj"
     bool repeatable = false;
     bool optional = false;
-    std::vector<std::string_view> extensions = {}; ///< completion offers files with these, ".obj"; empty: any file
+    std::vector<std::string_view> extensions = {}; ///< file extensions (".obj") that completion offers; empty: any file
     std::vector<std::string_view> choices = {};    ///< allowed words of an operand that is no file; empty: any text
 };
 
@@ -61,8 +61,8 @@ OptionGroup without_options(OptionGroup group, const std::vector<std::string>& n
 /// The option with this long name; nullptr if the table has none.
 const Option* find_option(const CommandTable& table, std::string_view name);
 
-/// A word that an option allows, and the value of the word. Arrays of such rows, or of any rows with a `name`, provide
-/// the choices of an option (names_of) and the row of the word that the user gave (CommandLine::choice).
+/// A word that an option allows, and the value that it stands for. For an array of such rows, or of any rows with a
+/// `name`, names_of() returns the choices of the option, and CommandLine::choice() the row that the user chose.
 template <typename Value>
 struct NamedValue
 {

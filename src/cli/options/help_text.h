@@ -10,8 +10,8 @@
 namespace multipath {
 
 /// Breaks a text at spaces into lines of at most `width` columns, each with its line feed. A word that is longer gets a
-/// line of its own. The first line continues a line that the caller has filled up to `column`, at least with the first
-/// word. The other lines begin with `indent` spaces.
+/// line of its own. The first line continues a line that the caller has filled up to `column`; the first word is put
+/// there even if it does not fit. The other lines begin with `indent` spaces.
 std::string wrapped_text(std::string_view text, std::size_t column, std::size_t indent, std::size_t width);
 
 /// A subject that `multipath help` explains besides the commands.
@@ -26,7 +26,7 @@ struct HelpTopic
 inline const std::string program_summary =
     "multipath computes diffuse global illumination (radiosity) with global lines.";
 
-constexpr std::size_t page_width = 90; ///< [columns] of the help of commands
+constexpr std::size_t page_width = 90; ///< [columns] width of the help of commands
 
 /// Two columns of text: `left`, and `right` wrapped into the columns from `indent` to `width`. `right` begins on the
 /// next line if `left` is too long.
@@ -57,7 +57,8 @@ std::string command_list(const std::vector<CommandTable>& tables);
 std::string man_page(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
 
 /// A bash script that completes commands, their options and choices, and files with the extensions that the last
-/// operand takes. After an option whose argument is called FILE it offers files, for FOLDER folders.
+/// operand takes. After an option it offers all files if the argument of the option is called FILE, and folders if it
+/// is called FOLDER.
 std::string bash_completion(const std::vector<CommandTable>& tables);
 
 } // namespace multipath

@@ -38,8 +38,8 @@ double read_seconds(std::string_view option, std::string_view text);
 /// Three finite numbers of any sign: 1,2.5,-3.
 Vec3 read_vec3(std::string_view option, std::string_view text);
 
-/// A direction: three numbers, not all zero. It is scaled by a power of two so that the largest component is in [1, 2),
-/// apart from its sign, and the square of the length neither overflows nor vanishes.
+/// A direction: three numbers, not all zero. It is scaled by a power of two so that the largest absolute component is
+/// in [1, 2), and the square of the length neither overflows nor vanishes.
 Vec3 read_direction(std::string_view option, std::string_view text);
 
 /// Size of a picture [pixels].

@@ -12,9 +12,9 @@ namespace multipath {
 /// The option --memory for the tables of commands.
 Option memory_option();
 
-// The require_ functions throw InputError, with the numbers, if the work needs more memory than --memory allows.
-// Without --memory the limit is the memory of the machine, or of the container in which the program runs. The functions
-// are called before anything is allocated: the system might grant the allocation and kill the program later.
+// The require_ functions throw InputError if the work needs more memory than --memory allows; the message states both
+// sizes. Without --memory the limit is the memory of the machine, or of the container in which the program runs. The
+// functions are called before anything is allocated: the system might grant the allocation and kill the program later.
 
 /// Checks the memory for reading a file. A file of unknown size, such as a pipe, passes.
 void require_memory_for_file(const CommandLine& line, const std::string& path);

@@ -62,7 +62,7 @@ struct PictureOptions
     std::optional<double> field_of_view; ///< [degrees]; absent: 60 if `eye` is given, otherwise chosen with it
     Vec3 up;                             ///< upward direction
     std::optional<GridPlan> grid;        ///< if set, tables hold the irradiance on this grid instead of patches
-    std::vector<View> views; ///< all views of --camera if there are several; the first also sets `eye` to `up`
+    std::vector<View> views; ///< views of --camera if several, else empty; `eye` ... `up` are those of the first
 };
 
 /// The options of every command that makes pictures.
@@ -71,8 +71,8 @@ OptionGroup picture_option_group();
 /// Reads these options. Throws UsageError, and InputError for a faulty file of --camera.
 PictureOptions read_picture_options(const CommandLine& line, int threads);
 
-/// Throws SettingsError if a camera of the user is invalid in this scene (PixelRays), for example without direction. To
-/// be called before the work.
+/// Throws SettingsError if a camera that the user gave is invalid in this scene (see PixelRays), for example if it has
+/// no viewing direction. To be called before the work.
 void require_view(const Scene& scene, const PictureOptions& options);
 
 /// The user's camera. Parts that the user did not give are chosen for the scene, without knowing its light.

@@ -33,8 +33,8 @@ std::vector<GivenOption> reading_options(const CommandLine& line);
 Scene read_scene(const CommandLine& line, int threads = 1);
 
 /// Number of adaptive patches that --adaptive asks for, or that `solve` chooses without --adaptive, --patches and
-/// --patch-size. 0 if patches are not adaptive: for other commands, for --patches or --patch-size, and by default for a
-/// scene of more than a million surfaces. Throws UsageError.
+/// --patch-size. 0 if patches are not adaptive: for other commands, and without --adaptive if --patches or --patch-size
+/// is given or the scene has more than a million surfaces. Throws UsageError.
 std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces);
 
 /// The option --threads for the tables of commands.

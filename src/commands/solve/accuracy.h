@@ -20,9 +20,9 @@ struct Accuracy
     /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
-    /// [1] Root of the relative MSE that the tolerance, which must be given, leaves for the noise after that of the
-    /// patches; at least half of the tolerance. The bound is for patches with a larger error: they are the user's
-    /// choice, or there are already as many patches as allowed.
+    /// [1] Largest root of the relative MSE by noise that meets the tolerance, which must be given: the square root of
+    /// tolerance^2 - patch_error^2, but at least half of the tolerance. This minimum is for patches whose own error is
+    /// too large: the user has fixed them, or no more patches are allowed.
     double noise_tolerance() const;
 };
 

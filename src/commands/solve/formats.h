@@ -40,7 +40,7 @@ public:
     void show(std::size_t view); ///< selects the view with this index in options.views; initially the first
 
     std::string one_comment() const;        ///< all comments in one line
-    const std::vector<Rgb>& shown_values(); ///< [W/m^2] per patch, of the quantity that pictures show (colours: [1])
+    const std::vector<Rgb>& shown_values(); ///< per patch: the quantity that pictures show [W/m^2], or a colour [1]
     Image light();                          ///< the picture of these values, not tone-mapped
     const ScreenImage& screen();            ///< the picture for a screen
     const LightGrid& grid();                ///< the grid of --grid, which must be given
@@ -50,12 +50,12 @@ public:
     /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
     double linear_colour_scale() const;
     std::string lightmap_png();
-    std::string file_name;         ///< name of the current output, without folder
-    const PatchMesh& mesh();       ///< mesh with the radiosity at its corners
-    const PatchMesh& plain_mesh(); ///< the same with the radiosity without the detail of textures
-    double mesh_scale();           ///< [m^2/W] exposure of the colours of PLY and OBJ meshes, equal to that of pictures
-    ScreenColour mesh_colour();    ///< colour of these meshes for a radiosity
-    std::vector<GlbCamera> mesh_cameras();    ///< one for each view
+    std::string file_name;                 ///< name of the current output, without folder
+    const PatchMesh& mesh();               ///< mesh with the radiosity at its corners
+    const PatchMesh& plain_mesh();         ///< the same with the radiosity without the detail of textures
+    double mesh_scale();                   ///< [m^2/W] scale by picture_scale(), for the colours of PLY and OBJ meshes
+    ScreenColour mesh_colour();            ///< function from radiosity to the colours of these meshes
+    std::vector<GlbCamera> mesh_cameras(); ///< one for each view
     std::vector<std::string> mesh_comments(); ///< the comments, and one with mesh_scale()
 
 private:
@@ -106,14 +106,14 @@ OptionGroup solution_output_group();
 std::vector<std::string> default_outputs(const std::string& path);
 
 /// Calls open_outputs() with these formats and throws the same errors. If there are several views, every picture
-/// becomes one file for each view: "room.png" becomes "room-door.png" for the view `door`. Throws UsageError for a
-/// picture on standard output then.
+/// becomes one file for each view: "room.png" becomes "room-door.png" for the view `door`; a picture on standard output
+/// is a UsageError in this case.
 std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
                                                  const std::vector<std::string>& inputs,
                                                  const std::vector<View>& views);
 
-/// Writes every output in its format and commits all. Throws OutputError, and InputError for a result that a format
-/// cannot hold or a grid without points.
+/// Writes every output in its format and commits all. Throws OutputError. Throws InputError if a format cannot hold the
+/// result, and for a grid that has no points or more than a million.
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);
 
 } // namespace multipath

@@ -8,15 +8,15 @@
 
 namespace multipath {
 
-/// A result read from a table of patches (.csv) or from the state of a finished run. The content of the file decides
-/// which, not its extension.
+/// A result read from a table of patches (.csv) or from the state of a run. The content of the file decides which, not
+/// its extension.
 struct ResultFile
 {
     PatchTable table;                   ///< for a state, the table that `solve -o FILE.csv` would have written
     std::unique_ptr<const Scene> scene; ///< for a state; otherwise null
 
-    /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, InputError for a run that
-    /// is not finished.
+    /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, and InputError for a run
+    /// of which no piece is finished (see finished_solution).
     explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
 };
 

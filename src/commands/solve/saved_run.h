@@ -50,7 +50,7 @@ RunDescription description_of(const CommandLine& line, const Scene& scene, Shard
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words);
 
 /// The options given on a command line, as words for another command that has the same options. `table`: the table of
-/// the first command.
+/// the command to which `line` belongs.
 std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line);
 
 /// Throws InputError if the saved state belongs to another run than the wanted one: "run.state: the state of another
@@ -69,15 +69,15 @@ struct SavedRun
     const std::string& name() const { return arrays->name(); }
 };
 
-/// Reads a state file. Throws ArchiveError for a file that is none, or is damaged.
+/// Reads a state file. Throws ArchiveError for a file that cannot be read, is no state file, or is damaged.
 SavedRun read_saved_run(const std::string& path);
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 
-/// True if the run had cast all lines that it was asked for when it was saved.
+/// True if the state was saved at the end of its run: no part inside RunRecord::part was in progress.
 bool is_finished(const SavedRun& saved);
 
-/// The solution of a saved run, averaged over its finished pieces (runs of a part of the lines). Throws InputError if
-/// no piece is finished.
+/// The solution of a saved run so far: the average of its finished pieces (runs over successive lines), or the last
+/// finished round of a run in rounds (see RunRecord). Throws InputError if no piece or round is finished.
 Solution finished_solution(const SavedRun& saved, const Scene& scene);
 
 /// Saves the state of a run in its file: at intervals, at the end of the run, and when the user interrupts it, which

@@ -63,12 +63,12 @@ struct SolveSummary
     bool complete = true;                ///< false: the run was interrupted
     bool all_at_once = true;             ///< false: an earlier run cast some of the lines
 
-    /// [1] Root of the relative mean square error (MSE), the sum of the MSE of patches and of noise. Nothing unless
-    /// both are known.
+    /// [1] Root of the relative mean square error (MSE), which is the MSE caused by the patches plus the MSE by noise.
+    /// Empty unless both are known.
     std::optional<double> error() const;
 
-    /// [1] Root of the relative MSE by noise over the patches that options.importance weights, relative to the mean of
-    /// these patches. Nothing without importance or standard errors.
+    /// [1] Root of the MSE by noise of the important patches, relative to their mean radiosity; both are weighted by
+    /// options.importance and area. Empty without importance or standard errors.
     std::optional<double> error_of_important() const;
 };
 

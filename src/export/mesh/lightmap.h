@@ -16,8 +16,8 @@ namespace multipath {
 using SurfaceLight = std::function<Rgb(std::uint32_t surface, bool front, double u, double v)>;
 
 /// A texture atlas with the light on all surfaces of a scene, except the sky. Connected coplanar surfaces of one
-/// material form a chart. Charts are mapped rigidly at a common scale, but a side of a chart that would be shorter than
-/// one texel is stretched to one texel. Charts are at least four texels apart.
+/// material form a chart. Charts are mapped without distortion at a common scale, but a width or height below one texel
+/// is stretched to one texel. Charts are at least four texels apart.
 struct Lightmap
 {
     std::uint32_t width = 0; ///< [texel]
@@ -47,11 +47,12 @@ constexpr std::uint32_t largest_lightmap_size = 8192; ///< supported by all comm
 Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& light, int threads,
                   std::uint32_t largest_size = largest_lightmap_size);
 
-/// Bytes of a binary glTF 2.0 file with the cameras and the surfaces, each as one or two triangles. There is one unlit
-/// mesh per material, which shows the atlas through TEXCOORD_0. `atlas_png` must show min(1, scale * texels) in sRGB.
-/// The extras of the asset contain the scale [m^2/W] and the comments. `images`: the scene's own textures, or none.
-/// They are for users who change materials: TEXCOORD_1 holds the coordinates of a texture, and the extras of a material
-/// the index of its texture. Throws InputError for 4 GB or more.
+/// Bytes of a binary glTF 2.0 file with the cameras, and with one or two triangles for each side of a surface in the
+/// atlas. There is one mesh per used material, with an unlit glTF material that shows the atlas through TEXCOORD_0.
+/// `atlas_png` must show min(1, scale * texels) in sRGB. The extras of the asset contain the scale [m^2/W] and the
+/// comments. `images`: the scene's own textures, or none. They are for users who change materials: TEXCOORD_1 holds
+/// their texture coordinates, and the extras of each textured material hold the index of its texture. Throws InputError
+/// for 4 GB or more.
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
                          const std::vector<GlbCamera>& cameras, const std::vector<ImageFile>& images,
                          const std::vector<std::string>& comments);

@@ -30,8 +30,8 @@ inline Rgb to_rgb(Float3 c)
     return {c[0], c[1], c[2]};
 }
 
-/// A triangle or quadrilateral, counter-clockwise as seen by a viewer in front of its patch, which is on the front or
-/// the back of a surface.
+/// A triangle or quadrilateral, counter-clockwise as seen from the side of the surface, front or back, that its patch
+/// is on.
 struct MeshFace
 {
     std::array<std::uint32_t, 4> corners{}; ///< indices of vertices
@@ -75,9 +75,10 @@ CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch);
 
 /// Builds the mesh of the fronts of all surfaces but the sky and, if the scene is two-sided, of their backs: surface by
 /// surface, front before back. Patches that coplanar surfaces hide (covered_patches()) are left out. A vertex is shared
-/// only by patches of one side whose radiosity and error there are equal in single precision. There are no cracks: a
-/// patch with corners of other patches inside its edges is split into triangles around its centre. `error` may be an
-/// empty function; then PatchMesh::error is empty. Throws InputError for 2^31 vertices or more.
+/// only by patches of one side whose radiosity and error there are equal in single precision. There are no T-junctions,
+/// which would show as cracks: a patch with corners of other patches between the ends of an edge is split into a fan of
+/// triangles around its centre. `error` may be an empty function; then PatchMesh::error is empty. Throws InputError for
+/// 2^31 vertices or more.
 PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads = 1);
 
 } // namespace multipath

@@ -23,7 +23,7 @@ struct DrawnLine
 {
     std::string label; ///< for the legend
     std::vector<DrawnSegment> segments;
-    std::vector<Vec3> crossings; ///< points where the line meets surfaces, in the order of their numbers from 1
+    std::vector<Vec3> crossings; ///< points where the line meets surfaces; drawn with the numbers 1, 2, ...
 };
 
 struct DrawnSphere

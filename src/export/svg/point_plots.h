@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-// Plots of sequences as SVG documents. The title is drawn; the comments go into the description of the document.
+// Plots of sequences as SVG documents. The title is drawn; the comments go into the description of the document. "The
+// paper" is Castro, Martinez, Sbert 1998.
 
 namespace multipath {
 
@@ -32,14 +33,15 @@ std::string scatter_plots(const PointSet& points, const std::vector<DimensionPai
 std::string order_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
                         const std::vector<std::string>& comments);
 
-/// Figure 1 of the paper: `count` random points of the square, and as many points of the Halton sequence with bases 2
-/// and 3. `seed`: of the random points.
+/// Figure 1 of the paper: `count` random points of the unit square, and as many points of the Halton sequence with
+/// bases 2 and 3. `seed`: of the random points.
 std::string paper_figure_1(std::uint64_t count, std::uint64_t seed, const std::vector<std::string>& comments);
 
 /// Figure 2 of the paper: for each of four sequences, arrows from the first to the second point of up to a hundred
-/// lines, and a lag plot of the two points of all `count` lines. The lines are made from (a) the Halton sequence with
-/// two 2-D items (points of the sequence) per line, (b) random numbers, (c) 4-D items of the Halton sequence, and (d)
-/// 4-D items of the Sobol sequence. In (a) the two points of a line are far from each other by construction.
+/// lines, and a lag plot of the two points of all `count` lines. A line is made from (a) two successive 2-D points of
+/// the Halton sequence, (b) four random numbers, (c) one 4-D point of the Halton sequence, or (d) one 4-D point of the
+/// Sobol sequence. In (a) the two points of a line are far from each other by construction. `seed`: of the random
+/// numbers.
 std::string paper_figure_2(std::uint64_t count, std::uint64_t seed, const std::vector<std::string>& comments);
 
 } // namespace multipath

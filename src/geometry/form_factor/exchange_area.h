@@ -12,8 +12,8 @@ struct FlatPiece
     Vec3 centre;         ///< centroid
     double area = 0.0;   ///< [m^2]
     double radius = 0.0; ///< [scene units] from the centre to the farthest corner
-    /// Uniform random points of the surface have the covariance (u u^T + v v^T) / 12, where u and v are these vectors
-    /// [scene units]: the edges of a parallelogram, and combinations of the edges of a triangle.
+    /// Uniform random points of the surface have the covariance (u u^T + v v^T) / 12 with u = spread_u and v = spread_v
+    /// [scene units]. For a parallelogram they are the edges, for a triangle linear combinations of its edges.
     Vec3 spread_u;
     Vec3 spread_v;
     double squared_spread = 0.0; ///< u.u + v.v

@@ -20,9 +20,10 @@ void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const 
 /// Leaf of the hierarchy with the `count` surfaces whose indices are in `surfaces`, at most LeafBlock::lanes.
 LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame);
 
-/// True if the filters and the boxes around surfaces lose no hit of this surface: rounding in the row moves the corners
-/// of `surface`, from which the row was made, by so little that the slack covers the error. False for slivers: an angle
-/// below about 1e-5, or below 1e-3 if the surface is tiny or the scene lies far from the origin.
+/// True if the filters and the boxes around surfaces lose no hit of `surface`: the rounding errors of `row`, which was
+/// made from `surface`, displace the corners by less than the slack of the filters and the margins of the boxes allow.
+/// False for slivers, with an angle below about 1e-5, or below 1e-3 if the surface is tiny or the scene lies far from
+/// the origin.
 bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const FilterFrame& frame);
 
 /// Rectangles grouped by the directions of their edges. Walls and furniture of a room share few directions.

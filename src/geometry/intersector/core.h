@@ -148,9 +148,9 @@ private:
     std::vector<float> flat_number_;         ///< lane_number_ as floats: FlatSurfaces::number
     std::vector<float> flat_plane_;          ///< plane number of each lane: FlatSurfaces::plane
     unsigned flat_triangles_ = 0;            ///< number of triangles, which have the first lanes
-    FramedRectangles framed_;                ///< the rectangles in these frames have the last lanes
+    FramedRectangles framed_;                ///< the rectangles with a frame, which have the last lanes
     std::vector<SurfaceBlock> blocks_;
-    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block or leaf, tested in double precision by every line
+    std::vector<std::uint32_t> unfiltered_; ///< surfaces in no block or leaf; tested for every line in double precision
     bool outside_is_solid_;                 ///< true if is_interior(surfaces)
     std::vector<std::uint32_t> plane_;      ///< plane number of each surface (see SharedPlanes)
     std::vector<std::uint32_t> size_rank_;  ///< rank of each surface by area, 0 for the smallest, which lies on top

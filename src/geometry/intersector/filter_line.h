@@ -12,10 +12,10 @@
 
 namespace multipath {
 
-/// Single-precision form of a line for the filters, in coordinates in which the scene's box has its centre at 0 and
-/// half a diagonal of length 1: Plücker coordinates (direction and moment) and the segment near the scene, which is
-/// `middle` + t * `direction` with -half_length <= t <= half_length. Here t counts from the middle, in the same unit as
-/// the parameter of the original line.
+/// Single-precision form of a line for the filters, in coordinates whose origin is the centre of the scene's box and
+/// whose unit is half the diagonal of this box: Plücker coordinates (direction and moment) and the segment near the
+/// scene, which is `middle` + t * `direction` with -half_length <= t <= half_length. Here t counts from the middle, in
+/// the same unit as the parameter of the original line.
 struct FilterLine
 {
     float direction[3];
@@ -29,7 +29,7 @@ struct FilterLine
 
 /// How a line runs with respect to the scene's box, as far as the filters need to know.
 enum class LineCourse : std::uint32_t {
-    misses = 0, ///< certainly misses the box and therefore all surfaces
+    misses = 0, ///< certainly meets no surface: the line misses the box or is a single point
     passes = 1, ///< the infinite line meets the box, and the line can be filtered
     unfit = 2   ///< the line must be decided in double precision: it starts too far away for single precision, or its
                 ///< direction is too long or too short
@@ -109,8 +109,9 @@ public:
     Vec3 centre() const { return centre_; }   ///< centre of the box [scene units]
     double radius() const { return radius_; } ///< half the diagonal of the box [scene units]
     double scale() const { return scale_; }   ///< 1 / radius
-    /// A line is unfit unless |start|^2 + |centre|^2 < reach^2 [radius^2], with the start in the frame and |centre| the
-    /// distance of the box from the origin of the scene's coordinates. Between 1e4 and 1e7.
+    /// Limit of distances [radius], from 1e4 to 1e7: a line is unfit unless |start|^2 + |origin|^2 < reach^2, where
+    /// |start| and |origin| are the distances from the centre of the box to the start of the line and to the origin of
+    /// the scene's coordinates.
     double reach() const { return reach_; }
 
 private:
@@ -126,9 +127,10 @@ private:
     Vec3 centre_;
     double radius_ = 1.0;
     double scale_ = 1.0;
-    double reach_ = 0.0;         ///< [radius]
-    double centre_square_ = 0.0; ///< squared distance of the centre from the world's origin, in the frame
-    Vec3 half_size_;             ///< half the size of the box, in the frame
+    double reach_ = 0.0; ///< [radius]
+    double centre_square_ =
+        0.0;         ///< squared distance of the centre from the origin of the scene's coordinates, in the frame
+    Vec3 half_size_; ///< half the size of the box, in the frame
 };
 
 // Branch-free: whether a random chord meets the box is hard to predict.

@@ -18,7 +18,7 @@ struct FilterKernel; // see kernel.h
 
 /// Finds the intersections of lines and surfaces, independent of light. An intersector is immutable and safe to share
 /// between threads. If a plane contains surfaces that face opposite ways, a line meets all surfaces in it at exactly
-/// the same t (see SharedPlanes), so that faces which touch tie and none is lost. Results do not depend on the kernel.
+/// the same t (see SharedPlanes), so that no hit on touching faces is lost. Results do not depend on the kernel.
 class Intersector
 {
 public:
@@ -44,8 +44,9 @@ public:
 
     /// Returns the first hit of a ray that starts on surface `from` and leaves it, or std::nullopt. Surfaces in the
     /// plane of `from` are ignored unless one of them covers the start of the ray, like a box resting on a floor. Then
-    /// the result is the hit after that of `from` along the whole line. A front and a back at the same t with different
-    /// outlines are in the order of all_hits; otherwise ties are resolved as in closest_hit.
+    /// the ray is extended backwards to a whole line, and the result is the hit that follows the hit on `from`. If a
+    /// front and a back with different outlines are met at the same t, the first of them in the order of all_hits is
+    /// returned; other ties are resolved as in closest_hit.
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
     /// The same for `count` rays, faster: ray i starts on surface from[i], or on none if from[i] is `no_surface`.
@@ -58,8 +59,9 @@ public:
     void hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays, std::size_t count,
                          FirstHits& found) const;
 
-    /// The other surfaces in the plane of surface `of` that overlap `of` and contain `point`, a point of `of`. In no
-    /// particular order.
+    /// The other surfaces in the plane of surface `of` that contain `point`, a point of `of`, in no particular order.
+    /// Surfaces that only touch the border of `of` are left out, unless too many surfaces lie near `of` (see
+    /// PlaneNeighbours::is_listed).
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
     /// A superset of the surfaces that reach into the box, in no particular order. std::nullopt if the scene is so

@@ -38,8 +38,8 @@ struct FilterKernel
     void (*filter_line)(const SurfaceBlock* blocks, std::uint32_t block_count, const FilterLine& line,
                         std::uint64_t* masks);
 
-    /// Prepares lines for the search in the hierarchy: those with the indices `numbers` in the batch, which must
-    /// ascend.
+    /// Prepares lines of the batch for the search in the hierarchy. `numbers`: their indices in the batch, in ascending
+    /// order.
     void (*fill_tree_lines)(const LineBatch& batch, const std::uint32_t* numbers, std::size_t count, TreeLine* lines);
 
     /// Continues a search for candidates in the hierarchy until a list is full; see CandidateSearch.
@@ -48,13 +48,13 @@ struct FilterKernel
     /// Finds the first hits of rays in the hierarchy; see FirstHitSearch.
     void (*find_first)(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search);
 
-    /// Decides the candidates, which must be sorted by line. Writes the hits to `hits`, which must have room for one
-    /// more than there are candidates. If line i has candidates, writes the number of hits of the lines 0 ... i to
-    /// end_of_line[i]. Returns the total number of hits.
+    /// Decides which candidates are hits. The candidates must be sorted by line. Writes the hits to `hits`, which must
+    /// have room for one more than there are candidates. If line i has candidates, writes the number of hits of the
+    /// lines 0 ... i to end_of_line[i]. Returns the total number of hits.
     std::size_t (*decide_candidates)(const SurfaceTable& table, const Line* lines, const LineCandidate* candidates,
                                      std::size_t count, Hit* hits, std::size_t* end_of_line);
 
-    /// Decides surface surfaces[i] for line i. is_hit[i] becomes 1 or 0; hits[i] is valid if it is 1.
+    /// Decides whether line i meets surface surfaces[i]. is_hit[i] becomes 1 or 0; hits[i] is valid if it is 1.
     void (*decide_nearest)(const SurfaceTable& table, const Line* lines, const std::uint32_t* surfaces,
                            std::size_t count, Hit* hits, std::uint32_t* is_hit);
 };

@@ -18,14 +18,15 @@ class PlaneNeighbours
 {
 public:
     PlaneNeighbours() = default;
-    /// `boxes`: the result of boxes_around_each. `plane_number`: that of SharedPlanes. `tree`: hierarchy over the
+    /// `boxes`: the result of boxes_around_each. `plane_number`: SharedPlanes::plane_number. `tree`: hierarchy over the
     /// boxes, in the coordinates of `frame`. If the tree is empty or a plane has few surfaces, all pairs in the plane
     /// are compared.
     PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<Bounds>& boxes,
                     const std::vector<std::uint32_t>& plane_number, const WideTree& tree, const FilterFrame& frame,
                     int threads);
 
-    /// False if the surface has no list, because too many surfaces lie near it. Never false without a tree.
+    /// True if the surface has a list. Without a tree every surface has one; with a tree, a surface near too many
+    /// others has none.
     bool is_listed(std::uint32_t surface) const { return first_[surface] != unlisted; }
 
     /// False if the surface certainly has no neighbour: its list exists and is empty. True for an unlisted surface.

@@ -16,7 +16,7 @@ namespace multipath {
 struct RectangleFrame
 {
     float axis[3][3];     ///< axis[k]: components x, y, z of unit vector k
-    std::uint32_t end[3]; ///< end[k]: end, in the list of rectangles sorted by frame and axis, of those across axis k
+    std::uint32_t end[3]; ///< of the list sorted by frame and axis: one past the last FrameRectangle of axis k
 };
 
 /// Rectangle perpendicular to axis k of a frame ("across axis k"): u runs along axis k + 1, v along axis k + 2, in

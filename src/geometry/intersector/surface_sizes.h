@@ -11,11 +11,12 @@ namespace multipath {
 /// Bounding box of all surfaces; empty if there are none.
 Bounds bounds_of(const SurfaceList& surfaces);
 
-/// Bounding box of all surfaces with a margin of 2 coplanar_distance times the diagonal, and more for coordinates far
-/// from the origin. A hit may lie slightly off the surface, by rounding and because coplanar surfaces share one plane.
+/// Bounding box of all surfaces with a margin on each side: 2 * coplanar_distance times the diagonal of the box without
+/// margin, and more for coordinates far from the origin. A hit may lie slightly off the surface, by rounding and
+/// because coplanar surfaces share one plane. The result is meaningless if there are no surfaces.
 Bounds box_around(const SurfaceList& surfaces);
 
-/// Bounding box of each surface, with the margins of box_around.
+/// Bounding box of each surface, with margins as in box_around(): the diagonal is that of the box of all surfaces.
 LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces);
 
 /// Indices of the surfaces by descending area; surfaces of equal area by ascending index.

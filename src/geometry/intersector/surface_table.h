@@ -18,7 +18,7 @@ namespace multipath {
 /// takes two cache lines.
 struct alignas(64) SurfaceRow
 {
-    using Column = std::array<double, 4>; ///< entries for the plane, u and v; the fourth is padding
+    using Column = std::array<double, 4>; ///< entries for the plane, u and v; the fourth is padding or extra data
 
     Column x, y, z; ///< components of the vectors normal, to_u and to_v; x[3] stores the plane number
     Column offset;  ///< dot(normal, p) = offset[0] in the plane; u = dot(to_u, p) + offset[1]; v = dot(to_v, p) +

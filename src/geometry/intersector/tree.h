@@ -19,8 +19,9 @@ public:
     static constexpr std::uint32_t nothing = 0xffffffffu; ///< an empty lane of a leaf
 
     WideTree() = default;
-    /// Builds a tree over the primitives with these numbers, fewer than 2^26. The bounds of a primitive are
-    /// boxes[number], in the coordinates of the scene; the nodes are in those of the frame.
+    /// Builds a tree over the primitives with these numbers. There must be fewer than 2^26 of them. The bounds of a
+    /// primitive are boxes[number], in the coordinates of the scene. The boxes in the nodes are in the coordinates of
+    /// the frame.
     WideTree(const LargeVector<Bounds>& boxes, const std::vector<std::uint32_t>& numbers, const FilterFrame& frame);
 
     bool empty() const { return nodes_.empty(); }
@@ -41,7 +42,7 @@ public:
     {
         for_each_near({point_in_frame, point_in_frame}, visit);
     }
-    /// The same for all primitives whose boxes overlap this box, rounded to single precision.
+    /// The same for all primitives whose boxes overlap `box_in_frame`, which is first rounded to single precision.
     template <class Visit>
     void for_each_near(const Bounds& box_in_frame, const Visit& visit) const;
 

@@ -28,7 +28,7 @@ struct TreeLine
     std::uint32_t near_plane[3]; ///< offset in WideNode::plane of the planes through which the line enters boxes
     std::uint32_t far_plane[3];  ///< offset in WideNode::plane of the planes through which the line leaves boxes
     float direction[3];
-    float backwards[3]; ///< -middle
+    float backwards[3]; ///< -FilterLine::middle
     float scale;        ///< FilterLine::scale
     float first;        ///< the search covers first <= t <= last
     float last;
@@ -49,13 +49,13 @@ struct LineNode
     std::uint32_t child; ///< root of the subtree: node or leaf, as in WideNode::child
 };
 
-/// State of a search for all surfaces that some lines may meet, in any order. The kernel proceeds in rounds until
-/// nothing is pending, or until one of the two lists has room for fewer than `least_room` more elements. Then the
-/// caller makes room and calls the kernel again.
+/// State of a search for all surfaces that some lines may meet. The surfaces are found in any order. The kernel works
+/// in rounds until `pending` is empty, or until `pending` or `candidates` has room for fewer than `least_room` more
+/// elements. In the latter case the caller makes room and calls the kernel again.
 struct CandidateSearch
 {
-    static constexpr std::size_t at_once = 32;                               ///< children taken from the list per round
-    static constexpr std::size_t least_room = WideNode::lanes * at_once + 2; ///< slots that a round may write
+    static constexpr std::size_t at_once = 32;                               ///< entries taken from `pending` per round
+    static constexpr std::size_t least_room = WideNode::lanes * at_once + 2; ///< most slots that a round writes
 
     const TreeLine* lines;
     LineNode* pending; ///< stack of the subtrees still to be visited
@@ -65,7 +65,7 @@ struct CandidateSearch
     std::size_t candidate_count;
     std::size_t candidate_room; ///< capacity
 
-    /// True if both lists have room for another round.
+    /// True if `pending` and `candidates` have room for another round.
     bool has_room() const
     {
         return pending_room - pending_count >= least_room && candidate_room - candidate_count >= least_room;
@@ -76,7 +76,8 @@ struct CandidateSearch
 struct NearestHit
 {
     Hit best = {std::numeric_limits<double>::infinity(), 0, 0.0, 0.0, false}; ///< infinite t: no hit
-    Hit back = {};         ///< hit on a back at the same t, the smallest surface; only if `best` is on a front
+    Hit back = {};         ///< hit on the back of a surface, at the same t as `best`, which is on a front; of several
+                           ///< such surfaces, the smallest
     bool has_back = false; ///< true if `back` is valid
 
     bool is_hit() const { return best.t < std::numeric_limits<double>::infinity(); }
@@ -100,8 +101,9 @@ struct FirstHitSearch
     const Line* lines; ///< the lines of the batch
     const SearchedRay* rays;
     std::size_t ray_count;
-    NearestHit* nearest;      ///< per line of the batch, in and out: only hits that are not farther are sought
-    bool any;                 ///< true: the first hit found before nearest.best ends the search of the ray
+    NearestHit* nearest;      ///< per line of the batch; in: a hit already known, or none; out: the first hit or, if
+                              ///< `any` is true, some hit nearer than the known one
+    bool any;                 ///< true: any hit nearer than the known one ends the search for its ray
     std::uint64_t* stacks;    ///< buffer for min(at_once, ray_count) stacks of stack_size elements
     std::uint32_t stack_size; ///< at least WideTree::most_pending() + 2
 

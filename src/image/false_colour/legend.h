@@ -48,12 +48,12 @@ struct Legend
     /// True if there is a contour line at the end of this step. There is none at 0, and at the top of the scale only if
     /// values exceed it.
     bool has_contour(int step) const { return contours && step > 0 && (step < scale.steps || exceeded); }
-    /// Grey level of this line, which contrasts with the colours on both sides.
+    /// Grey level of the contour line at the end of this step. It contrasts with the colours on both sides of the line.
     std::uint8_t contour_grey(int step) const;
 };
 
-/// [pixels] Height of the legend with this title in a picture of this size, legend included: at most a third of
-/// `height`. 0 if the picture is too small for a legend.
+/// [pixels] Height of the legend with this title in a picture of width x height pixels, which include the legend: at
+/// most a third of `height`. 0 if the picture is too small for a legend.
 int legend_height(int width, int height, const std::string& title);
 
 /// Draws the legend as a separate picture. `height` must be a result of legend_height() other than 0.

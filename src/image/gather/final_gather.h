@@ -21,12 +21,12 @@ namespace multipath {
 struct GatherRays
 {
     int to_sources = 16; ///< shadow rays per camera ray
-    /// Hemisphere rays per sample of indirect light, cached for neighbouring pixels; 0: no indirect light.
+    /// Hemisphere rays per sample of indirect light; a sample also serves neighbouring pixels. 0: no indirect light.
     int around = 64;
 };
 
 /// Final gathering for one picture: the radiosity of each visible point is computed from the light that arrives there,
-/// so that patches are not visible. Direct light is sampled for every point. Indirect light comes from an irradiance
+/// so that no patch borders show. Direct light is sampled for every point. Indirect light comes from an irradiance
 /// cache (IndirectGrid), or is gathered where the cache has no valid sample. Immutable after construction and safe to
 /// share between threads.
 class FinalGather

@@ -22,8 +22,8 @@ struct IndirectSample
 };
 
 /// Indirect light, which was reflected at least once before it arrives. It is gathered with cosine-distributed rays
-/// over the hemisphere. A ray looks up the reflected part of the solution where it ends, interpolated by SmoothShading.
-/// Immutable and safe to share between threads.
+/// over the hemisphere. A ray looks up the reflected part of the solution, interpolated by SmoothShading, at the point
+/// where the ray ends. Immutable and safe to share between threads.
 class IndirectLight
 {
 public:
@@ -33,9 +33,9 @@ public:
     IndirectLight(const IndirectLight&) = delete;
     IndirectLight& operator=(const IndirectLight&) = delete;
 
-    /// Gathers at a point with the items number * rays ... (number + 1) * rays - 1 of the sequence (an item is one of
-    /// its points, sequence.h), so that the rays of points with consecutive numbers are stratified together. `fan`:
-    /// reusable buffers of one thread.
+    /// Gathers at the point `receiver`. The rays use the items of `sequence` (an item is one of its points, sequence.h)
+    /// from index number * rays to (number + 1) * rays - 1, so that the rays of receivers with consecutive numbers are
+    /// stratified together. `fan`: reusable buffers of one thread.
     IndirectSample at(const GatherPoint& receiver, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace multipath {
 
-/// A horizontal measuring plane, such as the task area of a work place (EN 12464-1).
+/// A horizontal measuring plane, such as the task area of a workplace (EN 12464-1).
 struct GridPlan
 {
     double height; ///< [m] above the lowest point of the scene without its sky
@@ -23,9 +23,10 @@ struct GridPointLight
     Rgb irradiance; ///< [W/m^2]
 };
 
-/// Irradiance on a grid of points, the centres of equal rectangles over the scene. A point is left out unless a visible
-/// side of a surface lies below it: it would be in a wall, in furniture or outside the scene. `mean`, `least` and
-/// `most` are statistics of the mean of the three channels.
+/// Irradiance on a grid of points, the centres of equal rectangles over the scene. A point is left out if it is above
+/// the scene, or if a ray straight down from it meets nothing or first meets the sky or a back that has no patches:
+/// then the point lies in a wall, in furniture or outside the scene. `mean`, `least` and `most` are statistics of the
+/// mean of the three channels.
 struct LightGrid
 {
     std::vector<GridPointLight> points; ///< row by row

@@ -18,8 +18,8 @@ namespace multipath {
 class ShaftVisibility
 {
 public:
-    /// `targets`: indices of surfaces. The scene must outlive this object. In a large scene the test would cost more
-    /// than it saves, so that no pair counts as fully visible.
+    /// `targets`: indices of surfaces. The scene must outlive this object. In a large scene, of more than 1000 surfaces
+    /// or 2^24 pairs, the tests would cost too much time or memory: none is made, and no pair counts as fully visible.
     ShaftVisibility(const Scene& scene, std::vector<std::uint32_t> targets);
 
     /// True if certainly nothing lies between any point of the patch and any point of the target, false if something

@@ -67,7 +67,8 @@ struct CornerGroup
     std::uint32_t surface = 0;
     Vec3 normal; ///< unit normal of the side
     Vec3 corner;
-    /// Per_cell (CornerLattice) * patch + index of the corner in the patch; without hanging nodes.
+    /// CornerLattice::per_cell * patch + index of the corner in the patch. Patches in which the corner is a hanging
+    /// node are left out.
     std::vector<std::size_t> slots;
     Rgb value;
     double weight = 0.0; ///< [1] sum of the open shares (VisiblePatches) of the patches in `slots`

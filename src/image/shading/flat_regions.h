@@ -17,14 +17,15 @@ namespace multipath {
 /// windows. Patches of needles are slender: each gets few lines, and its corners lie far from its centre. If every
 /// patch were shaded by itself, such patches would show as streaks. Faces of one material that share edges in one plane
 /// therefore form one region. Sources belong to no region. The value at a corner is fitted to all patches of the region
-/// within a radius, the longest edge of an undivided grid cell (tessellation.h) of the region.
+/// within a radius: the longest edge of all grid cells (tessellation.h) of the region, before quadtrees divide them.
 class FlatRegions
 {
 public:
     /// `patches` and its scene must outlive this object.
     FlatRegions(const VisiblePatches& patches, int threads);
 
-    /// True if the surface belongs to a region: one of at least two surfaces, some of them needles.
+    /// True if the surface belongs to a region. A region has at least two surfaces, and the grid cells of at least one
+    /// of them are needles.
     bool contains(std::uint32_t surface) const { return region_of_[surface] != none; }
 
     /// Value at `corner` of a surface for which contains() is true, by moving least squares (Lancaster and Salkauskas

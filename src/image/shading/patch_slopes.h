@@ -27,16 +27,17 @@ struct PatchSlope
 };
 
 /// Reconstructs a linear function on every patch from one value per patch, like a finite volume method. The mean of the
-/// function is VisiblePatches::value() of the patch. Its slope is a least-squares fit to the values of the patches
-/// across the edges of the patch, limited so that the function stays within the range of these values (Barth and
-/// Jespersen 1989). Neighbours belong to the same surface, and no occluder separates them from the patch. At a border,
-/// where neighbours are missing on one side, the slope is extrapolated with a quadratic function through the patch and
-/// its neighbours, and limited to lie between 0 and twice the slope of the neighbours. A patch without neighbours has
-/// the slope 0.
+/// function is VisiblePatches::value() of the patch. Its slope is a least-squares fit to the values of the neighbours,
+/// the patches across the edges of the patch. A limiter keeps the function, halfway to each neighbour, within the range
+/// of the values of the patch and its neighbours (Barth and Jespersen 1989). Neighbours belong to the same surface, and
+/// no occluder separates them from the patch. At a border, where neighbours are missing on one side, the slope is
+/// extrapolated with a quadratic function through the patch and its neighbours, and limited to lie between 0 and twice
+/// the slope of the neighbours. A patch without neighbours has the slope 0.
 ///
-/// `bends`, unless null, receives for each patch the mean square of the second derivative towards the neighbours of the
-/// patch, over neighbours and channels. The patch size is the unit of length: the function b x^2 / 2 has b^2 along x.
-/// The number is multiplied by 40 at a border, where the slope is uncertain, and is 0 for a patch without neighbours.
+/// `bends`, unless null, receives for each patch the mean, over its neighbours and the channels, of the squared second
+/// derivative in the direction of the neighbour. The edges of the patch have unit length: for the function b x^2 / 2, a
+/// neighbour along x contributes b^2. The mean is multiplied by 40 at a border, where the slope is uncertain, and is 0
+/// for a patch without neighbours.
 std::vector<PatchSlope> patch_slopes(const VisiblePatches& patches, int threads, std::vector<double>* bends = nullptr);
 
 } // namespace multipath

@@ -12,10 +12,10 @@
 
 namespace multipath {
 
-/// Interpolates one value per patch to a continuous function on the surfaces of a scene. Patches share a value at a
-/// common corner if they have the same material, lie in one smoothing group (smoothing_groups.h), and no occluder
-/// separates them. Parts of patches that furniture covers are ignored. Sources are interpolated like other surfaces. A
-/// linear ramp is reproduced.
+/// Interpolates one value per patch to a piecewise continuous function on the surfaces of a scene. Patches share a
+/// value at a common corner if they have the same material, lie in one smoothing group (smoothing_groups.h), and no
+/// occluder separates them. Parts of patches that furniture covers are ignored. Sources are interpolated like other
+/// surfaces. A linear ramp is reproduced.
 class SmoothShading
 {
 public:
@@ -24,10 +24,10 @@ public:
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   const std::vector<char>& shown = {});
 
-    /// The same for all surfaces. `residuals` receives an indicator of the interpolation error per patch: the mean
-    /// square, over corners and channels, of the difference between the corner values and the linear function of the
-    /// patch (patch_slopes). A multiple of the bend of the patch is added, and the sum is multiplied by its open share
-    /// (VisiblePatches).
+    /// The same with all surfaces shown. `residuals` receives an indicator of the interpolation error per patch: the
+    /// open share of the patch (VisiblePatches) times the sum of two terms. The first is the mean square, over corners
+    /// and channels, of the difference between the corner values and the linear function of the patch. The second is a
+    /// multiple of the value in `bends` for the patch (see patch_slopes()).
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   std::vector<double>& residuals);
 

@@ -30,8 +30,8 @@ std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind);
 /// front normal fits into the smoothing group of either point is no occluder.
 bool occluded_between(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
 
-/// Accelerates occluded_between() for many pairs of points from one set of nearby points. Tests only the surfaces that
-/// are close to the set and do not fit into the smoothing groups of all its points.
+/// Accelerates occluded_between() for many pairs of points from one set of nearby points. Tests only the surfaces close
+/// to the set, and leaves out those that fit into the smoothing group of every point of the set.
 class NearbyOccluders
 {
 public:

@@ -16,8 +16,8 @@ namespace multipath {
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point);
 
 /// The uncovered ("open") parts of the patches. The part of a patch on which furniture stands is dark, so that the
-/// value on its open part is larger than its mean. Coverage is sampled with 64 points per patch. In scenes with very
-/// many patches small patches get fewer points, and the smallest count as open, to save time.
+/// value on the open part is larger than the mean over the patch. Coverage is sampled with 64 points per patch. In
+/// scenes with very many patches small patches get fewer points, and the smallest count as open, to save time.
 class VisiblePatches
 {
 public:
@@ -32,7 +32,8 @@ public:
     /// Value on the open part: the value of the patch divided by its open share. A patch that is a source or entirely
     /// covered keeps its value.
     Rgb value(std::uint32_t patch) const;
-    /// The open sample point of the patch nearest to `corner`; nothing if the patch is entirely covered.
+    /// Of the open sample points of the patch, the one nearest to `corner`. std::nullopt if the patch is entirely
+    /// covered.
     std::optional<Vec3> open_point_near(std::uint32_t patch, Vec3 corner) const;
 
 private:

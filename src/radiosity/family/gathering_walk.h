@@ -14,19 +14,21 @@ struct GatheringResult
 };
 
 /// Gathering random walks (Bekaert: Hierarchical and stochastic algorithms for radiosity, 1999, section 4.4; (W1) in
-/// docs/equations.md). Walks start at the patches whose light is sought, and are reflected with probability rho. They
-/// gather the emittance of every source patch that they meet (collision estimator), or only of the patch where they end
-/// (absorption estimator). They solve the adjoint of the system that shooting walks solve: the precision of a patch
-/// costs the same whether much or little light arrives there.
+/// docs/equations.md). Walks start at the receivers, which are all patches, and survive with probability rho at each
+/// patch that they meet. They gather Scene::first_light() of every patch that they meet (collision estimator), or only
+/// of the patch where they end (absorption estimator). They solve the adjoint of the system that shooting walks solve,
+/// and the number of walks of a patch does not depend on how much light arrives there.
 ///
 /// `state` must be the initial state of a run; the function adds all light. The walks are divided into 1 ... 16 rounds,
-/// each of which covers all patches. If the run is stopped, the result is the mean of the rounds so far; during the
-/// first round there is none. The caller must save `state` in the checkpoint; this function saves the rest.
+/// each of which covers all patches. If the run is stopped, the result is, for each patch, the mean over its walks so
+/// far; there is no result before the end of the first round. The caller must save `state` in the checkpoint; this
+/// function saves the rest.
 GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                                 const RunControl& run, PowerState& state);
 
-/// The walks of the first round. Walk n takes the item options.first_item + n of the sequence. Their power_per_ray is
-/// the weight [1] of a walk, the inverse of the number of walks from its patch.
+/// The walks of the first round. Walk n takes the item options.first_item + n of the sequence. Shot::power_per_ray is
+/// not a power here but the weight [1] of a walk: the inverse of the number of walks from its patch, or of the expected
+/// number if that is below 1.
 Particles first_walks(const Scene& scene, const LocalOptions& options, int threads);
 
 /// [W/m^2] What a step of a walk adds to the irradiance of the patch where the walk starts (W1). Black if the step ends

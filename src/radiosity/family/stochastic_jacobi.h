@@ -36,22 +36,23 @@ class JacobiIterations
 {
 public:
     /// The power U of the sources is the unshot power of `start`. `first` is the state after a first estimate of all
-    /// light from this power, which counts as much as an iteration with `lines` lines. Both `scene` and `start` must
-    /// outlive this object.
+    /// light from this power. In the mean this estimate counts as an iteration with `lines` lines. Both `scene` and
+    /// `start` must outlive this object.
     JacobiIterations(const Scene& scene, const PowerState& start, const PowerState& first, double lines);
 
-    /// [W] Power that each patch sends, by the mean so far.
+    /// [W] Power that each patch sends according to the mean so far.
     std::vector<Rgb> power() const;
 
     /// Number of lines for the next iteration, if `left` lines remain: as many as all iterations before it together, so
-    /// that neither the inaccurate first iterations nor the last one dominate. If less than twice as many remain, this
-    /// is the last iteration, which takes all of them.
+    /// that neither the inaccurate first iterations nor the last one dominate. If fewer than twice as many remain, the
+    /// next iteration is the last one and takes all `left` lines.
     std::uint64_t next_lines(std::uint64_t left) const;
 
     /// Adds an iteration: `transfer` is the power that the patches receive when they send power().
     void add(const TransportEstimate& transfer, double lines);
 
-    /// The start state plus the mean of all light from its unshot power, with a closed balance (settle_losses).
+    /// The final state: `start` plus the mean of the received power, and no unshot power. settle_losses() closes its
+    /// balance.
     PowerState finish() const;
 
     void visit(Archive& archive); ///< saves the mean to a checkpoint or restores it
@@ -101,9 +102,10 @@ SeriesOptions series_before_iterations(std::uint64_t first_item, std::uint64_t l
 
 /// Iterations in which every patch sends all its power, by rays in proportion to it (J1) (J2). `state` holds an
 /// estimate of all light, which must not be too poor: an error that all patches share decreases only by the factor rho
-/// per iteration. Replaces `state` by the mean of the iterations. If the run is stopped, an unfinished iteration has no
-/// effect. Returns the number of rays of the finished iterations and of the noise factors. The caller must save `state`
-/// in the checkpoint; this function saves the rest. Throws ArchiveError if the checkpoint has other important patches.
+/// per iteration. Replaces `state` by the mean of this estimate and the iterations (JacobiIterations). If the run is
+/// stopped, an unfinished iteration has no effect. Returns the number of rays of the finished iterations and of the
+/// noise factors. The caller must save `state` in the checkpoint; this function saves the rest. Throws ArchiveError if
+/// the checkpoint has other important patches.
 std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
                               const RunControl& run, PowerState& state);
 

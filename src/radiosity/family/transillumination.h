@@ -25,9 +25,9 @@ public:
     std::uint64_t count() const { return count_; }
     double section() const { return section_; } ///< [m^2] cross-section that each line represents
 
-    /// Line k = 0 ... count() - 1. Its position on the rectangle is point k of a shifted rank-1 lattice of n = count()
-    /// points: (k + 1/2) / n along one side, k times the golden section along the other, both modulo 1. The line begins
-    /// before the box.
+    /// Line k = 0 ... count() - 1. Its position on the rectangle is point k of a shifted Fibonacci lattice, in the form
+    /// for any number n = count() of points: (k + 1/2) / n along one side, k times the golden section along the other,
+    /// both plus the shift, modulo 1. The line begins before the box.
     Line line(std::uint64_t k) const;
 
 private:
@@ -49,8 +49,9 @@ struct TransilluminationOptions
     /// Index in the sequence of the first item: one item per ray of estimate_by_rays(), then one per direction.
     std::uint64_t first_item = 0;
     std::uint64_t lines = 0; ///< number of rays and lines to use; lines that miss the bounding box are not charged (N1)
-    /// Lines per direction that meet the bounding box, reduced to 1/16 of all lines if it is more. Empty: the square
-    /// root of the number of lines, so that there are about as many directions as lines per direction.
+    /// Lines per direction that meet the bounding box; at most 1/16 of the lines that remain after estimate_by_rays()
+    /// are used. Empty: the square root of the number of remaining lines, so that there are about as many directions as
+    /// lines per direction.
     std::optional<std::uint64_t> bundle;
     std::uint64_t seed = 0; ///< seed of the random rounding to whole rays
 };
@@ -67,7 +68,7 @@ struct BundlePlan
     std::uint64_t directions; ///< number of directions of all iterations together
 };
 
-/// `rays`: number of rays that estimate_by_rays() cast.
+/// Divides the lines that remain into directions. `rays`: number of rays that estimate_by_rays() cast.
 BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays);
 
 /// [W] Power that a patch of this radiosity B [W/m^2] sends along a line that represents `section` [m^2] of one of

@@ -31,23 +31,26 @@ double min_balanced_bytes(const Scene& scene);
 struct BalancedResult
 {
     std::uint64_t rays = 0; ///< number of rays planned so far; all of them were cast unless the run was stopped
-    bool solved = false;    ///< false if the run was stopped too early: light not distributed yet stays unshot
-    /// [(W/m^2)^2] per patch: variance of its radiosity, estimated from the rays of the patch; empty unless solved.
+    /// False if the run was stopped without a solution (see reuse_balanced()); light not distributed yet stays unshot.
+    bool solved = false;
+    /// [(W/m^2)^2] per patch: variance of its radiosity, estimated from its own rays and those of the surrounding
+    /// patches; empty unless solved.
     std::vector<Rgb> variance;
 };
 
 /// Distributes all unshot power by line reuse without a table of pairs, in scenes of any number of patches. Every patch
-/// gets rays of two kinds, as many as their expected reduction of the error suggests: shadow rays to the lights
-/// (GatheredLight), and rays over its hemisphere. The rays over the hemisphere are counted for both of their ends
-/// (LineCounts, SparseExchange), and the linear system of the counts is solved (solve_exchange).
+/// gets rays of two kinds: shadow rays to the lights (GatheredLight), and rays over its hemisphere. Their numbers are
+/// chosen to make the expected error small (Neyman allocation). The rays over the hemisphere are counted for both of
+/// their ends (LineCounts, SparseExchange), and the linear system of the counts is solved (solve_exchange).
 ///
 /// The rays are cast in three rounds. Two small rounds estimate how many rays each patch needs in the next round; their
 /// rays enter the result as well. If the counts of all rays would make the run exceed `memory` [bytes], the last round
 /// is split into parts, which are solved one by one and averaged.
 ///
-/// A run that is stopped is solved with the rays so far, but not in the first round, and not after the first of several
-/// parts. The caller must save `state` in the checkpoint; this function saves the rest. Throws InputError if the
-/// equations have no solution, or if the counts of a shard do not fit into the memory.
+/// If the run is stopped, the system is solved with the rays cast so far, except in the first round, in a shard, and
+/// after the first of several parts has been solved. The caller must save `state` in the checkpoint; this function
+/// saves the rest. Throws InputError if the equations have no solution, or if the counts of a shard do not fit into the
+/// memory.
 BalancedResult reuse_balanced(const Scene& scene, const SceneLights& lights, const Sequence& sequence,
                               const BalancedRays& rays, double memory, const RunControl& run, PowerState& state);
 

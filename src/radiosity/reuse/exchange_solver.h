@@ -46,10 +46,10 @@ std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state);
 void distribute(const Scene& scene, const Exchange& exchange, const std::vector<Rgb>& radiosity, double share,
                 int threads, PowerState& state);
 
-/// Removes negative irradiance, which the noise of the exchange causes in dark places. Of all irradiances that are
-/// nowhere negative, and of which the patches absorb the same power as before, it takes the nearest one, in least
-/// squares weighted by area. If the absorbed power is right, this projection onto a convex set does not increase the
-/// squared error of the irradiance. A channel without negative irradiance does not change.
+/// Removes negative irradiance, which the noise of the exchange causes in dark places. Replaces the irradiance by the
+/// nearest one, in least squares weighted by area, that is nowhere negative and of which the patches absorb the same
+/// power as before. If this power is right, the projection onto a convex set does not increase the squared error of the
+/// irradiance. A channel without negative irradiance does not change.
 void remove_negative_light(const Scene& scene, PowerState& state);
 
 } // namespace multipath

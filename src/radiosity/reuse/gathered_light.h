@@ -57,11 +57,11 @@ struct ShadowRaySums
 ///
 ///   H0 (1 + e) sum of g v c / sum of g        ((R5) in docs/equations.md)
 ///
-/// with g, v and c as in ShadowRaySums. Here e estimates the mean of g - 1, to remove the effect of the approximations
-/// in H0. It is a sum of two shrinkage estimates (empirical Bayes): of the mean over the surrounding patches, and of
-/// the deviation of the patch from this mean. If typical errors have size b (0.1 for the first, 0.03 for the second), m
-/// rays get the weight b^2 m / (b^2 m + variance of g + 0.01). There is no noise where H0 is exact and the lights are
-/// fully visible or fully hidden.
+/// with g, v and c as in ShadowRaySums. The correction e of the approximate H0 estimates the mean of g - 1 by a sum of
+/// two shrinkage estimates (empirical Bayes): of this mean over the surrounding patches, and of the deviation of the
+/// patch from the surrounding ones. If typical errors have size b (0.1 for the first, 0.03 for the second), m rays get
+/// the weight b^2 m / (b^2 m + variance of g + 0.01). There is no noise where H0 is exact and the lights are fully
+/// visible or fully hidden.
 class GatheredLight
 {
 public:
@@ -75,12 +75,12 @@ public:
     double cluster_bytes() const { return cuts_.bytes(); }               ///< [bytes] memory of the light cuts
     double rays(std::uint32_t patch) const { return sums_[patch].rays; } ///< number of rays cast so far
 
-    /// The division of so many patches into blocks, the units of work of cast().
+    /// The division of `patches` patches into blocks, the units of work of cast().
     static Blocks blocks(std::uint32_t patches);
 
     /// Casts the allotted rays of the patches in the blocks range.next ... range.end - 1 of blocks(), and adds them to
-    /// the sums. If the run is stopped, it casts those of fewer blocks. Moves range.next past the blocks done. Ray n of
-    /// the allotment takes the item first_item + n of the sequence.
+    /// the sums. If the run is stopped, only the first of these blocks are done. Moves range.next past the blocks done.
+    /// Ray n of the allotment takes the item first_item + n of the sequence.
     void cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, ShardRange& range,
               const RunControl& run);
 

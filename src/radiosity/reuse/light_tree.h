@@ -66,7 +66,7 @@ struct SeenCluster
                         ///< approximate unless the node is a leaf
 };
 
-/// The light cut of every patch: a list of clusters of the tree that contains each light in front of the patch once.
+/// The light cut of every patch: a list of clusters that together contain each light in front of the patch once.
 /// Distant lights are grouped into clusters, near ones are leaves. Clusters without irradiance are left out.
 class LightCuts
 {

@@ -24,8 +24,8 @@ public:
     };
 
     /// Builds the tree of shape(0) ... shape(count - 1), with at most most_of_leaf of them in a leaf. `diagonal` [scene
-    /// units] is that of the scene: surfaces at one position with perpendicular normals count as far apart as parallel
-    /// ones at a distance of 0.07 `diagonal`.
+    /// units] of the scene sets the scale of the normals: the distance between two surfaces at the same position, with
+    /// perpendicular normals, is taken to be that of two parallel surfaces 0.07 `diagonal` apart.
     SurfaceTree(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal,
                 std::uint32_t most_of_leaf);
 

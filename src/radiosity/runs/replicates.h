@@ -16,8 +16,8 @@ namespace multipath {
 std::uint64_t lines_for_error_estimate(const Scene& scene, Method method, int replicates);
 
 /// Options of run `number` of several independent runs. Each run has a seed of its own, derived from `stream` and
-/// `seed`. If the sequence is not randomised, each run also has its own section: run `number` skips number * items more
-/// items.
+/// `seed`. If the sequence is not randomised, each run also has its own section: run `number` skips `number` * `items`
+/// items in addition to options.skip.
 SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uint64_t seed, std::uint64_t number,
                              std::uint64_t items);
 
@@ -36,11 +36,11 @@ struct Round
     double relative_standard_error = 0; ///< [1] Solution::relative_standard_error
 };
 
-/// Rounds of `replicates` >= 2 replicates. The first round has first_lines lines in total, each later one twice the
-/// lines of the previous round, and is independent of it; options.lines has no effect. go_on(round) is called after
-/// each round, and the work ends when it returns false. Returns the last finished round; Solution::all_lines includes
-/// the lines of the earlier ones. If the checkpoint stops the first round, returns the replicates so far. Throws what
-/// solve_replicates() and prepare() throw.
+/// Rounds of `replicates` >= 2 replicates. The first round has first_lines lines in total; options.lines has no effect.
+/// Each later round has twice the lines of the previous one, and is independent of all earlier ones. go_on(round) is
+/// called after each round, and the work ends when it returns false. Returns the last finished round;
+/// Solution::all_lines includes the lines of the earlier ones. If the checkpoint stops the first round, returns the
+/// replicates so far. Throws what solve_replicates() and prepare() throw.
 Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
                          const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
                          Checkpoint* checkpoint = nullptr);

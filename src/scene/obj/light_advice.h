@@ -28,8 +28,8 @@ struct LampCandidates
     std::vector<LampCandidate> materials; ///< all materials, the largest first
 };
 
-/// Lists the candidates. Here and below, `scene` holds the faces of the mesh as surfaces, and its indices of materials
-/// and groups are those of the mesh.
+/// Lists the candidates. Here and below, `scene` holds the faces of the mesh as surfaces; SceneFile::material and
+/// SceneFile::group hold indices into ObjMesh::materials and ObjMesh::groups.
 LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene);
 
 constexpr double advised_emittance = 10.0; ///< [W/m^2] of proposed lamps and skies
@@ -46,8 +46,8 @@ struct LightAdvice
     std::string lamp;                ///< material or object to be made a lamp; empty: use a sky
     double lamp_area = 0.0;          ///< [m^2] area of the surfaces of the lamp
     std::vector<std::string> others; ///< the other candidates by name, the most likely first
-    /// [1] Estimate: share of the light of the lamp that reaches fronts; for a sky, share of the light of fronts that
-    /// would leave the scene.
+    /// [1] Estimated share of the lamp's light that reaches fronts of other surfaces; for a sky, the estimated share of
+    /// light that would leave the scene if all fronts emitted, which is how much of the sky they see.
     double lit_share = 0.0;
 };
 

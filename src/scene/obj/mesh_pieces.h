@@ -31,17 +31,17 @@ struct Piece
 
     std::array<std::uint32_t, 4> corners; ///< the fourth is no_vertex in a triangle
     std::uint32_t face = 0;               ///< index of the face that the piece is part of
-    /// Texture points of the corners (ObjMesh::corner_points), or ObjMesh::no_point.
+    /// Indices of the texture points of the corners (see ObjMesh::corner_points), or ObjMesh::no_point.
     std::array<std::uint32_t, 4> points = {};
 
     bool is_triangle() const { return corners[3] == no_vertex; }
 };
 
 /// True if the parallelogram v0 + u (v1 - v0) + v (v3 - v0) may replace the quad v0, v1, v2, v3: the distance of its
-/// fourth corner from v2 is at most widest_crack() and at most 1/1000 of the shorter side at v0.
+/// corner v1 + v3 - v0 from v2 is at most widest_crack() and at most 1/1000 of the shorter side at v0.
 bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scale);
 
-/// True if four texture points form a parallelogram with a gap of at most 1/1000 of the shorter side, so that one
+/// True if four texture points form a parallelogram, up to an error of 1/1000 of its shorter side, so that one
 /// TextureFrame fits them, or if none of the four corners has a texture point.
 bool is_parallelogram(const std::array<std::uint32_t, 4>& points, const ObjMesh& mesh);
 
@@ -57,8 +57,8 @@ struct MeshPieces
 /// unless its texture points form a parallelogram, too. Any other convex quad is cut along the diagonal from its first
 /// to its third corner, any other polygon by ear clipping. Polygons that are not planar (off their mean plane by more
 /// than 1e-4 of their size and more than widest_crack()) or intersect themselves are cut with a warning. Throws
-/// InputError for a concave polygon that would take too long: its number of corners times that of its reflex corners
-/// exceeds 10^8.
+/// InputError for a concave polygon that would take too long: the number of its corners times the number of its reflex
+/// corners exceeds 10^8.
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

@@ -28,10 +28,11 @@ struct TextureMap
 struct MtlMaterial
 {
     Material material;
-    /// [1] `d`, or 1 - `Tr` if there is no `d`, ignoring `Tr 1`; for messages only, since all surfaces are opaque.
+    /// [1] `d`, or 1 - `Tr` if there is no `d`. `Tr 1` is ignored, since it may mean opaque or invisible. For messages
+    /// only, since all surfaces are opaque.
     double opacity = 1.0;
     Rgb ambient;                     ///< `Ka`; some files describe lamps by it; for messages only
-    std::uint32_t kd_line = 0;       ///< line of `Kd`; 0 if missing: without a texture the material reflects nothing
+    std::uint32_t kd_line = 0;       ///< line of `Kd`; 0 if missing: the material is black unless it has a `map_Kd`
     std::string flaw;                ///< "file:line: what is wrong" if the reflectance is above 1; otherwise empty
     std::uint32_t emission_line = 0; ///< line of the `Ke` or `Ka` that gives the emittance; 0 if missing
     TextureMap reflectance_map;      ///< `map_Kd`
@@ -60,7 +61,7 @@ struct MtlFiles
     std::vector<std::string> missing; ///< names for which there is no file
 };
 
-/// Finds the files that the argument `names` of a `mtllib` statement names, relative to the folder of the OBJ file.
+/// Finds the MTL files listed in `names`, the argument of a `mtllib` statement, relative to the folder of the OBJ file.
 /// Several names may be given. A name may be quoted, contain blanks or backslashes, or be in the wrong case. Throws
 /// InputError for no name or more than 32 words. `place` is the location of the statement in the OBJ file.
 MtlFiles find_mtl_files(std::string_view names, TextLocation place);

@@ -16,14 +16,15 @@ struct ObjChanges
     struct Lamp
     {
         std::string name;
-        Rgb emittance; ///< [W/m^2] replaces that of the file
+        Rgb emittance; ///< [W/m^2] replaces the emittance in the file
     };
 
     std::vector<Lamp> lamps;
     std::vector<std::string> ignored; ///< names whose faces are left out
-    double reflectance_limit = 1.0;   ///< [1] channels of reflectances above it are lowered to it; 1: they are refused
-    double unit = 1.0;                ///< [m] unit of the file's coordinates
-    bool lit_from_outside = false;    ///< a sky or sun is added, so no emitter is needed
+    /// [1] If below 1, larger channels of reflectances are lowered to it; if 1, reflectances above 1 are refused.
+    double reflectance_limit = 1.0;
+    double unit = 1.0;             ///< [m] unit of the file's coordinates
+    bool lit_from_outside = false; ///< a sky or sun is added, so no emitter is needed
     /// The user's scene options, each after a space (" --ignore glass"), for commands that messages suggest.
     std::string options = {};
 };

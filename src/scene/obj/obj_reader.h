@@ -12,9 +12,9 @@ namespace multipath {
 /// gives the emittance.
 ///
 /// A parallelogram becomes one surface, even if the file has it as two triangles of the same material and group; other
-/// polygons become triangles, and so do textured parallelograms whose texture coordinates do not form one. Faces
-/// without a defined material are grey, with reflectance 0.5. SceneFile::materials holds only materials that faces of
-/// the file use.
+/// polygons become triangles, and so do textured parallelograms whose texture coordinates do not form a parallelogram.
+/// Faces without a defined material are grey, with reflectance 0.5. SceneFile::materials holds only materials that
+/// faces of the file use.
 ///
 /// Throws SettingsError if a name in `changes` is not in the file or no face is left (see apply()), InputError for
 /// errors in the files and for scenes without a finite solution, and DarkScene (light_advice.h) if nothing emits,

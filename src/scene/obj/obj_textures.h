@@ -10,9 +10,9 @@ namespace multipath {
 
 /// Reads the textures of a scene's materials and maps them onto its surfaces. The reflectance of a material with
 /// `map_Kd` becomes Kd times the area-weighted mean of the texture over its surfaces, and the emittance of one with
-/// `map_Ke` becomes Ke times such a mean. In a material with the map, Kd counts
-/// as 1 if it is 0 or missing, and Ke only if it is missing, since Ke = 0 switches a lamp off. A map
-/// whose file is missing or cannot be read is ignored; one warning reports all of them.
+/// `map_Ke` becomes Ke times such a mean. Beside a map, a missing Kd or Ke counts as 1. So does Kd = 0; but Ke = 0
+/// stays 0, since it switches a lamp off. A map whose file is missing or cannot be read is ignored; one warning reports
+/// all of them.
 ///
 /// `definitions` has one entry per material of the scene, `pieces` one per surface. Each channel of Kd is clamped to at
 /// most `limit` (--reflectance-limit, without unit) before it multiplies a texture.

@@ -8,10 +8,10 @@
 namespace multipath {
 
 /// Joins pairs of triangles that form a parallelogram: they share a whole edge (by position), face the same way, have
-/// the same material and group and, if textured, are parts of one texture parallelogram. Most exporters cut rectangles
-/// in two; whole rectangles give fewer and better patches. The parallelogram replaces its first triangle; the order of
-/// the pieces stays. Corners at the same position get the same vertex in all pieces. Returns the number of pairs. A
-/// greedy method in linear time.
+/// the same material and group and, if textured, form one parallelogram in the texture, too. Most exporters cut
+/// rectangles in two; whole rectangles give fewer and better patches. The parallelogram takes the place of the first
+/// triangle of the pair; otherwise the order of the pieces stays. Corners at the same position get the same vertex in
+/// all pieces. Returns the number of pairs. A greedy method in linear time.
 std::size_t merge_triangles(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

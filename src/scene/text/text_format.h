@@ -32,7 +32,8 @@ std::string option_text(std::string_view name, std::string_view value);
 /// begin with a complete, valid character.
 std::size_t utf8_character_size(std::string_view text);
 
-/// The text with bytes that are not part of a UTF-8 character, such as in names from old files, taken for Latin-1.
+/// The text as valid UTF-8. Bytes that are not part of a UTF-8 character, such as in names from old files, are taken
+/// for Latin-1 characters and converted.
 std::string valid_utf8(std::string_view text);
 
 /// The width of a UTF-8 text on the screen [columns], at one column per character.

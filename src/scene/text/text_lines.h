@@ -32,7 +32,7 @@ struct TextLine
 {
     std::string_view text; ///< valid until the next line is read
     TextLocation place;    ///< the first line of the statement
-    bool ended = true;     ///< false only if the last line of the file has no line end
+    bool ended = true;     ///< false for a last line without a line end, else true
 };
 
 /// Reads the statements of a Wavefront OBJ or MTL file one by one. Accepts any kind of line end and UTF-8 with or

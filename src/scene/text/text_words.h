@@ -33,7 +33,7 @@ std::string_view name_in(std::string_view rest);
 std::optional<double> to_number(std::string_view word);
 
 /// Like to_number(), but throws InputError with the reason if `word` is not such a number. The message begins with the
-/// location `place` and the quantity `owner`, for example "vertex".
+/// location `place` and with `owner`, the name of what the number belongs to, for example "vertex".
 double read_number(std::string_view word, const TextLocation& place, std::string_view owner);
 
 /// Collects the keywords that a reader ignores, for a single warning.

@@ -86,7 +86,7 @@ private:
     bool repeats_;
     Bitmap bitmap_;
     std::uint64_t hash_ = 0;
-    /// Prefix sums of each row, three channels: at every 16th pixel, of the pixels before it.
+    /// Prefix sums of each row, in three channels: for every 16th pixel the sum of the pixels before it in the row.
     std::vector<std::uint32_t> sums_;
     std::size_t sums_per_row_ = 0; ///< prefix sums in a row; each has three channels
     Rgb mean_;

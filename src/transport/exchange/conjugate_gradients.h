@@ -45,11 +45,11 @@ Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
     return sum;
 }
 
-/// Improves the guess x of the solution of A x = b, where A is symmetric and positive definite and `residual` is b - A
-/// x. matrix(x, y) sets y to A x; precondition(i, r_i) returns about r_i / A_ii. Stops when done(residual, sum over i
-/// of r_i precondition(i, r_i)) returns true, after most_steps, or after a step which shows that A is indefinite.
-/// Returns true if `done` is true in the end and A has not turned out to be indefinite; otherwise x is no solution. The
-/// result has the same bits for any number of threads.
+/// Improves x, a guess of the solution of A x = b, where A is symmetric and positive definite. `residual` must be
+/// b - A x for this guess. matrix(x, y) sets y to A x; precondition(i, r_i) returns about r_i / A_ii. Stops when
+/// done(residual, sum over i of r_i precondition(i, r_i)) returns true, after most_steps, or after a step which shows
+/// that A is indefinite. Returns true if `done` is true in the end and A has not turned out to be indefinite; otherwise
+/// x is no solution. The result has the same bits for any number of threads.
 template <class Value, class Matrix, class Precondition, class Done>
 bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition, std::vector<Value> residual,
                          int most_steps, const Done& done, int threads, std::vector<Value>& x)

@@ -12,10 +12,10 @@ namespace multipath {
 struct ExchangeLosses
 {
     std::vector<double> escaping; ///< per patch: exchange area with the outside of the scene
-    std::vector<double> behind;   ///< per patch: exchange area with backs, sides of surfaces without a patch
+    std::vector<double> behind;   ///< per patch: exchange area with backs (sides that have no patches)
 };
 
-/// Exchange areas (exchange.h) of which those of all pairs of patches are stored in memory.
+/// Exchange areas (exchange.h) as a dense matrix, which has an element in memory for every pair of patches.
 class DenseExchange : public Exchange
 {
 public:
@@ -42,17 +42,17 @@ private:
 struct ClosedEstimate
 {
     PairMatrix<float> exchange; ///< [m^2]
-    /// [m^2] per row: the part of the difference between wanted sum and sum that is ascribed to the error of the wanted
-    /// sum. The row now adds up to the wanted sum minus this residual. 0 for a wanted sum without variance.
+    /// [m^2] per row: the error of the wanted sum as the closure estimates it: the wanted sum minus the sum of the
+    /// changed row. 0 for a wanted sum without variance.
     std::vector<double> sum_residual;
 };
 
 /// Enforces closure by least squares ((R3) in docs/equations.md), a smoothing of exchange areas as in Larsen and Howell
-/// (1986). The wanted sum of row i is row_sums[i] [m^2], the area of the patch without its losses. Of all symmetric
-/// changes after which the rows have their wanted sums, to about 1e-4 of the differences, it makes the one with the
-/// smallest sum of squares, weighted by the inverse variances. A wanted sum with sum_variance[i] > 0 [m^4] is itself an
-/// estimate and takes its part of the change. Pairs of variance 0 keep their values; a row that consists of such pairs
-/// does not get its wanted sum.
+/// (1986). The wanted sum of row i is row_sums[i] [m^2], the area of the patch minus its losses. Among all symmetric
+/// changes that give the rows their wanted sums, finds the one with the smallest sum of squares, weighted by the
+/// inverse variances. About 1e-4 of the differences between wanted and present sums remains. A wanted sum with
+/// sum_variance[i] > 0 [m^4] is itself an estimate and takes its part of the change. Pairs of variance 0 keep their
+/// values; a row that consists of such pairs does not get its wanted sum.
 ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
                           const std::vector<double>& sum_variance, int threads);
 

@@ -36,11 +36,11 @@ public:
     /// Exchange area [m^2] of the patch with the outside of the scene.
     virtual double escaping(std::uint32_t patch) const = 0;
 
-    /// Exchange area [m^2] of the patch with backs, sides of surfaces without a patch.
+    /// Exchange area [m^2] of the patch with backs (sides of surfaces that have no patches).
     virtual double behind(std::uint32_t patch) const = 0;
 
     /// Sum over all j of G_ij, plus escaping and behind [m^2]: the area of the patch, or an estimate of the area from
-    /// the same lines. A row and its losses, divided by the row area, add up to 1, whatever the noise.
+    /// the lines that give G. A row and its losses, divided by the row area, add up to 1, whatever the noise.
     virtual double row_area(std::uint32_t patch) const = 0;
 };
 

@@ -18,8 +18,8 @@ struct PatchBlocks
 };
 
 /// Blocks of up to cells x cells squares of the grid of a surface (Tessellation). A square is one patch of a
-/// parallelogram, up to two patches of a triangle. Blocks of 2 k squares along an edge are unions of blocks of k
-/// squares along an edge. Blocks of the grid that lie outside a triangle are counted, but empty.
+/// parallelogram, up to two patches of a triangle. The blocks for 2 * cells are unions of the blocks for `cells`.
+/// Blocks of the grid that lie outside a triangle are counted, but empty.
 PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells);
 
 /// The number of blocks that patch_blocks(scene, cells) makes. A real number, like other estimated sizes.

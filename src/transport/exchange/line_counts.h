@@ -16,8 +16,8 @@
 
 namespace multipath {
 
-/// Sorts keys below 2^bits in ascending order: by radix sort, in time proportional to count * bits and with a second
-/// list of the same length, unless they are very few (or 2^32 and more).
+/// Sorts keys below 2^bits in ascending order by radix sort, in time proportional to count * bits and with a second
+/// list of the same length. Fewer than 512 keys, or 2^32 and more, are sorted by std::sort.
 void sort_keys(std::vector<std::uint64_t>& keys, int bits);
 
 /// The patches that the lines from one patch reached, in ascending order. A patch that was reached n times occurs n
@@ -66,9 +66,9 @@ private:
     std::vector<std::uint64_t> unsorted_; ///< new lines: row << column_bits_ | column
 };
 
-/// Sparse counts of how often lines joined each pair of patches, escaped, or met a surface from behind: for scenes with
-/// so many patches that most pairs are never joined. The counts depend only on the set of the segments (Segment), not
-/// on their order, on threads, or on how the lines were divided; so counts of parts of the lines add up to the same
+/// Sparse counts of how often lines joined each pair of patches, escaped, or met a side without a patch: for scenes
+/// with so many patches that most pairs are never joined. The counts depend only on the set of the segments (Segment),
+/// not on their order, on threads, or on how the lines were divided; so counts of parts of the lines add up to the same
 /// bits. Needs fewer than 2^32 lines in total, and no line may join a patch with itself.
 class LineCounts
 {
@@ -119,9 +119,9 @@ private:
 /// The division of the allotted rays into blocks, the units of work of count_rays.
 Blocks ray_blocks(const Allotment& rays);
 
-/// Casts the allotted rays (LocalRays) of the blocks range.next ... range.end - 1 of ray_blocks(), and counts them. If
-/// the run is stopped, it casts those of fewer blocks. Moves range.next past the blocks done, and leaves the counts
-/// merged. Ray n of the allotment takes the item first_item + n of the sequence.
+/// Casts the allotted rays (LocalRays) of the blocks range.next ... range.end - 1 of ray_blocks(), and counts them. A
+/// run that is stopped casts the rays of fewer blocks, from the beginning of the range. Moves range.next past the
+/// blocks done, and leaves the counts merged. Ray n of the allotment takes the item first_item + n of the sequence.
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,
                 ShardRange& range, const RunControl& run, LineCounts& counts);
 

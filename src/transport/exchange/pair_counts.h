@@ -11,7 +11,7 @@
 
 namespace multipath {
 
-/// Numbers of lines through a pair of patches that face each other along the line.
+/// Numbers of lines that cross both patches of a pair, front facing front along the line.
 struct PairCount
 {
     std::uint32_t joined = 0;  ///< lines with no surface in between

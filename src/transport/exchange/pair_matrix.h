@@ -10,7 +10,7 @@
 namespace multipath {
 
 /// Symmetric matrix over n patches with one value for each unordered pair (i, j), i = j included. It stores the lower
-/// triangle, row by row. All values are zero at first; pages of memory that were never written take none.
+/// triangle, row by row. All values are zero at first. Pages that were never written take no physical memory.
 template <class Value>
 class PairMatrix
 {

@@ -6,7 +6,7 @@
 namespace multipath {
 
 /// The contribution of row i of a symmetric matrix to the product of the matrix with one vector. Only the lower
-/// triangle is stored; the row has its elements j < i.
+/// triangle is stored; the `row` of a kernel is the part of row i left of the diagonal, the elements j < i.
 struct RowProduct
 {
     const double* x; ///< the vector
@@ -27,7 +27,8 @@ struct RowKernel
     void (*multiply_three)(const float* row, std::uint32_t count, RowProduct* products);
 };
 
-/// The kernels whose instruction sets this processor has, the fastest first. The plain one is always among them.
+/// The kernels of all usable() instruction sets (parallel/instruction_set.h), the fastest first. The kernel in plain
+/// C++ is always among them.
 std::vector<const RowKernel*> available_row_kernels();
 
 } // namespace multipath
