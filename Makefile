@@ -44,8 +44,8 @@ src/small    = src/check src/explain src/export src/refinement src/selftest src/
 tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
 # What no line flies through.
 cold  = $(src/commands) src/small $(src/small) $(test_units)
-# What runs once for each ray or patch, and once for each surface or pixel.
-warm  = src/radiosity
+# What runs once for each ray, patch or node, and once for each surface or pixel.
+warm  = src/radiosity src/geometry
 tepid = src/scene src/image
 
 # Patterns of the files named or lying in the folders named.

@@ -25,7 +25,7 @@ struct PatchTable
     std::vector<std::uint32_t> surfaces; ///< indices of the surfaces
     std::vector<std::string> materials;  ///< names
     std::vector<Vec3> centres;           ///< [m]
-    std::vector<double> areas;           ///< [m^2] not negative; 0 for the sky, but not for all patches
+    std::vector<double> areas;           ///< [m^2] 0 for patches of the sky; at least one is positive, none negative
     std::vector<Rgb> radiosity;          ///< [W/m^2]
     std::vector<Rgb> standard_error;     ///< [W/m^2] not negative; empty if the table has none
 };

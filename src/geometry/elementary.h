@@ -14,7 +14,8 @@ struct SinCos
 /// Sine and cosine of the angle 2 pi * turns for 0 <= turns <= 1, with an absolute error below 2e-16.
 inline SinCos sin_cos_of_turns(double turns)
 {
-    // Range reduction: turns = quarter / 4 + rest with |rest| <= 1/8. Both steps are exact.
+    // Range reduction: turns = quarter / 4 + rest with |rest| <= 1/8. The subtraction is exact,
+    // except that it is off by 2^-56 for the largest number below 1/8.
     const int quarter = static_cast<int>(4.0 * turns + 0.5);
     const double rest = turns - 0.25 * quarter;
     const double x = 2.0 * pi * rest;

@@ -239,8 +239,8 @@ constexpr MethodInfo table[] = {
      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
      "estimator", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_local, nullptr, nullptr, "local"},
     {"global",
-     "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that face "
-     "each other along a line exchanges power.",
+     "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that a "
+     "line joins exchanges power.",
      "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, no_lines,
      stages_of_walk, nullptr, nullptr, "global"},
     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-// The multi-path method. A global line crosses the whole scene and meets many patches. Every pair of patches that face
-// each other along it exchanges power, in both directions at once, so that one line carries one segment of many light
-// paths.
+// The multi-path method. A global line crosses the whole scene and meets many patches. It joins two patches if it
+// leaves the front of one and arrives next at the front of the other. Every pair that it joins exchanges power, in both
+// directions at once, so that one line carries one segment of many light paths.
 //
 // Along each line that leaves its front, a patch sends two things. The first is all power that it has received and
 // reflected since it last sent (M1); after this the patch holds nothing. The second is the forecast (G3): the unshot

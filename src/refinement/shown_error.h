@@ -13,15 +13,15 @@
 
 namespace multipath {
 
-/// Error of a displayed solution against the true radiosity, as a mean over the area of all sides that can be seen.
-/// Radiosities and squared deviations are means over the colour channels.
+/// Error of a displayed solution against the true radiosity: a mean over the area of all sides with patches, except the
+/// sky and covered parts, see is_covered(). Radiosities and squared deviations are means over the colour channels.
 struct ShownError
 {
     std::uint64_t points = 0;          ///< number of sample points used: neither on the sky nor covered
     double area = 0.0;                 ///< [m^2] area that these points represent
     double mean_shown = 0.0;           ///< [W/m^2] mean of the displayed radiosity
     double mean_true = 0.0;            ///< [W/m^2] mean of the true radiosity
-    double relative_mean_square = 0.0; ///< [1] mean of (shown - true)^2 over the square of the true mean
+    double relative_mean_square = 0.0; ///< [1] mean of (shown - true)^2, divided by mean_true^2
     double standard_error = 0.0;       ///< [1] standard error of relative_mean_square
 
     /// [1] Square root of the relative mean square; 0 if noise makes the estimated mean square negative.
@@ -48,10 +48,11 @@ struct TruthAtPoint
 using Truth = std::function<TruthAtPoint(const Hit& hit, std::uint64_t number)>;
 
 /// Compares the smooth shading of `radiosity` [W/m^2 per patch] with the truth at `points` points, except those on the
-/// sky and those that another surface covers. The points come from a fixed Sobol' sequence: equal parts of them are
-/// distributed by area, evenly over the patches, and in proportion to the power that the patches reflect according to
-/// `guide`, an approximate radiosity [W/m^2 per patch]. The product of the deviations from two independent estimates
-/// has the square of the true deviation as its mean, however noisy the estimates are.
+/// sky and those on which something stands or which lie inside a solid, see is_covered(). The points come from a fixed
+/// Sobol' sequence: equal parts of them are distributed by area, evenly over the patches, and in proportion to the
+/// power that the patches reflect according to `guide`, an approximate radiosity [W/m^2 per patch]. The product of the
+/// deviations from two independent estimates has the square of the true deviation as its mean, however noisy the
+/// estimates are.
 ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
                        const Truth& truth, std::uint64_t points, int threads);
 
@@ -65,12 +66,13 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
 Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
                         int threads);
 
-/// Discretisation error, the part of the error that more lines do not reduce. Each of two independent solutions by line
-/// reuse is compared with light gathered from itself; in the product of the two deviations the noise of the lines has
-/// mean 0. Errors of the patch averages are not included; they are small, as a point gathers light from many patches.
-/// Uses 4096 points, then 16,384, then 65,536, but no more once the root is at least `enough` [1], or its upper bound
-/// is not above `enough`. `memory` [bytes] is for solving. `progress` reports the fractions 0 ... 0.8, those of the two
-/// solutions. The result is the same for any number of threads. Throws InputError if the scene has no solution.
+/// Discretisation error, the part of the error that more lines do not reduce. Two independent solutions by line reuse
+/// give two deviations at each point: smooth shading minus final gathering from the same solution. The noise of the
+/// lines adds nothing to the mean of their product. Not included are the errors of the patch averages from which the
+/// light is gathered; their effect is small, as a point receives light from many patches. Uses 4096 points, then
+/// 16,384, then 65,536; goes on only while `enough` [1] lies between root() and root_upper_bound(). `memory` [bytes] is
+/// for solving. `progress` reports the fractions 0 ... 0.8, those of the two solutions. The result is the same for any
+/// number of threads. Throws InputError if the scene has no solution.
 ShownError patch_error(const Scene& scene, double enough, double memory, int threads, const ProgressCallback& progress);
 
 } // namespace multipath

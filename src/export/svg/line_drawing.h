@@ -15,7 +15,7 @@ struct DrawnSegment
 {
     Vec3 from;
     Vec3 to;
-    bool bold = false; ///< the segment carries power
+    bool bold = false; ///< drawn solid and thick; other segments are dashed and thin
 };
 
 /// A line and the points where it meets surfaces. A ring marks its start, an arrowhead its end.

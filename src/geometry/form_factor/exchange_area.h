@@ -10,7 +10,7 @@ struct FlatPiece
     Surface surface;
     Vec3 normal;         ///< unit normal on the front side
     Vec3 centre;         ///< centroid
-    double area = 0.0;   ///< [m^2]
+    double area = 0.0;   ///< [m^2]; a scene unit counts as a metre
     double radius = 0.0; ///< [scene units] from the centre to the farthest corner
     /// Uniform random points of the surface have the covariance (u u^T + v v^T) / 12 with u = spread_u and v = spread_v
     /// [scene units]. For a parallelogram they are the edges, for a triangle linear combinations of its edges.

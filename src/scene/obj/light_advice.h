@@ -45,15 +45,14 @@ struct LightAdvice
 {
     std::string lamp;                ///< material or object to be made a lamp; empty: use a sky
     double lamp_area = 0.0;          ///< [m^2] area of the surfaces of the lamp
-    std::vector<std::string> others; ///< the other candidates by name, the most likely first
-    /// [1] Estimated share of the lamp's light that reaches fronts of other surfaces; for a sky, the estimated share of
-    /// light that would leave the scene if all fronts emitted, which is how much of the sky they see.
+    std::vector<std::string> others; ///< the other names in LampCandidates::by_name, the most likely first
+    /// [1] Estimated share of the lamp's light that reaches fronts of other surfaces; for a sky, the mean view factor
+    /// from the fronts to the sky, estimated as the share of cosine-distributed rays that leave the scene.
     double lit_share = 0.0;
 };
 
-/// Proposes a candidate by name, else a sky if fronts see out of the scene, else one of the largest materials. Up to
-/// four candidates of either list are tried. The first choice whose lit_share is at least 5 % is taken; if there is
-/// none, the choice with the largest share.
+/// Tries up to four of LampCandidates::by_name, then a sky, then up to four of LampCandidates::materials, and proposes
+/// the first whose lit_share is at least 5 %; if there is none, the one with the largest share.
 LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& scene);
 
 /// An option that lights a scene, with estimates of the light.
