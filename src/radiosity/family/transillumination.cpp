@@ -1,7 +1,7 @@
 // A bundle is a set of parallel lines that start at the points of a shifted Fibonacci lattice on a rectangle across
-// their direction. Along each line, all pairs of patches that it joins exchange power: their radiosity times the section of the
-// rectangle that a line represents, times a constant over the number of directions (P1). Each iteration uses one or
-// more directions, and the mean of the iterations is the result (JacobiIterations).
+// their direction. Along each line, all pairs of patches that it joins exchange power: their radiosity times the
+// section of the rectangle that a line represents, times a constant over the number of directions (P1). Each iteration
+// uses one or more directions, and the mean of the iterations is the result (JacobiIterations).
 
 #include "radiosity/family/transillumination.h"
 
