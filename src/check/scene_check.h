@@ -8,10 +8,10 @@
 
 namespace multipath {
 
-/// Least share [1] of the power of the sources, or of the area of the surfaces, with which a finding is an error: the
-/// result is wrong. A finding about a smaller share changes less than one step of an 8-bit picture, and less than the
-/// noise of most runs. The share does not matter for some kinds: "trapped" is always an error, while "open",
-/// "reflectance" and findings without a share are always remarks.
+/// Least share [1] of the power of the sources, or of the area of the surfaces, at which a finding is an error: the
+/// fault makes the result wrong. A fault with a smaller share changes the result by less than one step of an 8-bit
+/// picture, and by less than the noise of most runs. The share does not matter for some kinds: "trapped" is always an
+/// error, while "open", "reflectance" and findings without a share are always remarks.
 constexpr double share_that_matters = 0.005;
 
 /// A diagnostic about a scene. Findings of the same cause are merged into one, whose message says how many there are.
@@ -22,7 +22,7 @@ struct Finding
     std::string place; ///< file and line of the first or worst case ("room.obj:12"); the file alone if no line is known
     std::string message;      ///< one line: the fault, and its remedy if it needs one
     double power_share = 0.0; ///< share [1] of the source power that is concerned; 0 if the finding is not about power
-    double area_share = 0.0;  ///< share [1] of the area of all surfaces concerned; 0 if the finding is not about area
+    double area_share = 0.0;  ///< share [1] of the total surface area that is concerned; 0 if not about area
 };
 
 /// Diagnoses what is suspicious about the physics of a scene: lost light, sources that light nothing, faces that hide

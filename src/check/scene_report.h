@@ -69,8 +69,9 @@ struct SceneReport
 /// Default number of lines of `check`. The report of `paper` takes as many, so that both print the same figures.
 constexpr std::uint64_t report_lines = 1u << 20;
 
-/// Measures each figure with about `wanted_lines` lines, or with fewer in scenes where hundreds of surfaces coincide or
-/// follow each other along a line. Deterministic; the result does not depend on `threads`.
+/// Measures each figure with about `wanted_lines` >= 1 lines, and the direct light also with shadow rays
+/// (measure_direct_light). Casts fewer lines in scenes where, on the average, more than 16 surfaces coincide or follow
+/// each other along a line (depth_complexity.h). Deterministic; the result does not depend on `threads`.
 SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int threads);
 
 } // namespace multipath

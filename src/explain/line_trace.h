@@ -18,8 +18,9 @@
 // docs/equations.md. Unshot power is power that a patch has not yet sent on. The forecast (G3) is the part of the
 // unshot power that each global line leaving the patch carries.
 //
-// Besides the errors named below, all functions that trace throw SettingsError for a sequence with too few items or if
-// power_by_line asks for more rays than the run has lines, and std::invalid_argument for an unknown sequence.
+// Besides the errors named below, all functions that trace throw std::invalid_argument for an unknown sequence, and
+// SettingsError for a sequence with too few items. Those that run the first shot also throw SettingsError if its first
+// pass needs more rays of power_by_line than the run has lines.
 
 namespace multipath {
 

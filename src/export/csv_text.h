@@ -56,8 +56,8 @@ struct CsvTable
 /// is for messages.
 CsvTable parse_csv(std::string_view text, const std::string& path);
 
-/// Parses a CSV file. Throws InputError like parse_csv(), and if the file cannot be read, is UTF-16 text, or has a line
-/// longer than 16 MiB.
+/// Parses a CSV file, whose lines may also end in CR alone. Throws InputError like parse_csv(), and if the file cannot
+/// be read, is UTF-16 text, or has a line longer than 16 MiB.
 CsvTable read_csv(const std::string& path);
 
 } // namespace multipath

@@ -10,10 +10,10 @@
 
 namespace multipath {
 
-/// A solution as CSV, one row per patch: surface, material, centre, normal, area, reflectance, emittance and radiosity
-/// [W/m^2]. Numbers have 17 significant digits, from which the same doubles are read back. `standard_error` [W/m^2]
-/// fills three more columns unless it is empty. Patches of the sky have area 0. The comments become `# ` lines before
-/// the header.
+/// A solution as CSV, one row per patch: index of the patch, index of its surface, material, centre, normal, area,
+/// reflectance, emittance and radiosity [W/m^2]. Numbers have 17 significant digits, from which the same doubles are
+/// read back. `standard_error` [W/m^2] fills three more columns unless it is empty. Patches of the sky have area 0. The
+/// comments become `# ` lines before the header.
 std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
                         const std::vector<std::string>& comments, int threads = 1);
 

@@ -51,8 +51,9 @@ double exp2(double x); ///< exact for integers x
 double log(double x);
 double log2(double x);  ///< relative error below 6.6e-16; exact for powers of 2
 double log10(double x); ///< relative error below 6.6e-16; exact for powers of 10 from 1e-22 to 1e22
-/// x^y. Integer powers with |y| <= 1024 are computed by repeated squaring and are exact if all products are. Other
-/// powers are NaN if x < 0, and have a relative error below 4.4e-16 + 1e-15 |y ln x| if x >= 0.
+/// x^y. Integer powers with |y| <= 1024 are computed by repeated squaring and are exact if all products are; for
+/// y < 0 the reciprocal of x^|y| is rounded. Other powers are NaN if x < 0, and have a relative error below 4.4e-16 +
+/// 1e-15 |y ln x| if x >= 0.
 double pow(double x, double y);
 double sin(double x); ///< absolute error below 4e-16 for |x| <= 2 pi; relative error below 4.4e-16 for |x| <= 1
 double cos(double x); ///< errors as for sin()

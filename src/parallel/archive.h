@@ -11,7 +11,7 @@
 
 namespace multipath {
 
-/// Error: a saved state is damaged or belongs to other work. The message is one line.
+/// Error: a saved state cannot be read, is damaged or belongs to other work. The message is one line.
 class ArchiveError : public std::runtime_error
 {
 public:
@@ -81,14 +81,14 @@ public:
         transfer<Number>(name, &value, 1);
     }
 
-    /// Writes or reads a list. When it is read, the list must already have the length of the array.
+    /// Writes or reads a list. When it is read, the list must already have the length of the written list.
     template <class Number, class List>
     void list(std::string_view name, List& values)
     {
         transfer<Number>(name, values.data(), values.size());
     }
 
-    /// Writes or reads a list of any length. When it is read, the list is resized to the length of the array.
+    /// Writes or reads a list of any length. When it is read, the list is resized to the length of the written list.
     template <class Number, class List>
     void growing_list(std::string_view name, List& values)
     {

@@ -15,8 +15,8 @@ namespace multipath {
 /// fast processors test the code for slower ones.
 bool usable(std::string_view instruction_set);
 
-/// Those of several equivalent kernels that are usable, in the given order. The member `name` of a kernel is the name
-/// of its instruction set.
+/// Selects the usable ones from several equivalent kernels, in the given order. The member `name` of a kernel is the
+/// name of its instruction set.
 template <class Kernel>
 std::vector<const Kernel*> usable_kernels(std::initializer_list<const Kernel*> kernels)
 {

@@ -7,7 +7,8 @@
 namespace multipath {
 
 /// Figures of the direct illumination of a scene, for the optimal ratio of local to global lines (optimal_ratio). A_T
-/// is the total area of the scene. Colours enter as the mean of their channels.
+/// is the total area of the scene. Colours enter as the mean of their channels. With a sun, sunlit patches are sources
+/// of the light that they reflect; the sunlight itself counts as received power, but not for lit_fraction.
 struct DirectLight
 {
     double lit_fraction = 0.0; ///< [1] f: area of the patches that receive any direct light, over A_T

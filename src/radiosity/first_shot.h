@@ -26,7 +26,7 @@ struct Shot
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            const RunControl& run, PowerState& state);
 
-/// Adds the power of all rays but the first `rays_sent` to the unshot power of their shooters again.
+/// Adds the power of all rays but the first `rays_sent` back to the unshot power of their shooters.
 void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state);
 
 /// Saves the shots to a checkpoint or restores them. Throws ArchiveError for a patch that does not exist.

@@ -53,6 +53,7 @@ private:
 class Particles
 {
 public:
+    /// `seed`: of the random numbers after the first segments. The scene must outlive this object.
     Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t seed);
 
     std::uint64_t count() const { return first_particle_.back(); }
@@ -101,7 +102,7 @@ std::uint64_t particles_together(const Scene& scene);
 Particles plan_particles(const Scene& scene, const std::function<std::vector<Shot>(std::uint64_t particles)>& shots,
                          std::uint64_t lines, std::uint64_t seed, int threads);
 
-/// The same for particles of equal power that carry all unshot power of `state`.
+/// The same for particles of about equal power (see plan_shots) that carry all unshot power of `state`.
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads);
 
@@ -118,7 +119,7 @@ struct LocalOptions
     std::uint64_t seed = 0;       ///< seed of the random numbers after the first segments
 };
 
-/// Phi_T local Monte Carlo ((L1) in docs/equations.md): particles of equal power carry away all unshot power of
+/// Phi_T local Monte Carlo ((L1) in docs/equations.md): particles of about equal power carry away all unshot power of
 /// `state`. They are reflected with probability rho, and continue from a uniform point of the patch that they hit.
 /// Returns the number of segments. The noise of Russian roulette goes into PowerState::surplus. If the run is stopped,
 /// the power of particles that did not start stays unshot. The caller must save `state` in the checkpoint; this

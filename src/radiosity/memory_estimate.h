@@ -4,9 +4,9 @@
 
 namespace multipath {
 
-/// [bytes] Peak memory of a run of any method for so many surfaces and patches, without the table of all pairs of
-/// patches that the method `reuse` may make (reuse_bytes()). An empirical formula. Takes real numbers, since estimated
-/// sizes may exceed the integer types.
+/// [bytes] Peak memory of a run with so many surfaces and patches, by any method but `reuse`. That method needs more:
+/// reuse_bytes() in addition if it makes a table of all pairs of patches, otherwise at least min_balanced_bytes() in
+/// total. An empirical formula. Takes real numbers, since estimated sizes may exceed the integer types.
 double run_bytes(double surfaces, double patches);
 
 /// [bytes] Peak memory for making an interactive page with so many surfaces and patches: all quantities that the page

@@ -44,7 +44,8 @@ struct MethodInfo
     /// Sets the part of Preparation (solve.h) that the method needs. Null if it needs none.
     void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr;
     FirstShot (*first_shot)(const SolveOptions&) = nullptr; ///< null: the method has none
-    /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`.
+    /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`. In
+    /// "extended:PASS", PASS stands for the number of a pass.
     std::string_view traced = {};
     /// For a method whose `traced` is empty: name of the method whose lines the interactive page shows instead.
     std::string_view traced_as = {};

@@ -19,7 +19,7 @@ struct Solution
     std::vector<Rgb> unshot;
     PowerBalance balance;
     std::uint64_t local_lines = 0;       ///< N_l, number of rays from patches
-    std::uint64_t global_lines = 0;      ///< N_g, number of global lines charged: those that meet the scene's box (N1)
+    std::uint64_t global_lines = 0;      ///< N_g, number of lines charged: those expected to meet the scene's box (N1)
     std::uint64_t global_lines_cast = 0; ///< number of global lines cast, including those that miss the box
     std::vector<ShotPass> shot_passes;   ///< passes of the first shot; with replicates, those of the first one
     std::uint64_t all_lines = 0; ///< lines charged in total, including those of earlier rounds that led to this result
@@ -35,8 +35,9 @@ struct Solution
     void visit(Archive& archive, std::uint32_t patches);
 };
 
-/// The mean of independent solutions of one scene, weighted by their lines (all_lines). It has standard errors if all
-/// parts have them; shot_passes and replicates are those of the first part. `parts` must not be empty.
+/// The mean of independent solutions of one scene, weighted by their lines (all_lines); its numbers of lines are the
+/// sums of theirs. It has standard errors if all parts have them; shot_passes and replicates are those of the first
+/// part. `parts` must not be empty.
 Solution combined(const Scene& scene, const std::vector<Solution>& parts);
 
 /// The outermost part (Checkpoint::Part) of every run that can be interrupted and resumed. The run consists of pieces:

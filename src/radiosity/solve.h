@@ -13,7 +13,8 @@
 namespace multipath {
 
 /// Called now and then with the finished fraction of the work, 0 ... 1. The fraction never decreases during one call of
-/// solve(); rounds and further runs begin at 0 again. The calls come from any thread, but one at a time.
+/// solve(). It begins at 0 again in each round of solve_in_rounds() and in the second run of solve_incrementally(). The
+/// calls come from any thread, but one at a time.
 using ProgressCallback = std::function<void(double done)>;
 
 /// Data shared by all runs of a scene whose options differ only in seed and lines. The method decides which of them are
@@ -36,9 +37,9 @@ Preparation prepare(const Scene& scene, const SolveOptions& options);
 ///
 /// Throws SettingsError for a sequence with too few items, for a first shot whose first pass needs more rays of
 /// power_by_line than there are lines, for more lines than `reuse` can count, and for a shard with too few lines per
-/// patch. Throws InputError for a shard whose counts do not fit into the memory, and if the equations have no sound
-/// solution. Throws std::invalid_argument for a sequence that cannot be made, and ArchiveError if the checkpoint does
-/// not fit.
+/// patch. Throws InputError for a shard whose counts do not fit into the memory, if the equations have no sound
+/// solution, and if the lines are too few to distribute all power of the sources. Throws std::invalid_argument for a
+/// sequence that cannot be made, and ArchiveError if the checkpoint does not fit.
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 

@@ -37,15 +37,15 @@ inline PointSet points_of(const Sequence& sequence, std::uint64_t first, std::ui
 // and quasi-Monte Carlo methods" (1992), theorem 2.6; De Clerck, "A method for exact calculation of the star
 // discrepancy of plane sets" (1986).
 
-/// L2 star discrepancy of N points in d dimensions, in O(N^2 d) time.
+/// L2 star discrepancy of N >= 1 points in d dimensions, in O(N^2 d) time.
 double l2_star_discrepancy(const PointSet& points);
 
 /// Root mean square of the L2 star discrepancy of N = `count` independent uniform points: sqrt((2^-d - 3^-d) / N), from
 /// the variance of the indicator of a box averaged over all boxes.
 double random_l2_star_discrepancy(std::size_t count, int dimensions);
 
-/// Exact star discrepancy of N points, in O(N log N) time in one dimension and O(N^2) in two. std::nullopt for points
-/// of more dimensions.
+/// Exact star discrepancy of N >= 1 points, in O(N log N) time in one dimension and O(N^2) in two. std::nullopt for
+/// points of more dimensions.
 std::optional<double> star_discrepancy(const PointSet& points);
 
 } // namespace multipath

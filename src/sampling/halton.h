@@ -14,8 +14,8 @@ namespace multipath {
 double radical_inverse(std::uint64_t base, std::uint64_t n);
 
 /// Computes radical inverses in one base fast: a table holds the radical inverses of the low digits, to which the
-/// contribution of the high digits is added. The result differs from radical_inverse by at most one unit in the last
-/// place.
+/// contribution of the high digits is added. In bases up to 1024 the result differs from radical_inverse by less than
+/// 2^-50.
 class RadicalInverse
 {
 public:

@@ -49,7 +49,8 @@ std::uint64_t bits_from(const Item& item);
 enum class Pairing { four_dimensional, two_dimensional };
 
 /// A kind of sequence, a row of the table in sequence.cpp. In the name of a sequence, arguments may follow the name of
-/// its kind: a list of pairwise coprime bases as in `halton:2,7,3,5`, or a number of points as in `hammersley:4096`.
+/// its kind: a list of pairwise coprime bases as in `halton:2,7,3,5`, a number of points as in `hammersley:4096`, or
+/// both as in `hammersley:4096:2,7,3`.
 struct SequenceKind
 {
     std::string_view name;

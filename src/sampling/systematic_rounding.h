@@ -5,11 +5,11 @@
 
 namespace multipath {
 
-/// Systematic sampling (Madow and Madow 1944): rounds the expected numbers of items that many recipients get to whole
-/// numbers at random. The expected numbers are added up one after the other, starting from an offset. A recipient's
-/// rounded number is how many integers the running sum reaches or passes when the recipient's own term is added. If the
-/// offset is uniform in [0, 1), the mean of each rounded number is the expected number, and the sums of all rounded and
-/// all expected numbers differ by less than 1.
+/// Systematic sampling (Madow and Madow 1944): items go to many recipients, and each recipient's expected number of
+/// items is rounded at random to a whole number. The expected numbers are added up one after the other, starting from
+/// an offset. A recipient's rounded number is how many integers the running sum reaches or passes when the recipient's
+/// own term is added. If the offset is uniform in [0, 1), the mean of each rounded number is the expected number, and
+/// the sums of all rounded and all expected numbers differ by less than 1.
 class SystematicRounding
 {
 public:

@@ -11,9 +11,9 @@ namespace multipath {
 void add_sky(SceneFile& file, Rgb emittance);
 
 /// The sun at an azimuth [degrees], clockwise from north, and an elevation [degrees] above the horizon. North is -z if
-/// y is up, as in exported files, and +y if z is up; east is +x in both cases. For another `up`, north is -z projected
-/// onto the horizontal plane, or +y if `up` is within 26 degrees of the z axis. `irradiance` [W/m^2] is that of a plane
-/// facing the sun.
+/// y is up, as in exported files, and +y if z is up; east is +x in both cases. For another `up`, north is the
+/// projection of -z onto the horizontal plane, or that of +y if `up` is within about 26 degrees of the z axis.
+/// `irradiance` [W/m^2] is that of a plane facing the sun.
 Sun sun_at(double azimuth, double elevation, Vec3 up, Rgb irradiance);
 
 } // namespace multipath

@@ -22,7 +22,8 @@ struct CoincidentFaces
 struct CoincidentPairs
 {
     std::vector<CoincidentFaces> pairs; ///< first < second in each pair; sorted by first, then by second
-    bool complete = true; ///< false if more than `most` pairs were found, or only some of the surfaces were tested
+    /// False if find_coincident_faces() found more than `most` pairs, or tested only some of the surfaces.
+    bool complete = true;
 };
 
 /// Finds overlapping coplanar surfaces by testing sample points of each surface; returns at most `most` pairs. Small

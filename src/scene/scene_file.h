@@ -27,7 +27,8 @@ struct SceneFile
     std::string path;
     std::vector<std::string> material_files; ///< paths of all MTL files that were read, even if no face uses them
     std::vector<Material> materials;
-    /// Names in `o` and `g` statements, in order of appearance; "" for faces before the first.
+    /// Names in `o` and `g` statements that apply to a face, in order of appearance; "" for faces before the first such
+    /// statement. add_sky() appends "sky".
     std::vector<std::string> groups;
 
     /// `surfaces`, `material`, `group` and `line` have one entry per surface. The surfaces are in the order of their

@@ -12,7 +12,7 @@
 namespace multipath {
 
 /// A corner point of a grid on a surface: i steps along u and j along v. The grid of a Tessellation has cells_u by
-/// cells_v steps. Points from Tessellation::corners() count the steps of a finer grid, grid_u() by grid_v().
+/// cells_v steps. Points from Tessellation::corners() count steps of the finest grid, grid_u() by grid_v().
 struct GridPoint
 {
     std::uint32_t i = 0;
@@ -96,7 +96,7 @@ struct Tessellation
     CellCorners corners(std::uint32_t cell) const;
     std::uint32_t grid_u() const { return cells_u << depth(); }
     std::uint32_t grid_v() const { return cells_v << depth(); }
-    /// The cell as a surface. All cells of a level have the same area, a quarter of that of cells one level lower
+    /// The cell as a surface. All cells of a level have the same area, a quarter of the area of a cell one level lower
     /// (level - 1).
     Surface cell(const Surface& surface, std::uint32_t cell) const;
     /// The grid with each of its cells divided into 4^level, without trees.
@@ -168,9 +168,9 @@ Tessellation tessellate(const Surface& surface, double patch_size);
 double cell_count(const SurfaceList& surfaces, double patch_size);
 
 /// The default patch size [scene units], a round number: 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
-/// The search starts at the largest one up to s = sqrt(A / 2500), where A is the total area; it gives at least about
-/// 2500 patches. It goes on to the next round number, up to 3 s, while there are more than 4000 patches, and then
-/// without limit while there are more than 2^17 + 8 * (number of surfaces) patches.
+/// The search starts at the largest round number up to s = sqrt(A / 2500), where A is the total area; this size gives
+/// at least about 2500 patches. The search goes on to the next round number, up to 3 s, while there are more than 4000
+/// patches, and then without limit while there are more than 2^17 + 8 * (number of surfaces) patches.
 double default_patch_size(const SurfaceList& surfaces);
 
 /// The smallest patch size [scene units], found by bisection, that gives at most `wanted` patches. If there are more

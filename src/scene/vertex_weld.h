@@ -16,8 +16,8 @@ namespace multipath {
 LargeVector<std::uint32_t> weld(const LargeVector<Vec3>& vertices);
 
 /// Integer coordinates of the grid point that is nearest to `point`; the spacing of the grid is 1e-7 of the diagonal of
-/// `bounds`. Corners that are computed from edges differ by rounding; snapped they are equal, except in the rare case
-/// that they lie closest to different grid points.
+/// `bounds`. Coinciding corners that are computed from different edges differ by rounding; once snapped they are equal,
+/// except in the rare case that they lie closest to different grid points.
 Vec3 snapped(Vec3 point, const Bounds& bounds);
 
 } // namespace multipath

@@ -52,7 +52,7 @@ struct PublishedBudget
     double average_reflectance;   ///< R_ave: mean over the scene
     double secondary_reflectance; ///< R_s': mean over the surfaces that the lamp lights
     double lit_fraction;          ///< f: share of the area that the lamp lights
-    double intersections;         ///< n_int: surfaces that a line through the convex hull of the scene crosses, mean
+    double intersections;         ///< n_int: mean number of surfaces crossed by a line through the convex hull
     double ratio;                 ///< N_l / N_g
 };
 

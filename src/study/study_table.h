@@ -19,7 +19,7 @@ std::string scientific(double value);
 std::string slope_words(const std::optional<PowerLaw>& law);
 
 /// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
-/// Pairing, chords and line order are appended if another curve of the same method differs in them. A pairing other
+/// Pairing, chords and line order are each appended if another curve of the same method differs in it. A pairing other
 /// than 4d is always appended.
 std::string curve_label(const Study& study, const Curve& curve);
 
@@ -39,8 +39,8 @@ std::string study_text(const Study& study);
 /// executions), pairing, chords and line_order. The comments come first.
 std::string study_csv(const Study& study, const std::vector<std::string>& comments);
 
-/// Reads a study from a file that study_csv() wrote, and repeats the fits. Throws InputError for a file that is no
-/// table or whose rows lack one of the columns.
+/// Reads a study from a file that study_csv() wrote, and repeats the fits. A table without rows gives a study without
+/// curves. Throws InputError for a file that is no table or whose rows lack one of the columns.
 Study read_study(const std::string& path);
 
 } // namespace multipath

@@ -34,7 +34,7 @@ constexpr double largest_shared = 65408.0;
 /// unpacked value.
 struct PackedLight
 {
-    double unit = 1.0; ///< a power of two; 1 if no channel is positive
+    double unit = 1.0; ///< a power of two; 1 if no finite channel is positive
     std::string words; ///< a Uint32Array, one word per colour
 };
 

@@ -39,11 +39,11 @@ struct ViewerStage
     std::vector<Rgb> radiosity; ///< [W/m^2] per patch
 };
 
-/// Power that a patch sends along one segment of a traced line, between two successive hits. The power sent is
-/// `forecast` + `held`.
+/// Power that a patch sends along one segment of a traced line. For a step of a gathering walk: power that the patch
+/// where the step ends contributes to the patch where the walk starts. The power sent is `forecast` + `held`.
 struct ViewerTransfer
 {
-    std::size_t segment; ///< index among the segments of the line
+    std::size_t segment; ///< index into DrawnLine::segments
     std::uint32_t from;  ///< patch that sends the power
     std::uint32_t to;    ///< patch that receives the power; Scene::no_patch if the power is lost
     /// [W] On a global line the part of its unshot power that the patch adds to each line, (G3) in docs/equations.md;

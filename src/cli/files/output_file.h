@@ -64,7 +64,7 @@ private:
 
     std::string name_;
     std::string target_;    ///< path without symbolic links at its end
-    std::string temporary_; ///< empty: the target is written directly, or the file was committed
+    std::string temporary_; ///< empty: target written directly, or file committed, discarded or moved from
     Unfinished unfinished_; ///< registers the temporary file with the signal handlers
     int descriptor_ = -1;   ///< -1: committed, discarded or moved from
 };

@@ -5,8 +5,8 @@
 
 namespace multipath {
 
-/// A temporary output file: ".NAME.XXXXXX.part" in the folder of its target. It is locked (flock) while its descriptor
-/// is open.
+/// A temporary output file, to be renamed to its target NAME once it is complete: ".NAME.XXXXXX.part" in the folder of
+/// the target, with at most 200 bytes of NAME. The file is locked (flock) while its descriptor is open.
 struct PartFile
 {
     std::string path;

@@ -101,7 +101,7 @@ class CommandLine
 {
 public:
     /// Reads the arguments that follow the name of the command, GNU style. Throws UsageError. Stops at `--help` or
-    /// `-h`: has("help") is true then, and neither the arguments after it nor the number of operands have been checked.
+    /// `-h`: has("help") is true then, and neither the arguments after it nor the operands have been checked.
     CommandLine(const CommandTable& table, const std::vector<std::string>& arguments);
 
     /// True if the option was given; its default does not count. The command must have the option.

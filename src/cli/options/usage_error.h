@@ -19,8 +19,8 @@ public:
 std::string quoted_argument(std::string_view text);
 
 /// The text "; did you mean CANDIDATE?" with the candidate that `word` most likely misspells or begins; "" if none is
-/// close. A misspelt word of n letters may have n / 3 errors, but always one. An error is a wrong, missing or surplus
-/// letter, or two neighbours swapped.
+/// close. A misspelt word of n letters may have up to max(1, n / 3) errors. An error is a wrong, missing or surplus
+/// letter, or two neighbours swapped. Leading dashes and upper or lower case make no difference.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 /// The words as a list: "a, b, c". `before_last` replaces the last comma: "a, b or c" for " or ".

@@ -7,10 +7,10 @@
 
 namespace multipath {
 
-// Traced lines (explain/line_trace.h) as lines of a drawing, in the order of the trace. A segment of a ray, particle or
-// walk is bold if it ends on a patch, except those within a patch, from an arrival to the start of the next ray. A
-// segment of a global line is bold if it joins two patches. A ray that leaves the scene is drawn for a fifth of the
-// diagonal of the scene.
+// Traced lines (explain/line_trace.h) as lines of a drawing, in the order of the trace. A ray, also one of a particle
+// or walk, is bold if it ends on a patch; the segment within the patch, from there to the start of the next ray, is not
+// bold. A segment of a global line is bold if it joins two patches. A ray that leaves the scene is drawn for a fifth of
+// the diagonal of the scene.
 
 std::vector<DrawnLine> drawn_lines(const std::vector<GlobalLine>& lines);
 std::vector<DrawnLine> drawn_lines(const Scene& scene, const ShotTrace& trace);

@@ -9,16 +9,15 @@
 
 namespace multipath {
 
-/// Breaks a text between words into lines of at most 110 columns; only a longer word exceeds them. The first line
-/// begins with `first` spaces, the others with `others` spaces.
+/// Breaks a text between words into lines of at most 110 columns, each with its line feed; only a longer word exceeds
+/// the limit. The first line begins with `first` spaces, the others with `others` spaces.
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others);
 
-/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ. The spaces are tied: wrapped() does not break a line at
-/// them.
+/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ. Each space is stored as a control character, at which
+/// wrapped() breaks no line and which it replaces by a space.
 std::string watts(Rgb power);
 
-/// "table_top (line 12)", as `check` names surfaces: the group, or the material if the group has no name, and the line
-/// of the scene file.
+/// "table_top (line 12)": the group, or the material if the group has no name, and the line of the scene file.
 std::string surface_name(const Scene& scene, std::uint32_t surface);
 /// "patch 12 of table_top (line 12)", with ", its back" for a patch on the back of a surface.
 std::string patch_name(const Scene& scene, std::uint32_t patch);

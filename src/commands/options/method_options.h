@@ -18,12 +18,12 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 /// The options of the method for `solve`, with `reuse` and the options --lines and --important.
 OptionGroup solve_method_group();
 
-/// Reads the options of the method. `line_count`: name of the option for the total number of lines. `--lines auto` is
-/// left to settle_lines(), since it depends on the scene. Throws UsageError.
+/// Reads --memory and the options of the method. `line_count`: name of the option for the total number of lines. The
+/// options that depend on the scene are left out: `--lines auto` is for settle_lines(), --important for the caller.
+/// Throws UsageError.
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count);
 
-/// Reads the options of the method except method, sequence, pairing, line order, chords and number of lines. Throws
-/// UsageError.
+/// The same without method, sequence, pairing, line order, chords and number of lines. Throws UsageError.
 SolveOptions read_settings(const CommandLine& line);
 
 /// The number of lines that `--lines auto` takes for the scene, as text such as "2^21": the smallest power of two that

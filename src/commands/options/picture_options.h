@@ -46,7 +46,7 @@ std::vector<ShownQuantity> shown_quantities();
 /// One of several views, each with a picture of its own.
 struct View
 {
-    std::string name; ///< name of its file without folder and extension
+    std::string name; ///< name of its --camera file, without folder and extension
     Camera camera;
 };
 

@@ -47,7 +47,8 @@ private:
 /// The options --adaptive, --replicates, --tolerance and --time.
 OptionGroup accuracy_option_group();
 
-/// Reads the options of the accuracy except --adaptive. Throws UsageError.
+/// Reads the options of accuracy_option_group() except --adaptive, and --lines as Accuracy::most_lines. Throws
+/// UsageError, also for replicates of a --sequence that cannot be randomised.
 Accuracy read_accuracy(const CommandLine& line);
 
 /// Solves once, in replicates (solve_incrementally), or in rounds until RoundLimit stops them. `shard`: the part of the

@@ -52,10 +52,10 @@ public:
     std::string lightmap_png();
     std::string file_name;                 ///< name of the current output, without folder
     const PatchMesh& mesh();               ///< mesh with the radiosity at its corners
-    const PatchMesh& plain_mesh();         ///< the same with the radiosity without the detail of textures
+    const PatchMesh& plain_mesh();         ///< the same, but without the detail of textures in the radiosity
     double mesh_scale();                   ///< [m^2/W] scale by picture_scale(), for the colours of PLY and OBJ meshes
     ScreenColour mesh_colour();            ///< function from radiosity to the colours of these meshes
-    std::vector<GlbCamera> mesh_cameras(); ///< one for each view
+    std::vector<GlbCamera> mesh_cameras(); ///< one for each view, or the only camera if options.views is empty
     std::vector<std::string> mesh_comments(); ///< the comments, and one with mesh_scale()
 
 private:
@@ -113,7 +113,7 @@ std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>&
                                                  const std::vector<View>& views);
 
 /// Writes every output in its format and commits all. Throws OutputError. Throws InputError if a format cannot hold the
-/// result, and for a grid that has no points or more than a million.
+/// result, and SettingsError for a grid that has no points or more than a million.
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);
 
 } // namespace multipath

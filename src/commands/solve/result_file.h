@@ -16,11 +16,11 @@ struct ResultFile
     std::unique_ptr<const Scene> scene; ///< for a state; otherwise null
 
     /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, and InputError for a run
-    /// of which no piece is finished (see finished_solution).
+    /// of which no piece or round is finished (see finished_solution).
     explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
 };
 
-/// True if two scenes have the same surfaces and sides; their patches may differ.
+/// True if two scenes have the same surfaces, and both or neither are two-sided; their patches may differ.
 bool have_same_surfaces(const Scene& a, const Scene& b);
 
 } // namespace multipath

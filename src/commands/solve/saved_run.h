@@ -69,7 +69,8 @@ struct SavedRun
     const std::string& name() const { return arrays->name(); }
 };
 
-/// Reads a state file. Throws ArchiveError for a file that cannot be read, is no state file, or is damaged.
+/// Reads a state file. Throws ArchiveError for a file that cannot be read, is no state file, was written by a newer
+/// version, or is damaged.
 SavedRun read_saved_run(const std::string& path);
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 

@@ -22,8 +22,8 @@ std::vector<ViewerChapter> viewer_chapters(const TracedRun& run);
 std::vector<std::uint64_t> stage_lines(std::uint64_t lines, std::uint32_t patches);
 
 /// The radiosity with each of these numbers of lines: each is solved by a run of its own with these options. A number
-/// is left out if the method cannot work with so few lines or finds no light. `progress` is called with the share of
-/// the work that is done.
+/// is left out if the method cannot work with so few lines, or if no surface absorbs light in the solution. `progress`
+/// is called with the share of the work that is done.
 std::vector<ViewerStage> solve_stages(const Scene& scene, const SolveOptions& options,
                                       const std::vector<std::uint64_t>& lines, const ProgressCallback& progress);
 

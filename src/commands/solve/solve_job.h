@@ -39,12 +39,12 @@ void require_results_possible(const SolveJob& job, const Scene& scene, const std
 
 /// Solves, or resumes the run of the keeper; writes the outputs and prints the summary. Returns the exit code. A run
 /// that the user interrupts writes its partial results. Throws InputError if no light reaches any surface in a complete
-/// run.
+/// run, and for a shard of `reuse` if no work is left for it.
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
               Shard shard);
 
-/// Writes the outputs of a solution. `state`: the bytes for outputs that are states; must not be empty if there are
-/// any.
+/// Writes the outputs of a solution. `state`: the bytes of the state files among the outputs; may be empty if there are
+/// no such files.
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state);
 

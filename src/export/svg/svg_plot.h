@@ -31,7 +31,7 @@ struct MarkStyle
 constexpr double mark_radius = 4.5;
 
 /// Mark of a series. The marks of the first 96 series differ: they are all pairs of twelve shapes and eight colours
-/// (Okabe and Ito, brown for yellow).
+/// (those of Okabe and Ito, but dark grey instead of black and brown instead of yellow).
 MarkStyle svg_series_mark(std::size_t series);
 
 /// One mark per point, all in one path. Filled marks have a white rim, which separates overlapping marks. `hollow`:

@@ -25,7 +25,8 @@ FlatPiece piece_of(const Surface& surface);
 /// pairs of points whose fronts see each other. This is 1 / pi times the measure of the lines from the front of a to
 /// the front of b. A corner of one surface within `touching` [scene units] of the plane of the other counts as in the
 /// plane. For two surfaces in one plane that face opposite ways, such as the bottom of a box and the floor, the
-/// exchange area is the area of the overlap. (a, b) and (b, a) give the same bits.
+/// exchange area is the area of the overlap, even if they are back to back, like the two faces of a thin sheet. (a, b)
+/// and (b, a) give the same bits.
 double exchange_area(const FlatPiece& a, const FlatPiece& b, double touching);
 double exchange_area(const Surface& a, const Surface& b, double touching);
 

@@ -22,8 +22,8 @@ LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsi
 
 /// True if the filters and the boxes around surfaces lose no hit of `surface`: the rounding errors of `row`, which was
 /// made from `surface`, displace the corners by less than the slack of the filters and the margins of the boxes allow.
-/// False for slivers, with an angle below about 1e-5, or below 1e-3 if the surface is tiny or the scene lies far from
-/// the origin.
+/// False for slivers, with an angle below about 1e-5 radian, or below 1e-3 radian if the surface is tiny or the scene
+/// lies far from the origin.
 bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const FilterFrame& frame);
 
 /// Rectangles grouped by the directions of their edges. Walls and furniture of a room share few directions.

@@ -148,7 +148,7 @@ inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
                            std::abs(m.y) > half_size_.z * size.x + half_size_.x * size.z,
                            std::abs(m.z) > half_size_.x * size.y + half_size_.y * size.x);
 
-    // The segment inside a sphere around the box.
+    // A segment around the point nearest to the centre; it contains any chord of the sphere around the box.
     const double inverse_square = 1.0 / square;
     const double nearest = -dot(o, d) * inverse_square;
     const double half_chord = 1.01 * std::sqrt(inverse_square);

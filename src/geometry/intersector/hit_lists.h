@@ -10,8 +10,8 @@
 
 namespace multipath {
 
-/// The hits of several lines, concatenated in one array: the result of Intersector::all_hits. An object that is passed
-/// again keeps its buffers.
+/// The hits of several lines, concatenated in one array: the result of Intersector::all_hits. Passing the same object
+/// to all_hits again reuses its buffers.
 class HitLists
 {
 public:
@@ -55,8 +55,8 @@ private:
     std::unique_ptr<Scratch> scratch_;
 };
 
-/// The first hit, if any, of each of several rays: the result of Intersector::closest_hits_from and hits_on_targets. An
-/// object that is passed again keeps its buffers.
+/// The first hit, if any, of each of several rays: the result of Intersector::closest_hits_from and hits_on_targets.
+/// Passing the same object to these functions again reuses its buffers.
 class FirstHits
 {
 public:

@@ -49,9 +49,9 @@ public:
     /// returned; other ties are resolved as in closest_hit.
     std::optional<Hit> closest_hit_from(std::uint32_t from, const Line& ray) const;
 
+    static constexpr std::uint32_t no_surface = 0xffffffffu; ///< from[i] of a ray that starts on no surface
     /// The same for `count` rays, faster: ray i starts on surface from[i], or on none if from[i] is `no_surface`.
     /// Overwrites `found`.
-    static constexpr std::uint32_t no_surface = 0xffffffffu;
     void closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
 
     /// Like closest_hits_from, but ray i keeps its first hit only if that hit is on surface targets[i]. Faster in large

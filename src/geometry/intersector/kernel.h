@@ -49,8 +49,8 @@ struct FilterKernel
     void (*find_first)(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search);
 
     /// Decides which candidates are hits. The candidates must be sorted by line. Writes the hits to `hits`, which must
-    /// have room for one more than there are candidates. If line i has candidates, writes the number of hits of the
-    /// lines 0 ... i to end_of_line[i]. Returns the total number of hits.
+    /// have room for `count` hits, and may change the elements behind the last hit. If line i has candidates, writes
+    /// the number of hits of the lines 0 ... i to end_of_line[i]. Returns the total number of hits.
     std::size_t (*decide_candidates)(const SurfaceTable& table, const Line* lines, const LineCandidate* candidates,
                                      std::size_t count, Hit* hits, std::size_t* end_of_line);
 

@@ -6,17 +6,17 @@ namespace multipath {
 
 /// Three orthogonal axes that are the normals and edge directions of several rectangles, in the coordinates of
 /// FilterFrame. The components of a line along the axes are computed once for all these rectangles. Let a be the
-/// component of the line's direction along the normal of a rectangle, h the distance from the line's middle to the
-/// plane of the rectangle, and (d, m) the components of direction and middle along one edge of the rectangle. The line
-/// crosses the plane at t = h / a, counted from the middle of the line, and
+/// component of the line's direction along the normal of a rectangle, h the signed distance from the line's middle to
+/// the plane of the rectangle along this normal, and (d, m) the components of direction and middle along one edge of
+/// the rectangle. The line crosses the plane at t = h / a, counted from the middle of the line, and
 ///     u = (m - centre) + t d
-/// is the coordinate of the crossing along the edge: the line meets the rectangle if |u| <= half for both edges. One
-/// reciprocal 1 / a serves all rectangles that are perpendicular to the same axis. Plain data, because the kernels for
-/// all instruction sets include this file.
+/// is the coordinate of the crossing along the edge, counted from the centre of the rectangle. The line meets the
+/// rectangle if |u| <= half (half the edge length) for both edges. One reciprocal 1 / a serves all rectangles that are
+/// perpendicular to the same axis. Plain data, because the kernels for all instruction sets include this file.
 struct RectangleFrame
 {
     float axis[3][3];     ///< axis[k]: components x, y, z of unit vector k
-    std::uint32_t end[3]; ///< of the list sorted by frame and axis: one past the last FrameRectangle of axis k
+    std::uint32_t end[3]; ///< end[k]: one past the last rectangle normal to axis k in the list sorted by frame and axis
 };
 
 /// Rectangle perpendicular to axis k of a frame ("across axis k"): u runs along axis k + 1, v along axis k + 2, in
@@ -29,7 +29,7 @@ struct FrameRectangle
 
     // Tolerances with which the tests lose no hit, derived in block_filling.cpp. `error` is the relative error of the
     // reciprocal 1 / |a| on this processor, at most 2^-11.
-    static constexpr float least_approach = 1e-6f; ///< a smaller |a| is replaced by this, per unit of FilterLine::scale
+    static constexpr float least_approach = 1e-6f; ///< lower bound of |a| in 1 / |a|, per unit of FilterLine::scale
     /// Slack of |u| and |v|, per unit of FilterLine::scale / |a|.
     static constexpr float slack(float error) { return 1.1e-4f + 3.0f * error; }
     /// Slack of |t|, per unit of 1 / |a|.

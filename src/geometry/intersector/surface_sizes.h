@@ -28,7 +28,7 @@ std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order);
 
 /// True if the surfaces are the inside of a room rather than the outside of objects: the volume that they enclose,
 /// computed by the divergence theorem with fronts outwards, is negative (below -1e-9 times the diagonal cubed). A room
-/// without one wall still counts as a room.
+/// that lacks a wall still counts as a room.
 bool is_interior(const SurfaceList& surfaces);
 
 } // namespace multipath

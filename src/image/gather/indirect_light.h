@@ -17,7 +17,8 @@ struct IndirectSample
 {
     GatherPoint receiver;
     Rgb irradiance; ///< [W/m^2]
-    /// [scene units] harmonic mean of the distances to the surfaces that the rays meet; 0: no sample.
+    /// [scene units] harmonic mean of the distances at which the rays meet surfaces. A ray that meets none counts as
+    /// infinitely long, but the mean stays finite. 0: no sample.
     double distance = 0.0;
 };
 

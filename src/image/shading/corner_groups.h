@@ -44,7 +44,7 @@ public:
 
     /// The cells around corner (i, j), counter-clockwise. The first most_around() entries are used, and those beyond
     /// the border of the surface are empty. In a parallelogram, entries 0 and 1 lie below the corner (smaller v),
-    /// entries 2 and 3 above. A cell that has the corner as a hanging node may appear twice.
+    /// entries 2 and 3 above. A cell that has the corner as a hanging node appears twice (a triangle: three times).
     std::array<std::optional<CellCorner>, 6> around(std::uint32_t i, std::uint32_t j) const;
     /// Largest number of cells around a corner.
     std::size_t most_around() const { return triangle() ? 6 : 4; }

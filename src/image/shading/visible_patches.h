@@ -10,9 +10,9 @@
 
 namespace multipath {
 
-/// True if a point of `surface` is covered by something that stands on it. Test rays in five directions then all end
-/// within a rounding error of the point, or (in a one-sided scene) at the back of a surface, inside a solid. `shape`:
-/// the surface or a part of it, with its front on the side to be tested.
+/// True if a point of `surface` is covered by something that stands on it: each of five test rays from the point, in
+/// different directions, ends within a rounding error of the point or, in a one-sided scene, at the back of a surface
+/// (inside a solid). `shape`: the surface or a part of it, with its front on the side to be tested.
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point);
 
 /// The uncovered ("open") parts of the patches. The part of a patch on which furniture stands is dark, so that the

@@ -19,10 +19,10 @@ struct GatheringResult
 /// of the patch where they end (absorption estimator). They solve the adjoint of the system that shooting walks solve,
 /// and the number of walks of a patch does not depend on how much light arrives there.
 ///
-/// `state` must be the initial state of a run; the function adds all light. The walks are divided into 1 ... 16 rounds,
-/// each of which covers all patches. If the run is stopped, the result is, for each patch, the mean over its walks so
-/// far; there is no result before the end of the first round. The caller must save `state` in the checkpoint; this
-/// function saves the rest.
+/// `state` must be the initial state of a run; the function adds all light. The walks are divided into 1 ... 16 rounds.
+/// Each round covers all patches, except that a patch whose expected number of walks is below 1 may get none. If the
+/// run is stopped, the result is, for each patch, the mean over its walks so far; there is no result before the end of
+/// the first round. The caller must save `state` in the checkpoint; this function saves the rest.
 GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                                 const RunControl& run, PowerState& state);
 

@@ -14,7 +14,7 @@ namespace multipath {
 /// patch i, A_i its area and B_i its radiosity.
 struct Importance
 {
-    std::vector<double> weight; ///< w_i [1] per patch, >= 0
+    std::vector<double> weight; ///< w_i [1] per patch, >= 0, not all 0
 
     double weighted_area(const Scene& scene) const; ///< [m^2] sum of w A
 

@@ -89,9 +89,9 @@ struct JacobiOptions
 
 /// The Neumann series: an estimate of all light. In each pass, every patch sends its unshot power by rays, whose number
 /// is in proportion to this power (J1) (J2). What the patch reflects of the received power is its unshot power in the
-/// next pass. Ends when no power is left, or after options.most_lines rays. Returns the number of rays cast. If the run
-/// is stopped, the unfinished pass has no effect. The caller must save `state` in the checkpoint; this function saves
-/// the rest.
+/// next pass. Ends when no power is left, or after options.most_lines rays. If the run is stopped, the unfinished pass
+/// has no effect. Returns the number of rays of the finished passes. The caller must save `state` in the checkpoint;
+/// this function saves the rest.
 std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const SeriesOptions& options,
                           const RunControl& run, PowerState& state);
 
@@ -112,13 +112,15 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
 /// A ray of an iteration, and the power that it carries (J1) (J2).
 struct IterationRay
 {
-    std::uint64_t item;  ///< index of its item in the sequence
-    std::uint32_t from;  ///< patch that the ray leaves
-    std::uint32_t to;    ///< patch that the ray meets, Segment::behind or Segment::outside
-    double from_density; ///< [1/m^2] n_i / A_i: number of rays that leave patch `from`, over its area
-    double to_density;   ///< [1/m^2] the same for patch `to`; 0 if the ray carries power one way only
-    Rgb sent;            ///< [W] power that `from` sends
-    Rgb returned;        ///< [W] power that `to` sends; black if the ray carries power one way only
+    std::uint64_t item; ///< index of its item in the sequence
+    std::uint32_t from; ///< patch that the ray leaves
+    std::uint32_t to;   ///< patch that the ray meets, Segment::behind or Segment::outside
+    /// [1/m^2] n_i / A_i: number of rays that leave patch `from`, or the expected number if that is below 1, over the
+    /// area of the patch.
+    double from_density;
+    double to_density; ///< [1/m^2] the same for patch `to`; 0 if the ray carries power one way only
+    Rgb sent;          ///< [W] power that `from` sends
+    Rgb returned;      ///< [W] power that `to` sends; black if the ray carries power one way only
 };
 
 /// Some rays of an iteration.

@@ -49,9 +49,9 @@ struct TransilluminationOptions
     /// Index in the sequence of the first item: one item per ray of estimate_by_rays(), then one per direction.
     std::uint64_t first_item = 0;
     std::uint64_t lines = 0; ///< number of rays and lines to use; lines that miss the bounding box are not charged (N1)
-    /// Lines per direction that meet the bounding box; at most 1/16 of the lines that remain after estimate_by_rays()
-    /// are used. Empty: the square root of the number of remaining lines, so that there are about as many directions as
-    /// lines per direction.
+    /// Lines per direction that meet the bounding box; limited to 1/16 of all lines that remain after
+    /// estimate_by_rays(). Empty: the square root of the number of remaining lines, so that there are about as many
+    /// directions as lines per direction.
     std::optional<std::uint64_t> bundle;
     std::uint64_t seed = 0; ///< seed of the random rounding to whole rays
 };
@@ -80,10 +80,10 @@ Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions);
 /// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines per direction, ray bundles,
 /// Szirmay-Kalos and Purgathofer 1998): distributes the unshot power of `state`. It begins with estimate_by_rays().
 /// Iterations as in stochastic_jacobi.h follow, in which parallel lines through the whole scene estimate the power T P
-/// that the patches receive; each direction comes from an item of the sequence. Along each line all patches exchange
-/// power, both ways (P1). If the run is stopped, an unfinished iteration has no effect. Returns the number of rays and
-/// lines used, without those of an unfinished iteration. The caller must save `state` in the checkpoint; this function
-/// saves the rest.
+/// that the patches receive; each direction comes from an item of the sequence. Every two patches that are joined by a
+/// line exchange power, both ways (P1). If the run is stopped, an unfinished iteration has no effect. Returns the
+/// number of rays and lines used, without those of an unfinished iteration. The caller must save `state` in the
+/// checkpoint; this function saves the rest.
 std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
                                  const RunControl& run, PowerState& state);
 

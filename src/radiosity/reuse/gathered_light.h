@@ -60,8 +60,8 @@ struct ShadowRaySums
 /// with g, v and c as in ShadowRaySums. The correction e of the approximate H0 estimates the mean of g - 1 by a sum of
 /// two shrinkage estimates (empirical Bayes): of this mean over the surrounding patches, and of the deviation of the
 /// patch from the surrounding ones. If typical errors have size b (0.1 for the first, 0.03 for the second), m rays get
-/// the weight b^2 m / (b^2 m + variance of g + 0.01). There is no noise where H0 is exact and the lights are fully
-/// visible or fully hidden.
+/// the weight b^2 m / (b^2 m + variance of g + 0.01). There is hardly any noise where H0 is exact and all lights are
+/// hidden, or all are visible and have the same colour.
 class GatheredLight
 {
 public:
@@ -88,7 +88,8 @@ public:
     /// the patch if they are 16 or more, otherwise from those of the surrounding patches as well.
     std::vector<double> deviations() const;
 
-    /// [W] Per patch: estimated incident power from all lights.
+    /// [W] Per patch: estimated incident power from all lights. For a patch without rays, or with no g above 0, the
+    /// ratio of the sums is the share of unblocked rays of the surrounding patches, in the mean colour of all lights.
     std::vector<Rgb> incident() const;
 
     void visit(Archive& archive); ///< saves the sums to a checkpoint or restores them
@@ -106,8 +107,8 @@ private:
     std::vector<ShadowRaySums> sums_; ///< per patch
 };
 
-/// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected light of lamps and sun. It
-/// is computed by GatheredLight whatever the method, with the same rays in every call.
+/// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected light of lamps, sky and sun.
+/// The light of lamps and sky is computed by GatheredLight whatever the method, with the same rays in every call.
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads);
 
 } // namespace multipath

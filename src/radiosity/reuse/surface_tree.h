@@ -30,7 +30,8 @@ public:
                 std::uint32_t most_of_leaf);
 
     const std::vector<Node>& nodes() const { return nodes_; } ///< parents before their children; the root is first
-    std::uint32_t surface(std::uint32_t index) const { return order_[index]; } ///< surface number `index` in tree order
+    /// Number of the surface at position `index` in tree order, as passed to `shape`.
+    std::uint32_t surface(std::uint32_t index) const { return order_[index]; }
 
 private:
     std::vector<std::uint32_t> order_;

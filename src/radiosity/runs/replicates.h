@@ -23,8 +23,8 @@ SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uin
 
 /// The mean of `replicates` >= 2 runs with independent randomisations of the sequence (randomised_name), which divide
 /// the lines of the options equally, with the standard error of every patch. If the checkpoint stops the work, returns
-/// the mean of the finished replicates, which has standard errors only if they are two or more; if none is finished, it
-/// returns the first one as far as it is. Throws std::invalid_argument for a sequence that cannot be randomised,
+/// the mean of the finished replicates, which has standard errors only if they are two or more; if none is finished,
+/// returns the partial result of the first one. Throws std::invalid_argument for a sequence that cannot be randomised,
 /// SettingsError for fewer lines than replicates, and what solve() throws.
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                           int replicates, const ProgressCallback& progress, Checkpoint* checkpoint = nullptr);
@@ -47,7 +47,8 @@ Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int re
 
 /// Solves with all lines of the options, by solve(), or by solve_replicates() for more than one replicate. If the
 /// checkpoint resumes a run of fewer lines, the remaining lines form a second run with the next items of the sequence
-/// and other random numbers, and the two results are averaged by their lines (combined()).
+/// and other random numbers, and the two results are averaged by their lines (combined()). If the checkpoint stops the
+/// first run, returns its partial result; if it stops the second run, the result of the first run alone.
 ///
 /// A shard of a method with Shards::averaged is a run of its own, with its part of the lines and items. The shards of
 /// `reuse` divide the work of one run, and must be added up (add_up_shards).

@@ -44,7 +44,7 @@ std::string sun_option();
 struct LightAdvice
 {
     std::string lamp;                ///< material or object to be made a lamp; empty: use a sky
-    double lamp_area = 0.0;          ///< [m^2] area of the surfaces of the lamp
+    double lamp_area = 0.0;          ///< [m^2] area of the surfaces of the lamp; without meaning for a sky
     std::vector<std::string> others; ///< the other names in LampCandidates::by_name, the most likely first
     /// [1] Estimated share of the lamp's light that reaches fronts of other surfaces; for a sky, the mean view factor
     /// from the fronts to the sky, estimated as the share of cosine-distributed rays that leave the scene.

@@ -54,9 +54,10 @@ struct ObjMesh
 };
 
 /// Parses an OBJ file. Throws InputError for a file that cannot be read, malformed vertices and faces, coordinates
-/// beyond 1e9, free-form surfaces and included files, and a file without faces. Unknown statements and weights of
-/// vertices cause a warning. A texture coordinate that is malformed or beyond 1e6 counts as 0, and a reference to a
-/// missing texture point is ignored.
+/// beyond 1e9, free-form surfaces and included files, a file without faces, 2^31 or more vertices or corners, and
+/// more than 256 different `mtllib` statements. Unknown statements, and weights of vertices other than 1, cause a
+/// warning. A texture coordinate that is malformed or beyond 1e6 counts as 0, and a reference to a missing texture
+/// point is ignored.
 ObjMesh parse_obj(const std::string& path);
 
 } // namespace multipath

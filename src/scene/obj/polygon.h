@@ -13,7 +13,8 @@ namespace multipath {
 /// the front.
 Vec3 area_vector(const std::vector<Vec3>& corners);
 
-/// The largest distance of a corner from the polygon's mean plane [scene units]; 0 for a planar polygon.
+/// The largest distance of a corner from the polygon's mean plane [scene units]; 0 for a planar polygon. The area
+/// vector must not be zero.
 double distance_from_plane(const std::vector<Vec3>& corners, Vec3 area_vector);
 
 /// The number of reflex corners, which turn clockwise; 0 for a convex polygon.

@@ -35,9 +35,9 @@ struct TextLine
     bool ended = true;     ///< false for a last line without a line end, else true
 };
 
-/// Reads the statements of a Wavefront OBJ or MTL file one by one. Accepts any kind of line end and UTF-8 with or
-/// without a byte order mark. A backslash at the end of a line continues the statement on the next line, unless the
-/// statement takes a name or contains a `#`. Memory is proportional to the longest line.
+/// Reads the statements of a Wavefront OBJ or MTL file, or the lines of another text file, one by one. Accepts any kind
+/// of line end and UTF-8 with or without a byte order mark. A backslash at the end of a line continues the statement on
+/// the next line, unless the statement takes a name or contains a `#`. Memory is proportional to the longest line.
 class TextLines
 {
 public:

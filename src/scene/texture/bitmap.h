@@ -19,8 +19,8 @@ struct Bitmap
     const std::uint8_t* row(std::uint32_t y) const { return &rgb[std::size_t{3} * width * y]; }
 };
 
-/// An error in an image file. The message is a predicate without the name of the file, such as "ends too early" or "12
-/// bits per pixel are not supported".
+/// An error in an image file. The message does not name the file: it is a predicate of which the file is the subject
+/// ("ends too early"), or a sentence of its own ("12 bits per pixel are not supported").
 class ImageError : public std::runtime_error
 {
 public:

@@ -42,8 +42,8 @@ private:
 struct ClosedEstimate
 {
     PairMatrix<float> exchange; ///< [m^2]
-    /// [m^2] per row: the error of the wanted sum as the closure estimates it: the wanted sum minus the sum of the
-    /// changed row. 0 for a wanted sum without variance.
+    /// [m^2] per row: the wanted sum minus the sum of the changed row, which estimates the error of the wanted sum. 0
+    /// for a wanted sum without variance.
     std::vector<double> sum_residual;
 };
 

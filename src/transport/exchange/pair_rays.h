@@ -31,8 +31,8 @@ public:
     /// should be the smaller one.
     RayPair(const Scene& scene, const Patch& from, const Patch& to);
 
-    /// The ray of one item: item[0] and item[1] choose the point of the first patch, item[2] and item[3] the point or
-    /// the direction of the second. The weights of near pairs are bounded, even when the patches touch.
+    /// The ray of one item: item[0] and item[1] choose the point of the first patch, item[2] and item[3] the point of
+    /// the second or the direction towards it. The weights of near pairs are bounded, even when the patches touch.
     Ray ray(const Item& item) const;
 
     /// Expected weight of a ray, in the unit of the weights, given the unoccluded exchange [m^2] of the pair.
@@ -64,10 +64,10 @@ struct PairRays
     std::uint64_t seed = 0;       ///< seed of the random rounding to whole rays per pair
 };
 
-/// Refines an estimate of estimate_exchange with shadow rays between pairs of patches. The rays are allotted so that
-/// the mean square error of the radiosity falls most (Neyman 1934): to pairs that exchange much light and whose
-/// visibility is uncertain. `radiosity` [W/m^2] need only be roughly right. `unoccluded` [m^2] and `crossing_area`
-/// [m^2] must be those of estimate_exchange. The estimate changes row by row, so the caller must save it in the
+/// Refines a result of estimate_exchange() with shadow rays between pairs of patches. The rays are allotted so that the
+/// mean square error of the radiosity falls most (Neyman 1934): to pairs that exchange much light and whose visibility
+/// is uncertain. `radiosity` [W/m^2] need only be roughly right. `unoccluded` [m^2] and `crossing_area` [m^2] must be
+/// those that estimate_exchange() was given. The estimate changes row by row, so the caller must save it in the
 /// checkpoint. If the run is stopped or is a shard, only some rows are refined.
 void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
                     double crossing_area, const std::vector<Rgb>& radiosity, const Sequence& sequence,
