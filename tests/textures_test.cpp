@@ -1,6 +1,7 @@
 // Light on textures: a patch reflects the mean of its part, so that the light of a scene is that of its means.
 
 #include "image/render.h"
+#include "refinement/shown_error.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
 
@@ -120,6 +121,13 @@ TEST_CASE("a picture shows the texture at full resolution on smooth light")
     options.shading = Shading::flat;
     for (const Rgb& pixel : render(scene, radiosity, camera, options).pixels)
         CHECK(pixel.g == 2.0);
+}
+
+// Patches of 4 x 4 pixels in even light: the texture itself is no error, since pictures show it.
+TEST_CASE("a texture does not add to the error of the patches")
+{
+    const Scene scene(textured(furnace(0.0), checkerboard(), 0.8), 0.5);
+    CHECK(patch_error(scene, 0.0, 2e9, 2, silent).root_upper_bound() < 0.01);
 }
 
 } // namespace textures_test

@@ -204,6 +204,23 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
     return result;
 }
 
+/// What smooth shading shows of a solution.
+class ShownRadiosity
+{
+public:
+    ShownRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
+        : scene_(scene), plain_(without_texture(scene, radiosity)), shading_(scene, plain_, threads)
+    {
+    }
+
+    Rgb at(const Hit& hit) const { return with_texture(scene_, hit, shading_.at(hit)); } ///< [W/m^2]
+
+private:
+    const Scene& scene_;
+    std::vector<Rgb> plain_;
+    SmoothShading shading_;
+};
+
 /// Final gathering at single points, from a solution.
 class PointRadiosity
 {
@@ -242,10 +259,9 @@ private:
 ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& guide,
                        const Truth& truth, std::uint64_t points, int threads)
 {
-    const std::vector<Rgb> plain = without_texture(scene, radiosity);
-    const SmoothShading shading(scene, plain, threads);
+    const ShownRadiosity solution(scene, radiosity, threads);
     const auto deviations = [&](const Hit& hit, std::uint64_t number) {
-        const Rgb shown = with_texture(scene, hit, shading.at(hit));
+        const Rgb shown = solution.at(hit);
         const TruthAtPoint there = truth(hit, number);
         return Deviations{shown - there.one, shown - there.other, shown};
     };
@@ -290,19 +306,19 @@ ShownError patch_error(const Scene& scene, double enough, double memory, int thr
     struct Half
     {
         std::vector<Rgb> radiosity;
-        SmoothShading shading;
+        ShownRadiosity shown;
         PointRadiosity light;
 
         Half(const Scene& scene, std::vector<Rgb> found, int threads)
-            : radiosity(std::move(found)), shading(scene, radiosity, threads), light(scene, radiosity, rays, threads)
+            : radiosity(std::move(found)), shown(scene, radiosity, threads), light(scene, radiosity, rays, threads)
         {
         }
     };
     const Half one(scene, solved(0), threads);
     const Half other(scene, solved(1), threads);
     const auto deviations = [&](const Hit& hit, std::uint64_t number) {
-        const Rgb shown = one.shading.at(hit);
-        const Rgb shown_by_other = other.shading.at(hit);
+        const Rgb shown = one.shown.at(hit);
+        const Rgb shown_by_other = other.shown.at(hit);
         return Deviations{shown - one.light.at(hit, number, RandomStream::first_estimate_of_truth),
                           shown_by_other - other.light.at(hit, number, RandomStream::second_estimate_of_truth),
                           0.5 * (shown + shown_by_other)};

@@ -371,8 +371,6 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
     const std::vector<std::string> comments = provenance(solve_command().table, job.line, scene);
     const PictureOptions pictures =
         has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
-    if (!job.quiet && has_view(outputs) && pictures.shown.is_room())
-        print_note(black_picture_warning(scene, solution.radiosity, pictures));
     const auto page = [&] {
         Progress progress("solving with fewer lines, for the page", progress_style(job.line));
         return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments,
@@ -380,6 +378,8 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
     };
     SolvedScene solved(
         scene, solution, pictures, comments, [&] { return state; }, page);
+    if (!job.quiet && has_view(outputs) && pictures.shown.is_room())
+        print_note(black_picture_warning(scene, solved.shown_values(), pictures));
     write_outputs(outputs, solved);
     if (!job.quiet && job.pictures.grid)
         print_note(solved.grid_summary());

@@ -146,8 +146,10 @@ bool TextLines::physical_line(std::string_view& text)
     if (after_carriage_return_ && (begin_ < end_ || refill()) && buffer_[begin_] == '\n')
         ++begin_;
     std::size_t length = scan_to_end_of_line(0);
-    while (begin_ + length == end_ && refill())
+    while (length <= longest_line && begin_ + length == end_ && refill())
         length = scan_to_end_of_line(length);
+    if (length > longest_line)
+        refuse({path_, number_ + 1}, "line is longer than 16 MB");
 
     ended_ = begin_ + length < end_;
     if (!ended_ && length == 0)
@@ -181,8 +183,6 @@ bool TextLines::refill()
               buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
     end_ -= begin_;
     begin_ = 0;
-    if (end_ > longest_line)
-        refuse({path_, number_ + 1}, "line is longer than 16 MB");
     if (end_ == buffer_.size())
         buffer_.resize(2 * buffer_.size());
     const std::size_t count = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());

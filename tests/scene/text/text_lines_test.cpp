@@ -95,8 +95,10 @@ TEST_CASE("what is not UTF-8 text is refused")
         text[place] = '\x1f';
         CHECK(contains(problem(text), "a.txt:1: control character"));
     }
-    CHECK(
-        contains(problem("a\n" + std::string(TextLines::longest_line + 2, 'x')), "a.txt:2: line is longer than 16 MB"));
+    for (const std::string end : {"", "\n", "\nb\n"})
+        CHECK(contains(problem("a\n" + std::string(TextLines::longest_line + 1, 'x') + end),
+                       "a.txt:2: line is longer than 16 MB"));
+    CHECK(problem(std::string(TextLines::longest_line, 'x') + "\n").empty());
     std::string endless;
     while (endless.size() <= TextLines::longest_line)
         endless += std::string(1 << 20, 'x') + "\\\n";
