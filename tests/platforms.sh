@@ -9,9 +9,9 @@ here=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 shift
 [ $# -gt 0 ] || set -- aarch64-linux-gnu-g++ arm-linux-gnueabihf-g++ riscv64-linux-gnu-g++ powerpc64le-linux-gnu-g++ \
-    s390x-linux-gnu-g++ i686-linux-gnu-g++
+    powerpc-linux-gnu-g++ s390x-linux-gnu-g++ i686-linux-gnu-g++
 scratch=$root/build/platforms passed=0 failed=0
-rm -rf "$scratch/runs" && mkdir -p "$scratch/runs" && cd "$root" || exit 1
+rm -rf "$scratch/runs" "$scratch/begun.state" && mkdir -p "$scratch/runs" && cd "$root" || exit 1
 methods=$("$here" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p')
 kinds="$methods two-sided replicates rays adaptive outputs textures resumed"
 
@@ -60,7 +60,7 @@ find_command() {
     command=$1
     "$1" --version >"$scratch/version" 2>/dev/null && return
     command="qemu-${2%%-*} $1"
-    case $2 in powerpc64le*) command="qemu-ppc64le $1" ;; esac
+    case $2 in powerpc64le*) command="qemu-ppc64le $1" ;; powerpc-*) command="qemu-ppc $1" ;; esac
     $command --version >"$scratch/version"
 }
 

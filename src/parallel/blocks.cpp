@@ -1,4 +1,4 @@
-// Parallel loops over blocks. parallel_blocks hands out block numbers from an atomic counter. ordered_blocks is a
+// Parallel loops over blocks. parallel_blocks hands out block numbers from a counter. ordered_blocks is a
 // producer-consumer pipeline: all threads produce blocks, and one thread at a time consumes the next block in order,
 // once this block is produced. At most slot_count(threads) blocks are between start and consumption, so the states of
 // the blocks live in a ring and their buffers are reused. A pause lowers the end of the run to the blocks already
@@ -9,7 +9,6 @@
 #include "parallel/thread_pool.h"
 
 #include <algorithm>
-#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -192,16 +191,20 @@ void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& 
 void parallel_blocks(std::uint64_t block_count, int threads, const std::function<void(std::uint64_t block)>& work)
 {
     const auto used = std::min<std::uint64_t>(block_count, static_cast<std::uint64_t>(std::max(threads, 1)));
-    std::atomic<std::uint64_t> next{0};
-    std::mutex mutex;
+    std::mutex mutex; // not an atomic counter: some processors of 32 bits have none of 64 bits
+    std::uint64_t next = 0;
     std::exception_ptr failure;
+    const auto next_block = [&] {
+        const std::lock_guard<std::mutex> lock(mutex);
+        return next < block_count ? next++ : block_count;
+    };
     run_on_threads(static_cast<int>(used), [&] {
         try {
-            for (std::uint64_t block = next++; block < block_count; block = next++)
+            for (std::uint64_t block = next_block(); block < block_count; block = next_block())
                 work(block);
         } catch (...) {
-            next = block_count;
             const std::lock_guard<std::mutex> lock(mutex);
+            next = block_count;
             if (!failure)
                 failure = std::current_exception();
         }
