@@ -19,8 +19,8 @@
 // unshot power that each global line leaving the patch carries.
 //
 // Besides the errors named below, all functions that trace throw std::invalid_argument for an unknown sequence, and
-// SettingsError for a sequence with too few items. Those that run the first shot also throw SettingsError if its first
-// pass needs more rays of power_by_line than the run has lines.
+// SettingsError for a sequence with too few items. Those that run the first shot also throw SettingsError if the user
+// sets the power of one ray (power_by_line) so low that the first pass alone needs more rays than the run has lines.
 
 namespace multipath {
 
@@ -141,13 +141,14 @@ struct ShotTrace
 {
     std::vector<ShotPass> shot_passes; ///< all passes of the run
     std::size_t pass = 0;              ///< index of the pass to which the rays belong, from 0
-    double threshold = 0.0;            ///< [W/m^2] radiosity above which patches shoot: given by the user, or (4)
-    std::size_t shooters = 0;          ///< number of patches that send rays in the pass
+    /// [W/m^2] Unshot radiosity above which patches shoot: set by the user, otherwise (4) in docs/equations.md.
+    double threshold = 0.0;
+    std::size_t shooters = 0; ///< number of patches that send rays in the pass
     std::vector<ShotRay> rays;
 };
 
-/// Runs the first shot, and then repeats its pass number `pass` (from 0) up to the last ray of the range and traces the
-/// rays of the range. Throws SettingsError for a pass or rays that the run does not have.
+/// Runs the whole first shot. Then repeats the pass with index `pass` (the first pass is 0), as far as the last ray of
+/// the range, and traces the rays of the range. Throws SettingsError for a pass or rays that the run does not have.
 ShotTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, std::size_t pass, const TracedRange& range);
 
 /// The trace of one segment of a particle's path.

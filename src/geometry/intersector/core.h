@@ -49,7 +49,7 @@ struct CandidateScratch
 struct HitLists::Scratch
 {
     LineBatch batch{};
-    bool all_whole = true;              ///< true if FilterLine::whole holds for all lines that pass
+    bool all_whole = true;              ///< true if FilterLine::whole holds for all lines in `passing`
     std::vector<std::uint32_t> passing; ///< batch indices, ascending, of the lines that pass through the box
     FlatMarks marks{};
     CandidateScratch in_tree;
@@ -143,7 +143,8 @@ private:
     FilterFrame frame_;
     WideTree tree_;                 ///< empty for few surfaces
     UnsetVector<LeafBlock> leaves_; ///< the leaves of tree_
-    // Without a tree, the surfaces have the lanes of blocks_, in the order of FlatSurfaces.
+    // If tree_ is empty, each surface that is not in unfiltered_ is stored in one lane of blocks_, in the order of
+    // FlatSurfaces. With a tree, the members from here to blocks_ are empty.
     std::vector<std::uint32_t> lane_number_; ///< index of the surface in each lane
     std::vector<float> flat_number_;         ///< lane_number_ as floats: FlatSurfaces::number
     std::vector<float> flat_plane_;          ///< plane number of each lane: FlatSurfaces::plane
