@@ -11,10 +11,10 @@
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
-# CXX, CXXFLAGS, TEST_CXXFLAGS (of the tests, if others), BUILD (folder of the objects) and DOCTEST (folder that holds
-# doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors. Each folder of src and of
-# tests is compiled as one file, small ones together; UNITY=no compiles every file by itself, which takes four times as
-# long from scratch and less after a change.
+# CXX, CXXFLAGS, BUILD (folder of the objects), TESTS (folder of compiled tests, which are used as they are) and DOCTEST
+# (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors. Each
+# folder of src and of tests is compiled as one file, small ones together; UNITY=no compiles every file by itself, which
+# takes four times as long from scratch and less after a change.
 
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
@@ -25,8 +25,7 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow $(if $(WERROR),-Wconversion $(WERR
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
 machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
-FLAGS     = $(CXXFLAGS)
-COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(FLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
 
 Q         = $(if $(V),,@)
@@ -61,7 +60,7 @@ units      = src/lines $(filter-out %.cpp $(src/lines) $(cold),$(call folders,$(
 test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
 endif
 objects      = $(units:%=$(BUILD)/%.o)
-test_objects = $(test_units:%=$(BUILD)/%.o)
+test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
@@ -92,7 +91,6 @@ $(BUILD)/unit_tests: $(filter-out $(BUILD)/src/main.o,$(objects)) $(test_objects
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
 
-$(test_objects): FLAGS = $(or $(TEST_CXXFLAGS),$(CXXFLAGS))
 $(test_objects): COMPILE += -Itests $(addprefix -isystem ,$(shell cat $(BUILD)/doctest.path 2>/dev/null))
 $(test_objects): | $(BUILD)/doctest.path
 
