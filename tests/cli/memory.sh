@@ -74,11 +74,11 @@ copies() {
     (ulimit -v 250000 && ends 1 check copies.obj --threads 1 && says out "pairs of faces lie in one place" &&
         says out "lines were cast for the figures instead of") || return
     copies_of 4000 # of whose pairs 8 bytes each would be too many
-    (ulimit -v 145000 && ends 0 solve copies.obj --patches 4100 --lines 1000 --method global --threads 1 -o copies.csv --quiet) || return
-    copies_of 8000
     for method in $(methods | grep -v -e reuse -e gathering) "reuse --direct shoot"; do # few walks gather nothing
-        (ulimit -v 300000 && ends 0 solve copies.obj --patches 8100 --lines 1000 --method $method --threads 1 -o copies.csv --quiet) || return
+        (ulimit -v 145000 && ends 0 solve copies.obj --patches 4100 --lines 1000 --method $method --threads 1 -o copies.csv --quiet) || return
     done
+    copies_of 8000
+    (ulimit -v 300000 && ends 0 solve copies.obj --patches 8100 --lines 1000 --threads 1 --direct shoot -o copies.csv --quiet)
 }
 # A sanitizer takes all addresses there are.
 if (ulimit -v 300000 && "$program" --version >/dev/null 2>&1); then
