@@ -45,7 +45,8 @@ private:
     std::vector<Rgb> power_;               ///< [W] per surviving particle: the power that it carries
     std::vector<ParticleStep> by_depth_;   ///< all first segments, then all second ones, ...
     std::vector<std::uint32_t> particle_;  ///< per element of by_depth_: index of its particle in the group
-    std::vector<std::size_t> first_step_;  ///< per particle: index of its first step in `steps`, while these are sorted
+    /// Scratch of the sort by particles, per particle: index in `steps` where its next step goes, initially its first.
+    std::vector<std::size_t> first_step_;
 };
 
 /// The particles of a run, numbered from 0 in the order of the shots that send them. The path of a particle is a

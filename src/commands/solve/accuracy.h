@@ -20,9 +20,10 @@ struct Accuracy
     /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
-    /// [1] Largest root of the relative MSE by noise that meets the tolerance, which must be given: the square root of
-    /// tolerance^2 - patch_error^2, but at least half of the tolerance. This minimum is for patches whose own error is
-    /// too large: the user has fixed them, or no more patches are allowed.
+    /// [1] The noise, as root of the relative MSE, that is low enough for the tolerance, which must be given. It is the
+    /// square root of tolerance^2 - patch_error^2 (0 if unknown), but at least half of the tolerance. The minimum
+    /// applies if the patches alone cause nearly all of the tolerated error, or more, and cannot be cut further,
+    /// because of options or of the limit of their number.
     double noise_tolerance() const;
 };
 
@@ -47,8 +48,9 @@ private:
 /// The options --adaptive, --replicates, --tolerance and --time.
 OptionGroup accuracy_option_group();
 
-/// Reads the options of accuracy_option_group() except --adaptive, and --lines as Accuracy::most_lines. Throws
-/// UsageError, also for replicates of a --sequence that cannot be randomised.
+/// Reads --replicates, --tolerance and --time; with a tolerance or a time also --lines, as Accuracy::most_lines. Does
+/// not read --adaptive (see adaptive_patches()). Throws UsageError, also for replicates of a --sequence that cannot be
+/// randomised.
 Accuracy read_accuracy(const CommandLine& line);
 
 /// Solves once, in replicates (solve_incrementally), or in rounds until RoundLimit stops them. `shard`: the part of the

@@ -26,8 +26,8 @@ public:
 
     /// The same with all surfaces shown. `residuals` receives an indicator of the interpolation error per patch: the
     /// open share of the patch (VisiblePatches) times the sum of two terms. The first is the mean square, over corners
-    /// and channels, of the difference between the corner values and the linear function of the patch. The second is a
-    /// multiple of the value in `bends` for the patch (see patch_slopes()).
+    /// and channels, of the difference between the corner values and the linear function of the patch. The second is
+    /// 1/40 of the mean squared second derivative at the patch, which patch_slopes() returns in its parameter `bends`.
     SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
                   std::vector<double>& residuals);
 
