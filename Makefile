@@ -20,8 +20,9 @@ OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
-# Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of.
-WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow $(if $(WERROR),-Wconversion $(WERROR))
+# Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of. On ARM, g++ would tell of
+# each call that is passed otherwise than before version 10.
+WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconversion $(WERROR))
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
 machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.

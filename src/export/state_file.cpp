@@ -208,7 +208,8 @@ void StateReader::find_arrays()
             refuse("damaged: it holds no whole array; expected a whole copy");
         const std::string name(bytes_.data() + offset, name_size);
         offset += padded(name_size);
-        arrays_[name] = {scalar, static_cast<std::size_t>(length), offset};
+        if (!arrays_.insert({name, {scalar, static_cast<std::size_t>(length), offset}}).second)
+            refuse("damaged: it holds '" + name + "' twice; expected a whole copy");
         offset += padded(static_cast<std::size_t>(length) * size_of(scalar));
     }
 }

@@ -158,6 +158,20 @@ TEST_CASE("arrays of another length or kind are refused, and those that are not 
     CHECK(says(refusal(written(other)), "no 'whole'"));
 }
 
+TEST_CASE("an array that is there twice is refused")
+{
+    struct Twice
+    {
+        Values values = some_values();
+        void visit(Archive& archive)
+        {
+            values.visit(archive);
+            archive.value<std::uint64_t>("whole", values.whole);
+        }
+    } twice;
+    CHECK(says(refusal(written(twice)), "holds 'whole' twice"));
+}
+
 TEST_CASE("arrays are copied to another state, and told apart")
 {
     Values values = some_values();
