@@ -116,7 +116,7 @@ struct LocalOptions
 {
     std::uint64_t lines = 0; ///< N_l, number of segments; reached to about 1 %, since the lengths of paths are random
     Estimator estimator = Estimator::collision;
-    std::uint64_t first_item = 0; ///< index in the sequence of the item of particle 0; one item per particle
+    std::uint64_t first_item = 0; ///< particle k takes item (point) first_item + k of the sequence
     std::uint64_t seed = 0;       ///< seed of the random numbers after the first segments
 };
 

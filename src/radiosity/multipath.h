@@ -140,7 +140,7 @@ inline void PowerWalk::lose(WalkingPower& i, std::uint32_t where, WalkTally& tal
 /// The global lines of a pass.
 struct GlobalPass
 {
-    std::uint64_t first_item = 0; ///< index in the sequence of the item of the first line; one item per line
+    std::uint64_t first_item = 0; ///< line k takes item (point) first_item + k of the sequence
     std::uint64_t lines_cast = 0; ///< number of lines to cast, including those that miss the scene (N1)
     bool bidirectional = true;    ///< power flows both ways (M2); if false, only in the direction of the line
 };

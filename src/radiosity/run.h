@@ -47,12 +47,13 @@ public:
 
     /// Number of lines of the budget that are not yet used as local lines.
     std::uint64_t lines_left() const;
-    /// Index in the sequence of the item of the next local line.
+    /// Number of the item (point of the sequence) that the next local line takes.
     std::uint64_t first_local_item() const { return first_item + solution.local_lines; }
 
     /// Plans all remaining lines as global lines, including those that a first shot did not need.
     void plan_global_lines();
-    /// Index in the sequence of the item of the first global line. Throws SettingsError if the sequence is too short.
+    /// Number of the item (point of the sequence) that the first global line takes. Throws SettingsError if the
+    /// sequence is too short.
     std::uint64_t first_global_item() const;
 
     /// Records these passes, and adds their rays to the local lines.

@@ -158,9 +158,9 @@ inline std::uint32_t CellTrees::leaf_at(std::uint32_t cell, double x, double y) 
     return node;
 }
 
-/// Divides a surface into a grid with ceil(edge / patch_size) cells along an edge, at least one. A triangle gets the
-/// number for its longest edge along both edges. `patch_size`: [scene units]. Throws SettingsError if the surface would
-/// get 2^31 cells or more.
+/// Divides a surface into a grid with ceil(edge / patch_size) cells along an edge, at least one. All three edges of a
+/// triangle are divided into the number of cells that its longest edge needs. `patch_size`: [scene units]. Throws
+/// SettingsError if the surface would get 2^31 cells or more.
 Tessellation tessellate(const Surface& surface, double patch_size);
 
 /// The number of cells that tessellate() would give all surfaces together; a double, since a small patch size
@@ -169,8 +169,9 @@ double cell_count(const SurfaceList& surfaces, double patch_size);
 
 /// The default patch size [scene units], a round number: 1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
 /// The search starts at the largest round number up to s = sqrt(A / 2500), where A is the total area; this size gives
-/// at least about 2500 patches. The search goes on to the next round number, up to 3 s, while there are more than 4000
-/// patches, and then without limit while there are more than 2^17 + 8 * (number of surfaces) patches.
+/// at least about 2500 patches. While there are more than 4000 patches, the next larger round number is tried, but none
+/// above 3 s. If there are then still more than 2^17 + 8 * (number of surfaces) patches, the search goes on, also
+/// beyond 3 s, until there are no more than that.
 double default_patch_size(const SurfaceList& surfaces);
 
 /// The smallest patch size [scene units], found by bisection, that gives at most `wanted` patches. If there are more

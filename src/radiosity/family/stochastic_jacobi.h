@@ -67,7 +67,7 @@ private:
 /// Parameters of send_series().
 struct SeriesOptions
 {
-    std::uint64_t first_item = 0; ///< index in the sequence of the item of the first ray; one item per ray
+    std::uint64_t first_item = 0; ///< ray k takes item (point) first_item + k of the sequence
     std::uint64_t lines = 0;      ///< approximate number of rays to use
     std::uint64_t most_lines = 0; ///< maximum number of rays; light that they do not distribute stays unshot
     bool bidirectional = true;    ///< a ray also carries the power of the patch at its other end (J2)
@@ -77,7 +77,7 @@ struct SeriesOptions
 /// Parameters of iterate_by_rays().
 struct JacobiOptions
 {
-    std::uint64_t first_item = 0;   ///< index in the sequence of the item of the first ray; one item per ray
+    std::uint64_t first_item = 0;   ///< ray k takes item (point) first_item + k of the sequence
     std::uint64_t lines_before = 0; ///< number of rays used for the initial state
     std::uint64_t lines = 0;        ///< number of rays to use
     bool bidirectional = true;      ///< a ray also carries the power of the patch at its other end (J2)

@@ -14,7 +14,7 @@ namespace multipath {
 /// Parameters of balanced reuse.
 struct BalancedRays
 {
-    std::uint64_t first_item = 0; ///< index in the sequence of the item of the first ray; one item per ray
+    std::uint64_t first_item = 0; ///< ray k takes item (point) first_item + k of the sequence
     std::uint64_t rays = 0;       ///< number of rays, at least min_balanced_rays()
     bool direct = true;           ///< true: distributes the light of the sources; false: this was done before
     bool indirect = true;         ///< true: distributes the reflected light; false: the reflected light stays unshot

@@ -29,9 +29,9 @@ double reuse_bytes(const Scene& scene);
 /// occluded. Then the linear system of the radiosities is solved, (R1) in docs/equations.md.
 ///
 /// Returns the number of global lines cast: plan.cast, or fewer if the run is stopped. A stopped run still solves the
-/// system with the lines cast so far. One of several shards (RunControl) does not solve it: the counts of the shard are
-/// in the checkpoint, and `state` remains unchanged. The caller must save `state` in the checkpoint; this function
-/// saves the rest. Throws InputError if (R1) has no solution.
+/// system with the lines cast so far. A run that is a shard (RunControl) stops before that: its counts of lines, or the
+/// estimates that its rays refined, are in the checkpoint, and `state` remains unchanged. The caller must save `state`
+/// in the checkpoint; this function saves the rest. Throws InputError if (R1) has no solution.
 std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
                           const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state);
 

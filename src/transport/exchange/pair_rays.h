@@ -59,7 +59,7 @@ private:
 /// Rays to be cast between pairs of patches, to estimate their mutual visibility.
 struct PairRays
 {
-    std::uint64_t first_item = 0; ///< index in the sequence of the item of the first ray; one item per ray
+    std::uint64_t first_item = 0; ///< ray k takes item (point) first_item + k of the sequence
     std::uint64_t rays = 0;       ///< total number of rays; no ray is cast if no pair is uncertain
     std::uint64_t seed = 0;       ///< seed of the random rounding to whole rays per pair
 };

@@ -54,7 +54,7 @@ struct LineBlocks
     const Scene& scene;
     const GlobalLines& global_lines;
     const Sequence& sequence;
-    std::uint64_t first_item; ///< index in the sequence of the item of line 0; line k has the k-th item after it
+    std::uint64_t first_item; ///< line k takes item (point) first_item + k of the sequence
     Blocks lines;             ///< number of lines, and lines per block
 };
 
