@@ -1,8 +1,7 @@
-// Parallel loops over blocks. parallel_blocks hands out block numbers from a counter. ordered_blocks is a
-// producer-consumer pipeline: all threads produce blocks, and one thread at a time consumes the next block in order,
-// once this block is produced. At most slot_count(threads) blocks are between start and consumption, so the states of
-// the blocks live in a ring and their buffers are reused. A pause lowers the end of the run to the blocks already
-// started.
+// Parallel loops over blocks. parallel_blocks hands out block numbers from a counter. ordered_blocks is a producer-
+// consumer pipeline: all threads produce blocks, and one thread at a time consumes the next block in order, once this
+// block is produced. At most slot_count(threads) blocks are between start and consumption, so the states of the blocks
+// live in a ring and their buffers are reused. A pause lowers the end of the run to the blocks already started.
 
 #include "parallel/blocks.h"
 

@@ -128,8 +128,8 @@ private:
     double radius_ = 1.0;
     double scale_ = 1.0;
     double reach_ = 0.0; ///< [radius]
-    double centre_square_ =
-        0.0;         ///< squared distance of the centre from the origin of the scene's coordinates, in the frame
+    /// Squared distance of the centre from the origin of the scene's coordinates, in the frame.
+    double centre_square_ = 0.0;
     Vec3 half_size_; ///< half the size of the box, in the frame
 };
 
