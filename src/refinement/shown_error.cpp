@@ -226,7 +226,7 @@ class PointRadiosity
 {
 public:
     PointRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
-        : scene_(scene), sources_(scene), indirect_(scene, radiosity, rays, threads), rays_(rays)
+        : scene_(scene), sources_(scene), indirect_(scene, radiosity, rays, threads, &sources_), rays_(rays)
     {
     }
 

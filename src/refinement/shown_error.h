@@ -58,7 +58,8 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
 
 /// The truth from `radiosity` [W/m^2 per patch], a solution of the scene with much finer patches (`finer`), by final
 /// gathering: the last reflection is computed at each point, with `rays` shadow rays and `rays` rays over the
-/// hemisphere for each of the two estimates. The scene `finer` must outlive the result.
+/// hemisphere for each of the two estimates, and anew where a ray is shorter than a patch is wide (IndirectLight). The
+/// scene `finer` must outlive the result.
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads);
 
 /// A table of the truth at the sample points of shown_error(), to compare many results of one scene with the same
@@ -68,8 +69,8 @@ Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const
 
 /// Discretisation error, the part of the error that more lines do not reduce. Two independent solutions by line reuse
 /// give two deviations at each point: smooth shading minus final gathering from the same solution. The noise of the
-/// lines adds nothing to the mean of their product. Not included are the errors of the patch averages from which the
-/// light is gathered; their effect is small, as a point receives light from many patches. Uses 4096 points, then
+/// lines adds nothing to the mean of their product. Not included are the errors of the light that is looked up; their
+/// effect is small, as a point receives light from many patches and near ones are not looked up. Uses 4096 points, then
 /// 16,384, then 65,536; goes on only while `enough` [1] lies between root() and root_upper_bound(). `memory` [bytes] is
 /// for solving. `progress` reports the fractions 0 ... 0.8, those of the two solutions. The result is the same for any
 /// number of threads. Throws InputError if the scene has no solution.

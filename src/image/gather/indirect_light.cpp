@@ -11,6 +11,8 @@
 
 #include "geometry/intersector/intersector.h"
 #include "image/image.h"
+#include "parallel/mix_bits.h"
+#include "sampling/random.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -34,8 +36,10 @@ std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radi
 
 } // namespace
 
-IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
+IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads,
+                             const SourceLight* near)
     : scene_(scene),
+      near_(near),
       rays_(static_cast<std::size_t>(rays)),
       reflected_(reflected_part(scene, radiosity)),
       reflected_light_(scene, reflected_, threads)
@@ -54,6 +58,45 @@ Surface facing(const GatherPoint& receiver)
 
 } // namespace
 
+/// True if light is to be gathered anew where a ray has ended.
+bool IndirectLight::is_near(const Hit& hit) const
+{
+    return near_ && !scene_.is_sky(hit.surface) &&
+           hit.t * hit.t < scene_.area(scene_.patch_at(hit.surface, hit.u, hit.v, hit.front));
+}
+
+/// [W/m^2] Estimate of the radiosity without emittance at a point: the reflected light of a few shadow rays and of one
+/// ray over the hemisphere, whose direction is given by the last two numbers of `item`. The radiosity where this ray
+/// ends is found in the same way if the ray is again short. `bits`: random.
+Rgb IndirectLight::reflected_at(Hit hit, const Sequence& sequence, const Item& item, std::uint64_t bits,
+                                RayFan& fan) const
+{
+    constexpr std::uint64_t shadow_rays = 4; // a power of two: so many consecutive items are stratified
+    constexpr int most_reflections = 8;
+    double a = item[2];
+    double b = item[3];
+    Rgb result;
+    Rgb reflectance = {1.0, 1.0, 1.0}; // of all points so far
+    for (int reflection = 1;; ++reflection) {
+        const GatherPoint receiver = gather_point(scene_, hit);
+        reflectance = reflectance * scene_.reflectance_at(hit.surface, hit.u, hit.v);
+        const SourceLight::Items items{sequence, shadow_rays * (bits >> 14), shadow_rays};
+        result += reflectance * (near_->irradiance(receiver, items, bits_to_unit(bits), fan) +
+                                 scene_.sunlight(receiver.surface, receiver.point, receiver.normal));
+        const ObliqueAxes axes(scene_.surfaces()[hit.surface], receiver.normal);
+        fan.rays = {{receiver.point, axes.turned(square_to_cosine_hemisphere(a, b))}};
+        const FirstHits& hits = fan.trace(scene_, hit.surface);
+        if (!hits.is_hit(0) || (!hits[0].front && !scene_.two_sided()))
+            return result;
+        hit = hits[0];
+        if (reflection == most_reflections || !is_near(hit))
+            return result + reflectance * reflected_light_.at(hit);
+        bits = mix_bits(bits + 1);
+        a = bits_to_unit(random_bits(bits, 0));
+        b = bits_to_unit(random_bits(bits, 1));
+    }
+}
+
 IndirectSample IndirectLight::at(const GatherPoint& receiver, const Sequence& sequence, std::uint64_t number,
                                  RayFan& fan) const
 {
@@ -70,12 +113,16 @@ IndirectSample IndirectLight::at(const GatherPoint& receiver, const Sequence& se
     const FirstHits& hits = fan.trace(scene_, receiver.surface);
     Rgb sum;
     double nearness = 1.0 / scene_.bounds().diagonal();
+    RayFan further;
     for (std::size_t k = 0; k < hits.size(); ++k) {
         if (!hits.is_hit(k))
             continue;
-        nearness += 1.0 / hits[k].t;
-        if (hits[k].front || scene_.two_sided())
-            sum += reflected_light_.at(hits[k]);
+        const Hit hit = hits[k];
+        nearness += 1.0 / hit.t;
+        if (!hit.front && !scene_.two_sided())
+            continue;
+        sum += is_near(hit) ? reflected_at(hit, sequence, fan.items[k], mix_bits(number * rays_ + k + 1), further)
+                            : reflected_light_.at(hit);
     }
     const auto count = static_cast<double>(fan.items.size());
     return {receiver, 1.0 / count * sum, count / nearness};

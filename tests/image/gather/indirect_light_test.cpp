@@ -43,6 +43,53 @@ TEST_CASE("indirect light is what a patch reflects times its form factor, withou
           doctest::Approx(3.0 * 0.239456).epsilon(4.0 * std::pow(4096.0, -0.75) / 0.239456));
 }
 
+// A lamp with a wall along its edge, of which the solution knows nothing. Where rays are shorter than the wall's patch
+// is wide, the wall's light must be found nevertheless: its reflectance times the closed form of the lamp's irradiance,
+// integrated here by the midpoint rule. The lamp reflects nothing.
+TEST_CASE("light from near patches is gathered anew and not looked up if the direct light is given")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, builder.grey(0.0, 10.0));
+    builder.rectangle({0.0, 0.0, 0.0}, {0.0, 0.5, 0.0}, {0.0, 0.0, 1.0}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(2.0);
+    REQUIRE(scene.patch_count() == 2);
+    const SourceLight direct(scene);
+    const GatherPoint receiver = {0, {0.1, 0.0, 0.4}, {0.0, 1.0, 0.0}, 0};
+    const std::vector<Rgb> unknown = {grey(10.0), grey(0.0)};
+    CHECK(sample_at({scene, unknown, 4096, 1}, receiver).irradiance == Rgb{});
+
+    constexpr int rows = 100;
+    constexpr double step = 0.5 / rows;
+    const Vec3 out = {1.0, 0.0, 0.0}; // normal of the wall
+    double expected = 0.0;
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < 2 * rows; ++k) {
+            const Vec3 point = {0.0, (i + 0.5) * step, (k + 0.5) * step};
+            const Vec3 way = point - receiver.point;
+            const double square = dot(way, way);
+            if (square >= 0.5)
+                continue;
+            const FlatPolygon lamp = part_above_horizon(scene.surfaces()[0], point, out);
+            const double reflected = 0.5 * 10.0 * irradiance_from(lamp, point, out);
+            expected += reflected * way.y * -way.x / (3.14159265358979 * square * square) * step * step;
+        }
+    CHECK(sample_at({scene, unknown, 4096, 1, &direct}, receiver).irradiance.r ==
+          doctest::Approx(expected).epsilon(0.01));
+}
+
+// In a closed room that emits and reflects the same everywhere it makes no difference.
+TEST_CASE("light that is gathered anew in a furnace is the light that is looked up")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.75, 1.0);
+    const Scene scene = builder.room({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, {wall, wall, wall, wall, wall, wall}).scene(1.0);
+    const SourceLight direct(scene);
+    const std::vector<Rgb> radiosity(scene.patch_count(), grey(4.0));
+    const GatherPoint receiver = gather_point(scene, {0.0, 0, 0.3, 0.2, true});
+    CHECK(sample_at({scene, radiosity, 1024, 1}, receiver).irradiance.r == doctest::Approx(3.0));
+    CHECK(sample_at({scene, radiosity, 1024, 1, &direct}, receiver).irradiance.r == doctest::Approx(3.0));
+}
+
 // The same square turned over, as wide as the sky: its back gives light where it is a patch of a two-sided scene.
 TEST_CASE("backs give indirect light in two-sided scenes alone")
 {
