@@ -1,6 +1,8 @@
 #include "image/gather/indirect_light.h"
 
 #include "geometry/intersector/intersector.h"
+#include "geometry/pi.h"
+#include "geometry/polygon.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -71,7 +73,7 @@ TEST_CASE("light from near patches is gathered anew and not looked up if the dir
                 continue;
             const FlatPolygon lamp = part_above_horizon(scene.surfaces()[0], point, out);
             const double reflected = 0.5 * 10.0 * irradiance_from(lamp, point, out);
-            expected += reflected * way.y * -way.x / (3.14159265358979 * square * square) * step * step;
+            expected += reflected * way.y * -way.x / (pi * square * square) * step * step;
         }
     CHECK(sample_at({scene, unknown, 4096, 1, &direct}, receiver).irradiance.r ==
           doctest::Approx(expected).epsilon(0.01));
