@@ -2,7 +2,7 @@
 . "$2/tests/cli/check.sh"
 scene=$root/scenes/cube.obj
 quick="--lines 1000 --patches 100 --size 8x8 --quiet"
-slow_picture="--shading gather --gather-rays 1000000 --size 500x500"
+slow_picture="--threads 1 --shading gather --gather-rays 1000000 --size 500x500"
 
 # Runs the program in the background with all files in the folder `halted` and its number in `pid`, until MOMENT
 # succeeds; its exit status will be in `status`.

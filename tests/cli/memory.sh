@@ -75,17 +75,15 @@ copies() {
         says out "lines were cast for the figures instead of") || return
     copies_of 4000 # of whose pairs 8 bytes each would be too many
     for method in $(methods | grep -v -e reuse -e gathering) "reuse --direct shoot"; do # few walks gather nothing
-        (ulimit -v 145000 && ends 0 solve copies.obj --patches 4100 --lines 1000 --method $method --threads 1 -o copies.csv --quiet) || return
+        (ulimit -v 145000 && ends 0 solve copies.obj --patches 4100 --lines 300 --method $method --threads 1 -o copies.csv --quiet) || return
     done
-    copies_of 8000
-    (ulimit -v 300000 && ends 0 solve copies.obj --patches 8100 --lines 1000 --threads 1 --direct shoot -o copies.csv --quiet)
 }
 # A sanitizer takes all addresses there are.
 if (ulimit -v 300000 && "$program" --version >/dev/null 2>&1); then
-    check "a run keeps to its estimate without pairs" within 250000 --patches 400k --memory 190MB -o a.csv -o a.png -o a.glb
+    check "a run keeps to its estimate without pairs" within 140000 --patches 200k --memory 95MB -o a.csv -o a.png -o a.glb
     check "hundreds and thousands of copies of a face take no more than the scene" copies
     check "and the pairs of reuse to the limit" within 250000 --patches 8000 --memory 200MB -o b.csv
-    counts() { (ulimit -v 180000 && ends 0 solve "$scene" --patches 100k --lines 2^24 --memory 120MB --threads 1 --quiet -o c.csv); }
+    counts() { (ulimit -v 100000 && ends 0 solve "$scene" --patches 50k --lines 2^23 --memory 60MB --threads 1 --quiet -o c.csv); }
     check "and the counts of many lines, in parts" counts
 fi
 finish

@@ -26,16 +26,16 @@ agrees() {
     ./mini "$root/scenes/$1.obj" "$2" "$3" "$4" "$5" >mini.txt && # options apart
         ends 0 solve "$root/scenes/$1.obj" --lines "$2" --patch-size "$4" --method "$6" $power $quiet && same 1e-10
 }
-check "5CUBES: first shot and walk" agrees 5cubes 200000 1 0.15 1e-3 first-shot
-check "5CUBES: extended first shot and walk" agrees 5cubes 200000 1000 0.15 1e-3 extended
+check "5CUBES: first shot and walk" agrees 5cubes 50000 1 0.15 1e-3 first-shot
+check "5CUBES: extended first shot and walk" agrees 5cubes 50000 1000 0.15 1e-3 extended
 for scene in 4chairs 4chairs-up; do
-    check "$scene: first shot and walk" agrees $scene 60000 1 0.15 5e-3 first-shot
-    check "$scene: extended first shot and walk" agrees $scene 60000 1000 0.15 5e-3 extended
+    check "$scene: first shot and walk" agrees $scene 20000 1 0.15 5e-3 first-shot
+    check "$scene: extended first shot and walk" agrees $scene 20000 1000 0.15 5e-3 extended
 done
-check "5CUBES: most lines for the shots" agrees 5cubes 300000 1000 0.15 4e-5 extended
-check "global lines alone" agrees 5cubes 200000 0 0.15 1 global
-check "triangles, and colours" agrees sphere 100000 1000 0.2 1e-2 extended
-check "a room with an open front" agrees cornell 200000 1000 0.05 1e-3 extended
+check "5CUBES: most lines for the shots" agrees 5cubes 120000 1000 0.15 1e-4 extended
+check "global lines alone" agrees 5cubes 50000 0 0.15 1 global
+check "triangles, and colours" agrees sphere 30000 1000 0.2 1e-2 extended
+check "a room with an open front" agrees cornell 50000 1000 0.05 1e-3 extended
 
 pictured() { [ "$(head -c 2 mini.ppm)" = P6 ] && tail -c 921600 mini.ppm | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i) s += $i } END { exit s / 921600 < 10 }'; }
 check "it writes a picture" pictured

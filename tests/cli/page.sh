@@ -39,8 +39,8 @@ check "few lines make no trouble" few_lines
 small_file() { ends 0 solve scenes/4chairs.obj --quiet -o 4chairs.html && [ "$(wc -c <4chairs.html)" -lt 3000000 ]; }
 check "4CHAIRS takes less than 3 MB" small_file
 
-many_patches() { ends 0 solve scenes/5cubes.obj --lines 2^18 --patches 200000 --quiet -o many.html && [ "$(wc -c <many.html)" -lt 12000000 ]; }
-check "200,000 patches take less than 12 MB" many_patches
+many_patches() { ends 0 solve scenes/5cubes.obj --lines 2^18 --patches 100000 --quiet -o many.html && [ "$(wc -c <many.html)" -lt 8000000 ]; }
+check "100,000 patches take less than 8 MB" many_patches
 
 written_wrong() {
     ends 2 solve scenes/5cubes.obj $small -o room.htm && says err ".html" && ends 1 solve scenes/5cubes.obj $small -o missing/room.html

@@ -14,15 +14,15 @@ check "an error from few lines per patch is not trusted" few_lines
 number() { sed -n "s/^ *\"$1\": \([-0-9.e]*\),*$/\1/p" out; }
 at_most() { awk "BEGIN { exit !($1 <= $2) }"; }
 tolerance() {
-    for share in 0.05 0.008; do
-        ends 0 solve "$scene" --tolerance $share --json -o tolerance.csv && at_most "$(number error)" $share &&
+    for share in 0.05 0.01; do
+        ends 0 solve "$scene" --tolerance $share --json -o tolerance.csv --state $share.state && at_most "$(number error)" $share &&
             says err "% of the mean (patches " && grep -q "^# command: .* --tolerance $share" tolerance.csv &&
             ! grep -q "^# command: .*--adaptive" tolerance.csv || return
         eval "patches_$(echo $share | tr . _)=$(number patches)"
     done
-    [ "$patches_0_05" -lt "$patches_0_008" ] || return
-    ends 0 solve "$scene" --tolerance 0.05 --state tolerance.state && ends 0 solve "$scene" --tolerance 0.05 --state tolerance.state --resume &&
-        ends 1 solve "$scene" --tolerance 0.008 --state tolerance.state --resume && says err "patches, not" &&
+    [ "$patches_0_05" -lt "$patches_0_01" ] || return
+    ends 0 solve "$scene" --tolerance 0.05 --state 0.05.state --resume &&
+        ends 1 solve "$scene" --tolerance 0.01 --state 0.05.state --resume && says err "patches, not" &&
         ends 0 solve "$scene" --patches 100 --tolerance 0.008 --lines 2^17 --json -o fixed.csv &&
         at_most 0.008 "$(number patch_error)" && says err "above the tolerance of 0.8 %: there are too few patches"
 }
