@@ -30,14 +30,11 @@ TEST_CASE("white bodies vanish before the sky" * doctest::test_suite("statistics
     builder.box({0, 0, 0}, {1, 1, 1}, white).box({0.2, 1.0, 0.2}, {0.6, 1.5, 0.6}, white); // one on the other
     builder.box({1.2, 0, 0}, {1.3, 1.5, 1}, white);
     const Scene scene = under_sky(builder.file(), {1.0, 2.0, 3.0}, 1.0);
-    for (const Method method : all_methods())
-        for (const std::uint32_t patch : {1u, 5u, 9u, 14u}) {
-            CAPTURE(method->name);
-            CAPTURE(patch);
-            const Estimate b = over_seeds(scene, random_lines(method, 1u << 14, 0), 30,
-                                          [&](const Solution& s) { return s.radiosity[patch].g; });
+    for (const Method method : all_methods()) {
+        CAPTURE(method->name);
+        for (const Estimate& b : radiosities(scene, random_lines(method, 1u << 14, 0), 30, {1, 5, 9, 14}))
             CHECK(std::abs(b.mean - 2.0) < 4.0 * b.standard_error + 1e-6);
-        }
+    }
 }
 
 TEST_CASE("a plate that sees nothing but the sky receives pi times its radiance on both sides")
@@ -65,12 +62,9 @@ TEST_CASE("the floor in the sun lights the wall" * doctest::test_suite("statisti
     const double b_floor = 0.5 * 10.0 / (1.0 - 0.25 * f * f);
     for (const Method method : all_methods()) {
         CAPTURE(method->name);
-        const auto runs = [&](std::uint32_t patch) {
-            return over_seeds(scene, random_lines(method, 1u << 14, 0), 30,
-                              [&](const Solution& s) { return s.radiosity[patch].g; });
-        };
-        CHECK(runs(0).mean == doctest::Approx(b_floor).epsilon(1e-3));
-        const Estimate wall = runs(1);
+        const std::vector<Estimate> found = radiosities(scene, random_lines(method, 1u << 14, 0), 30, {0, 1});
+        CHECK(found[0].mean == doctest::Approx(b_floor).epsilon(1e-3));
+        const Estimate wall = found[1];
         CHECK(std::abs(wall.mean - 0.5 * f * b_floor) < 4.0 * wall.standard_error + 1e-6);
         const Solution solution = solve(scene, random_lines(method, 1u << 14, 1), silent);
         CHECK(solution.balance.source.g == doctest::Approx(10.0));
@@ -121,11 +115,11 @@ TEST_CASE("lamp, sky and sun add up" * doctest::test_suite("statistics"))
             return power;
         });
     };
+    const double parts = floor_power(scene(5, 0, 0), Method::reuse).mean +
+                         floor_power(scene(0, 3, 0), Method::reuse).mean +
+                         floor_power(scene(0, 0, 4), Method::reuse).mean;
     for (const Method method : all_methods()) {
         CAPTURE(method->name);
-        const double parts = floor_power(scene(5, 0, 0), Method::reuse).mean +
-                             floor_power(scene(0, 3, 0), Method::reuse).mean +
-                             floor_power(scene(0, 0, 4), Method::reuse).mean;
         const Estimate all = floor_power(scene(5, 3, 4), method);
         CHECK(std::abs(all.mean - parts) < 4.0 * all.standard_error + 0.002 * parts);
     }

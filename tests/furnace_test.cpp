@@ -20,13 +20,10 @@ TEST_CASE("in a closed box of uniform walls the radiosity is E / (1 - rho)" * do
     const std::uint32_t wall = builder.grey(0.3, 1.4);
     builder.room({0, 0, 0}, {1, 2, 3}, wall).box({0.3, 0.5, 0.4}, {0.6, 0.9, 1.0}, wall);
     const Scene scene = builder.scene(1.0);
-    for (const Method method : all_methods()) {
-        const SolveOptions options = random_lines(method, 1u << 14, 0);
-        for (const std::uint32_t patch : {0u, 7u, scene.patch_count() - 1})
-            CHECK(over_seeds(scene, options, 60, [&](const Solution& s) {
-                      return s.radiosity[patch].g;
-                  }).agrees_with(2.0));
-    }
+    for (const Method method : all_methods())
+        for (const Estimate& b :
+             radiosities(scene, random_lines(method, 1u << 14, 0), 60, {0, 7, scene.patch_count() - 1}))
+            CHECK(b.agrees_with(2.0));
 }
 
 // The same with boxes standing exactly on the floor, bottoms included, and a sheet made of two coincident faces: the
@@ -40,10 +37,9 @@ TEST_CASE("the furnace law holds with coincident faces" * doctest::test_suite("s
     builder.rectangle({0.6, 0.5, 0.6}, {0, 0, 0.3}, {0.3, 0, 0}, wall); // faces up
     const Scene scene = builder.scene(0.5);
     for (const Method method : {Method::global, Method::first_shot})
-        for (const std::uint32_t patch : {0u, scene.first_patch(6), scene.first_patch(12), scene.first_patch(13)})
-            CHECK(over_seeds(scene, random_lines(method, 1u << 15, 0), 24, [&](const Solution& s) {
-                      return s.radiosity[patch].g;
-                  }).agrees_with(2.0));
+        for (const Estimate& b : radiosities(scene, random_lines(method, 1u << 15, 0), 24,
+                                             {0, scene.first_patch(6), scene.first_patch(12), scene.first_patch(13)}))
+            CHECK(b.agrees_with(2.0));
     const Solution solution = solve(scene, random_lines(Method::first_shot, 1u << 16, 5), silent);
     CHECK(solution.balance.behind.g == 0.0);
     CHECK(solution.balance.escaped.g == 0.0);

@@ -173,7 +173,7 @@ TEST_CASE("in more random closed rooms light stays, too")
 TEST_CASE("in random closed rooms the mean radiosity is that of particles, by every method" *
           doctest::test_suite("statistics"))
 {
-    for (std::uint64_t key = 1; key <= 4; ++key) {
+    for (std::uint64_t key = 1; key <= 3; ++key) {
         CAPTURE(key);
         const Scene scene = random_room(key);
         const Estimate truth = mean_of_runs(scene, ways[0], 1u << 18).radiosity;

@@ -111,7 +111,7 @@ TEST_CASE("the variants of line reuse are taken up again, too")
     {
         options.lines = 6000;
     }
-    CHECK(check_all_pauses(scene, options, 1, options.lines > 100000 ? 31 : 23) >= 3);
+    CHECK(check_all_pauses(scene, options, 1, options.lines > 100000 ? 61 : 47) >= 3);
 }
 
 TEST_CASE("iterations for important patches, one way, and bundles of some lines are taken up again")
@@ -148,8 +148,8 @@ TEST_CASE("iterations for important patches, one way, and bundles of some lines 
 TEST_CASE("replicates and rounds are taken up again")
 {
     const Scene scene = room();
-    CHECK(check_all_pauses(scene, options_of(Method::extended, "sobol", 30000), 3, 17) > 40);
-    CHECK(check_all_pauses(scene, options_of(Method::reuse, "random", 30000), 3, 101) > 400);
+    CHECK(check_all_pauses(scene, options_of(Method::extended, "sobol", 30000), 3, 31) > 40);
+    CHECK(check_all_pauses(scene, options_of(Method::reuse, "random", 30000), 3, 199) > 400);
 
     const SolveOptions options = options_of(Method::reuse, "sobol", 0);
     const auto until = [&](Checkpoint* checkpoint) {
@@ -157,7 +157,7 @@ TEST_CASE("replicates and rounds are taken up again")
             scene, options, 2, 4000, [](const Round& round) { return round.lines < 32000; }, silent, checkpoint);
     };
     const Solution whole = until(nullptr);
-    for (int pause = 0;; pause += 211) {
+    for (int pause = 0;; pause += 397) {
         TestCheckpoint left(pause);
         until(&left);
         if (left.finished())
