@@ -24,11 +24,16 @@ tally() {
     failed=$((failed + 1))
 }
 
-# As many at a time as there are processors, those that take longest first.
+# Two parts of the unit tests, and beside them as many scripts as there are processors, those that take longest first.
 jobs=$(nproc 2>/dev/null || echo 2)
-(cd "$root" && "$unit_tests" $UNIT_ARGS) >"$scratch/unit_tests.log" 2>&1 &
-unit_tests_process=$!
-slow="selftest torture tolerance limits study solve memory page install"
+unit_tests() { (cd "$root" && "$unit_tests" $UNIT_ARGS "$1") >"$scratch/unit_tests$1.log" 2>&1; }
+statistics=-ts=statistics
+case $UNIT_ARGS in *-tse=statistics*) statistics= ;; esac
+unit_tests -tse=statistics &
+others_process=$!
+[ -z "$statistics" ] || unit_tests $statistics &
+statistics_process=$!
+slow="tolerance solve memory page interrupt limits provenance mini selftest install study torture state"
 scripts=
 for name in $slow include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p'); do
     case " check $LEAVE_OUT $scripts " in *" $name "*) ;; *) scripts="$scripts $name" ;; esac
@@ -43,9 +48,14 @@ for name in $scripts; do
         sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p')"
 done
 
-wait $unit_tests_process
-tally unit_tests $? "$scratch/unit_tests.log" "$(sed -n \
-    's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests.log")"
+# usage: tally_unit_tests PROCESS SUITE
+tally_unit_tests() {
+    wait "$1"
+    tally "unit_tests $2" $? "$scratch/unit_tests$2.log" "$(sed -n \
+        's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests$2.log")"
+}
+tally_unit_tests $others_process -tse=statistics
+[ -z "$statistics" ] || tally_unit_tests $statistics_process $statistics
 
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
