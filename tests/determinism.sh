@@ -49,7 +49,7 @@ results() {
         solved $scene-gather pfm scenes/$scene.obj --patches 500 -n 2^13 --size 48x36 --shading gather --gather-rays 4 --samples 1
     done
     solved all "csv ppm png pfm ply glb obj html" scenes/4chairs.obj --patches 400 -n 2^13 --size 48x36
-    solved replicates csv scenes/sphere.obj --patches 500 -n 2^13 --replicates 3
+    solved replicates csv scenes/squares.obj --patches 500 -n 2^13 --replicates 3
     solved shot-reuse csv scenes/5cubes.obj --patches 500 -n 2^13 --direct shoot -s kronecker-shift
     solved adaptive csv scenes/5cubes.obj --adaptive 600 -n 2^12
     solved absorption csv scenes/5cubes.obj --patches 500 -n 2^13 -m local --estimator absorption

@@ -3,7 +3,8 @@
 # bytes, "!" for others, "x" for a run that failed. Compilers that are not there are left out.
 # Debian: g++-aarch64-linux-gnu and its like, qemu-user.
 # Ends with the line "N passed, N failed".
-# usage: platforms.sh PROGRAM [COMPILER...]      a compiler may have flags: "g++-11 -static"
+# KINDS chooses among the kinds of runs.
+# usage: [KINDS="reuse outputs"] platforms.sh PROGRAM [COMPILER...]      a compiler may have flags: "g++-11 -static"
 [ -x "${1:-}" ] || { echo "usage: platforms.sh PROGRAM [COMPILER...]" >&2; exit 2; }
 here=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
@@ -13,7 +14,7 @@ shift
 scratch=$root/build/platforms passed=0 failed=0
 rm -rf "$scratch/runs" "$scratch/begun.state" && mkdir -p "$scratch/runs" && cd "$root" || exit 1
 methods=$("$here" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p')
-kinds="$methods two-sided replicates rays adaptive outputs textures resumed"
+kinds=${KINDS:-$methods two-sided replicates rays adaptive outputs textures resumed}
 
 # A room whose floor has a picture on it, a file lit from outside.
 mkdir -p "$scratch/files" && (
@@ -31,7 +32,7 @@ results() {
     ln -s "$root/scenes" scenes && ln -s "$scratch/files" files || return
     case $kind in
     two-sided) "$@" solve scenes/cornell.obj $few --two-sided -o sided.csv ;;
-    replicates) "$@" solve scenes/cornell.obj --threads 2 --patches 60 -n 2^10 -q -m extended --replicates 2 -o replicates.csv ;;
+    replicates) "$@" solve scenes/squares.obj --threads 2 --patches 60 -n 2^10 -q -m extended --replicates 2 -o replicates.csv ;;
     rays) "$@" solve scenes/4chairs.obj --threads 2 --patches 600 -n 2^12 -q --memory 64MB -o rays.csv ;;
     adaptive) "$@" solve scenes/5cubes.obj --threads 2 --adaptive 400 -n 2^11 -q -o adaptive.csv ;;
     outputs) "$@" solve scenes/cornell.obj $few --size 32x24 --samples 4 -o all.ppm -o all.png -o all.pfm -o all.ply -o all.glb \
