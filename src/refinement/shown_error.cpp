@@ -242,7 +242,6 @@ public:
         const auto count = static_cast<std::size_t>(rays_);
         Rgb irradiance = sources_.irradiance(receiver, {*to_sources, 0, count}, bits_to_unit(bits), fan);
         irradiance += indirect_.at(receiver, *around, 0, fan).irradiance;
-        irradiance += scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
         return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
                scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
     }

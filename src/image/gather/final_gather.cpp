@@ -105,7 +105,6 @@ Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFa
     const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
     const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
     irradiance += source_light_.irradiance(receiver, items, offset, fan);
-    irradiance += scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
     return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
            scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
 }

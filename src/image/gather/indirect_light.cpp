@@ -81,8 +81,7 @@ Rgb IndirectLight::reflected_at(Hit hit, const Sequence& sequence, const Item& i
         const GatherPoint receiver = gather_point(scene_, hit);
         reflectance = reflectance * scene_.reflectance_at(hit.surface, hit.u, hit.v);
         const SourceLight::Items items{sequence, shadow_rays * (bits >> 14), shadow_rays};
-        result += reflectance * (near_->irradiance(receiver, items, bits_to_unit(bits), fan) +
-                                 scene_.sunlight(receiver.surface, receiver.point, receiver.normal));
+        result += reflectance * near_->irradiance(receiver, items, bits_to_unit(bits), fan);
         const ObliqueAxes axes(scene_.surfaces()[hit.surface], receiver.normal);
         fan.rays = {{receiver.point, axes.turned(square_to_cosine_hemisphere(a, b))}};
         const FirstHits& hits = fan.trace(scene_, hit.surface);

@@ -105,7 +105,6 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
                             light = sources.irradiance(receiver, {*to_sources, 0, static_cast<std::size_t>(rays)},
                                                        bits_to_unit(bits), fan);
                             light += indirect.at(receiver, *around, 0, fan).irradiance;
-                            light += scene.sunlight(receiver.surface, receiver.point, receiver.normal);
                         }
                     });
     grid.least = std::numeric_limits<double>::infinity();

@@ -1,7 +1,7 @@
-// The direct irradiance of a point is H = H0 V. The unoccluded irradiance H0 is a sum of Lambert's closed form over the
-// sources. The visible share V is estimated with shadow rays, which are distributed among the sources in proportion to
-// their unoccluded irradiance, and within a source uniformly over its solid angle, so that the weight w of a ray
-// contains only the cosine. V is a ratio estimator, exact if all rays agree:
+// The irradiance of a point by the surfaces that emit is H = H0 V. The unoccluded irradiance H0 is a sum of Lambert's
+// closed form over the sources. The visible share V is estimated with shadow rays, which are distributed among the
+// sources in proportion to their unoccluded irradiance, and within a source uniformly over its solid angle, so that the
+// weight w of a ray contains only the cosine. V is a ratio estimator, exact if all rays agree:
 //
 //   V ~ sum of w v / sum of w,   v = 1 if the ray meets the source, 0 if it meets something else
 //
@@ -214,6 +214,13 @@ SourceLight::SourceViews SourceLight::source_views(const GatherPoint& receiver, 
 }
 
 Rgb SourceLight::irradiance(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const
+{
+    return irradiance_by_surfaces(receiver, items, offset, fan) +
+           scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
+}
+
+Rgb SourceLight::irradiance_by_surfaces(const GatherPoint& receiver, const Items& items, double offset,
+                                        RayFan& fan) const
 {
     const auto [unobstructed, views] = source_views(receiver, offset);
     if (views.empty())

@@ -36,10 +36,11 @@ private:
     mutable std::vector<std::atomic<std::uint8_t>> known_;
 };
 
-/// Direct light: the irradiance of points by the sources of a scene, that is, by all surfaces with emittance (the sky
-/// included, the sun not). The unoccluded irradiance has a closed form. Shadow rays estimate the visible share of
-/// sources that may be occluded. There is no noise where all sources, or none, are visible, unless the scene has more
-/// than 32 sources: then only about 32 are sampled per point. Immutable and safe to share between threads.
+/// Direct light: the irradiance of points by the sources of a scene, which are all surfaces with emittance, the sky
+/// included, and the sun. Of the surfaces, the unoccluded irradiance has a closed form. Shadow rays estimate the
+/// visible share of sources that may be occluded. There is no noise where all sources, or none, are visible, unless the
+/// scene has more than 32 sources: then only about 32 are sampled per point. Immutable and safe to share between
+/// threads.
 class SourceLight
 {
 public:
@@ -55,8 +56,8 @@ public:
         std::size_t count;   ///< number of shadow rays
     };
 
-    /// [W/m^2] Irradiance of a point by all sources. `offset` in [0, 1) shifts the systematic sampling of sources and
-    /// rays, and should differ from point to point. `fan`: reusable buffers of one thread.
+    /// [W/m^2] Irradiance of a point by all sources, the sun included. `offset` in [0, 1) shifts the systematic
+    /// sampling of sources and rays, and should differ from point to point. `fan`: reusable buffers of one thread.
     Rgb irradiance(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const;
 
 private:
@@ -89,6 +90,7 @@ private:
     static std::vector<std::uint32_t> surfaces_of(const std::vector<Source>& sources);
     static double importance(const Source& source, const GatherPoint& receiver);
     SourceViews source_views(const GatherPoint& receiver, double offset) const;
+    Rgb irradiance_by_surfaces(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const;
 
     const Scene& scene_;
     std::vector<Source> sources_;

@@ -31,8 +31,8 @@ std::string grouped(std::uint64_t count)
 std::string join(const std::vector<std::string>& parts, std::string_view separator)
 {
     std::string text;
-    for (const std::string& part : parts)
-        text.append(text.empty() ? "" : separator).append(part);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        text.append(k == 0 ? "" : separator).append(parts[k]);
     return text;
 }
 

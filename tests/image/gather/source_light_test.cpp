@@ -3,6 +3,7 @@
 #include "geometry/intersector/intersector.h"
 #include "geometry/pi.h"
 #include "sampling/sequence.h"
+#include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
@@ -221,6 +222,20 @@ TEST_CASE("no ray between a patch and a lamp in clear sight of it meets anything
         CHECK(clear > static_cast<int>(scene.patch_count()) / 5);
         CHECK(hidden == 0);
     }
+}
+
+TEST_CASE("the sun lights a point beside lamps, unless something hides it")
+{
+    const auto irradiance = [](SceneBuilder builder) {
+        builder.sun(sun_at(0, 30, {0, 1, 0}, {10, 20, 30}));
+        return irradiance_by(16, SourceLight(builder.scene(1.0)), 0.0);
+    };
+    CHECK(irradiance(with_floor()).g == doctest::Approx(20.0 * 0.5)); // sin 30 degrees
+    const double by_lamp = 4.0 * corner_factor(0.5, 0.5);
+    CHECK(irradiance(with_lamp({1, 1, 1})).b == doctest::Approx(30.0 * 0.5 + by_lamp));
+    SceneBuilder roofed = with_floor();
+    roofed.rectangle({-9, 1, -9}, {18, 0, 0}, {0, 0, 18}, roofed.grey(0.0, 0.0));
+    CHECK(irradiance(roofed) == Rgb{});
 }
 
 } // namespace source_light_test
