@@ -195,7 +195,7 @@ check "the same for any number of threads, and held to a tolerance" shown_as_ask
 # Within a factor of two of what the finer solution tells.
 alone() {
     ends 0 compare size-0.5.state --points 100 && says out "light gathered from A itself" &&
-        ends 0 compare size-0.5.state --points 4000 --json || return
+        ends 0 compare size-0.5.state --points 2000 --json || return
     sed -n 's/.*"relative_mean_square_error": \([-0-9.e]*\).*/\1/p' out >>shown_errors
     awk 'NR == 2 { known = $1 } END { exit !(NR == 3 && $1 < 2 * known && known < 2 * $1) }' shown_errors ||
         { cat shown_errors; return 1; }

@@ -34,7 +34,7 @@ for scene in 4chairs 4chairs-up; do
 done
 check "5CUBES: most lines for the shots" agrees 5cubes 120000 1000 0.15 1e-4 extended
 check "global lines alone" agrees 5cubes 50000 0 0.15 1 global
-check "triangles, and colours" agrees sphere 30000 1000 0.2 1e-2 extended
+check "triangles, and colours" agrees sphere 15000 1000 0.2 1e-2 extended
 check "a room with an open front" agrees cornell 50000 1000 0.05 1e-3 extended
 
 pictured() { [ "$(head -c 2 mini.ppm)" = P6 ] && tail -c 921600 mini.ppm | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i) s += $i } END { exit s / 921600 < 10 }'; }

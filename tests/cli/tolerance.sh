@@ -23,8 +23,8 @@ tolerance() {
     [ "$patches_0_05" -lt "$patches_0_01" ] || return
     ends 0 solve "$scene" --tolerance 0.05 --state 0.05.state --resume &&
         ends 1 solve "$scene" --tolerance 0.01 --state 0.05.state --resume && says err "patches, not" &&
-        ends 0 solve "$scene" --patches 100 --tolerance 0.008 --lines 2^17 --json -o fixed.csv &&
-        at_most 0.008 "$(number patch_error)" && says err "above the tolerance of 0.8 %: there are too few patches"
+        ends 0 solve "$root/scenes/squares.obj" --patches 50 --tolerance 1e-4 --lines 2^14 --json -o fixed.csv &&
+        at_most 1e-4 "$(number patch_error)" && says err "above the tolerance of 0.01 %: there are too few patches"
 }
 check "a tolerance is one of the whole error, and chooses the patches" tolerance
 

@@ -1,4 +1,4 @@
-# Runs are killed (SIGKILL) at random moments, KILLS of them (10), and resumed, some of them several times: always the same bytes.
+# Runs are killed (SIGKILL) at random moments, KILLS of them (8, one of each method), and resumed, some of them several times: always the same bytes.
 . "$2/tests/cli/check.sh"
 scene=$root/scenes/5cubes.obj
 common="--patch-size 0.3 --quiet"
@@ -51,7 +51,7 @@ one_run() {
     echo $resumed >>../torture.count
 }
 
-kills_wanted=${KILLS:-10}
+kills_wanted=${KILLS:-8}
 killed() {
     : >torture.count
     number=0
