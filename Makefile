@@ -25,8 +25,11 @@ PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconversion $(WERROR))
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
 machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
+# g++ collects its garbage less often: less time for a fifth more memory.
+garbage  := $(if $(findstring Free Software,$(shell $(CXX) --version 2>/dev/null)),--param ggc-min-expand=200 \
+            --param ggc-min-heapsize=300000)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
-COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) $(garbage) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
 
 Q         = $(if $(V),,@)
