@@ -26,13 +26,13 @@ tally() {
 
 # Two parts of the unit tests, and beside them as many scripts as there are processors, those that take longest first.
 jobs=$(nproc 2>/dev/null || echo 2)
-unit_tests() { (cd "$root" && "$unit_tests" $UNIT_ARGS "$1") >"$scratch/unit_tests$1.log" 2>&1; }
-statistics=-ts=statistics
-case $UNIT_ARGS in *-tse=statistics*) statistics= ;; esac
-unit_tests -tse=statistics &
-others_process=$!
-[ -z "$statistics" ] || unit_tests $statistics &
-statistics_process=$!
+run_unit_tests() { (cd "$root" && "$unit_tests" $UNIT_ARGS "$1") >"$scratch/unit_tests$1.log" 2>&1; }
+case $UNIT_ARGS in *-tse=statistics*) suites=-tse=statistics ;; *) suites="-tse=statistics -ts=statistics" ;; esac
+processes=
+for suite in $suites; do
+    run_unit_tests $suite &
+    processes="$processes $!"
+done
 slow="tolerance solve memory page interrupt limits provenance mini selftest install study torture state"
 scripts=
 for name in $slow include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p'); do
@@ -48,14 +48,13 @@ for name in $scripts; do
         sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p')"
 done
 
-# usage: tally_unit_tests PROCESS SUITE
-tally_unit_tests() {
+set -- $processes
+for suite in $suites; do
     wait "$1"
-    tally "unit_tests $2" $? "$scratch/unit_tests$2.log" "$(sed -n \
-        's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests$2.log")"
-}
-tally_unit_tests $others_process -tse=statistics
-[ -z "$statistics" ] || tally_unit_tests $statistics_process $statistics
+    tally "unit_tests $suite" $? "$scratch/unit_tests$suite.log" "$(sed -n \
+        's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$scratch/unit_tests$suite.log")"
+    shift
+done
 
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

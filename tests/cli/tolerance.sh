@@ -3,10 +3,11 @@
 scene=$root/scenes/5cubes.obj
 
 few_lines() {
-    ends 0 solve "$root/scenes/squares.obj" --patches 400 --lines 80000 --replicates 4 -o few.csv && says err "64 lines per patch" || return
-    ends 0 solve "$root/scenes/squares.obj" --patches 400 --lines 120000 --replicates 4 -o more.csv && ! grep -q "64 lines per patch" err || return
-    ends 0 solve "$root/scenes/squares.obj" --patches 400 --tolerance 50% -o tolerance.csv && ! grep -q "64 lines per patch" err || return
-    ends 0 solve "$root/scenes/squares.obj" --patches 400 --lines 8000 --replicates 4 --method local -o local.csv && ! grep -q "64 lines" err
+    scene=$root/scenes/squares.obj
+    ends 0 solve "$scene" --patches 400 --lines 80000 --replicates 4 -o few.csv && says err "64 lines per patch" || return
+    ends 0 solve "$scene" --patches 400 --lines 120000 --replicates 4 -o more.csv && ! grep -q "64 lines per patch" err || return
+    ends 0 solve "$scene" --patches 400 --tolerance 50% -o tolerance.csv && ! grep -q "64 lines per patch" err || return
+    ends 0 solve "$scene" --patches 400 --lines 8000 --replicates 4 --method local -o local.csv && ! grep -q "64 lines" err
 }
 check "an error from few lines per patch is not trusted" few_lines
 
@@ -27,6 +28,4 @@ tolerance() {
         at_most 1e-4 "$(number patch_error)" && says err "above the tolerance of 0.01 %: there are too few patches"
 }
 check "a tolerance is one of the whole error, and chooses the patches" tolerance
-
-
 finish

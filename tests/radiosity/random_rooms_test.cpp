@@ -167,7 +167,7 @@ TEST_CASE("in random closed rooms every method gives finite light that is neithe
 
 TEST_CASE("in more random closed rooms light stays, too")
 {
-    check_that_light_stays(7, 18);
+    check_that_light_stays(7, 24);
 }
 
 TEST_CASE("in random closed rooms the mean radiosity is that of particles, by every method" *
