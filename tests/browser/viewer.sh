@@ -12,42 +12,39 @@ browse() {
         --enable-logging=stderr "$@" 2>browser.log
 }
 
-# The functions of viewer_looks.js that look at a page, all in one run of the browser.
-# usage: looks_at PAGE
-looks_at() {
-    case $1 in
-    5cubes) echo patches_found, picture_compared, first_view, click_on_patch, stages_shown, lines_traced, quantities_shown, \
-        keys_pressed, view_saved, names_of_controls ;;
-    4chairs) echo first_view ;;
-    *) echo patches_found, picture_compared ;;
-    esac
-}
-
-# A page in a frame of 800 x 600 pixels, which the room fills when the controls are hidden, and functions that look at it.
-# usage: write_look PAGE FUNCTIONS
+# A page with a frame of 800 x 600 pixels, which the room fills when the controls are hidden, and functions that look at it.
+# usage: write_look STATEMENT
 write_look() {
     cat >look.html <<HTML
 <!DOCTYPE html><meta charset="utf-8"><pre id="result">the page did not load</pre>
-<iframe id="frame" src="$1.html" style="width:800px;height:600px;border:0"></iframe>
-<img id="drawn" src="$1.png" alt="" hidden>
+<iframe id="frame" style="width:800px;height:600px;border:0"></iframe>
+<img id="drawn" alt="" hidden>
 <script src="$root/tests/browser/viewer_looks.js"></script>
-<script>look_with($2);</script>
+<script>$1;</script>
 HTML
 }
+
+# The functions of viewer_looks.js that look at each page of a run of the browser, which takes seconds to start.
+rooms="{ '5cubes': [patches_found, picture_compared, first_view, click_on_patch, stages_shown, lines_traced, quantities_shown, \
+    keys_pressed, view_saved, names_of_controls], sphere: [patches_found, picture_compared], sided: [patches_found, picture_compared], \
+    textured: [patches_found, picture_compared] }"
+chairs="{ '4chairs': [first_view] }"
 
 # What one of these functions finds becomes the lines of `seen`. The browser's virtual time passes while other threads of
 # it work: on a busy machine more of it is needed.
 # usage: look PAGE FUNCTION
 look() {
+    dom=rooms.dom pages=$rooms
+    [ "$1" = 4chairs ] && dom=4chairs.dom pages=$chairs
     for budget in 100000 1000000; do
-        if [ ! -f "$1.dom" ]; then
-            write_look "$1" "$(looks_at "$1")"
-            browse --virtual-time-budget=$budget --window-size=900,700 --dump-dom "file://$PWD/look.html" >"$1.dom"
+        if [ ! -f "$dom" ]; then
+            write_look "look_at($pages)"
+            browse --virtual-time-budget=$budget --window-size=900,700 --dump-dom "file://$PWD/look.html" >"$dom"
             cat browser.log >>console.log
         fi
-        sed -n 's/.*<pre id="result">//; /^[a-z_]* .*/p' "$1.dom" | sed -n "/^look $2\$/,/^end /p" >seen
+        sed -n 's/.*<pre id="result">//; /^[a-z_]* .*/p' "$dom" | sed -n "/^look $1 $2\$/,/^end /p" >seen
         grep -q '^end ' seen && return
-        mv "$1.dom" failed.dom
+        mv "$dom" failed.dom
     done
     head -c 1000 failed.dom
     tail -n 5 browser.log
@@ -158,7 +155,7 @@ alone() { [ "$(value resources)" = 0 ] && ! grep -Eq '(src|href)="(https?:)?//' 
 check "the page loads nothing else" alone
 
 narrow() {
-    write_look 5cubes names_of_controls
+    write_look "look_at({ '5cubes': [names_of_controls] })"
     sed 's/width:800px/width:380px/' look.html >narrow.html && browse --virtual-time-budget=20000 --dump-dom "file://$PWD/narrow.html" >dom.html &&
         grep -qx 'wide 0' dom.html && grep -qx 'hidden_focus 0' dom.html || { grep -a wide dom.html; return 1; }
 }
@@ -177,7 +174,8 @@ check "the console shows no error" no_errors
 # work, is slow: only what is beyond all patience fails.
 quick() {
     solved 4chairs 4chairs && look 4chairs first_view || return
-    sed "s/look_with(.*)/time_opening()/" look.html >timed.html && browse --screenshot=timed.png "file://$PWD/timed.html"
+    write_look "time_opening('4chairs')"
+    mv look.html timed.html && browse --screenshot=timed.png "file://$PWD/timed.html"
     sed -n 's/.*CONSOLE.*"opened in \([0-9]*\) ms.*/\1/p' browser.log >opened
     [ "$(cat opened)" -lt 20000 ]
 }

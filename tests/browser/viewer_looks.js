@@ -3,8 +3,10 @@
 // name and numbers.
 
 const frame = document.getElementById('frame');
+const drawn = document.getElementById('drawn');
 const result = document.getElementById('result');
-const find = (name, ...numbers) => { result.textContent += `${name} ${numbers.join(' ')}\n`; };
+const findings = []; // shown at the end of each look: a text that grows would be laid out anew for each of them
+const find = (name, ...numbers) => { findings.push(`${name} ${numbers.join(' ')}\n`); };
 
 let view, page, multipath; // of the frame
 
@@ -47,20 +49,24 @@ function show_controls(shown) {
     by_id('fold').click();
 }
 
-// The page is loaded anew for each function.
-async function look_with(...acts) {
-  await new Promise(done => window.addEventListener('load', done));
+// Looks at pages by functions: { '5cubes': [first_view, ...], ... }. A page is loaded anew for each of its functions.
+async function look_at(pages) {
   result.textContent = '';
-  for (const act of acts) {
-    await look_once(act);
-    await new Promise(done => { frame.addEventListener('load', done, { once: true }); frame.contentWindow.location.reload(); });
-  }
+  for (const [name, acts] of Object.entries(pages))
+    for (const act of acts) {
+      const loaded = element => new Promise(done => element.addEventListener('load', done, { once: true }));
+      const both = Promise.all([loaded(frame), loaded(drawn)]);
+      frame.src = `${name}.html`;
+      drawn.src = `${name}.png`;
+      await both;
+      await look_once(name, act);
+    }
 }
 
-async function look_once(act) {
+async function look_once(name, act) {
   [view, page] = [frame.contentWindow, frame.contentDocument];
   multipath = view.multipath;
-  find('look', act.name);
+  find('look', name, act.name);
   try {
     show_controls(false);
     await pause();
@@ -70,8 +76,9 @@ async function look_once(act) {
     find('wide', page.documentElement.scrollWidth > page.documentElement.clientWidth ? 1 : 0);
     find('end', 1);
   } catch (error) {
-    result.textContent += `failed ${error.stack}\n`;
+    find(`failed ${error.stack}`);
   }
+  result.textContent = findings.join('');
 }
 
 // Radiosities at the middles of pixels.
@@ -85,13 +92,12 @@ function patches_found() {
 }
 
 function picture_compared() {
-  const image = document.getElementById('drawn');
   page.documentElement.style.setProperty('--outside', '0 0 0'); // as in pictures
   const canvas = Object.assign(document.createElement('canvas'), { width: 800, height: 600 });
   const context = canvas.getContext('2d', { willReadFrequently: true });
   // From the bottom row up, as the page gives its picture.
   context.scale(1, -1);
-  context.drawImage(image, 0, -600);
+  context.drawImage(drawn, 0, -600);
   const picture = multipath.picture();
   find('width', picture.width);
   const { mean, far } = difference(picture.bytes, context.getImageData(0, 0, 800, 600).data);
@@ -227,7 +233,8 @@ function names_of_controls() {
 }
 
 // To the console, since in real time nobody waits for findings.
-function time_opening() {
+function time_opening(name) {
+  frame.src = `${name}.html`;
   frame.addEventListener('load', () => {
     frame.contentWindow.multipath.statistics();
     console.log(`opened in ${Math.round(frame.contentWindow.performance.now())} ms`);
