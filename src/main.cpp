@@ -9,6 +9,7 @@
 #include "cli/version.h"
 #include "commands/commands.h"
 #include "parallel/instruction_set.h"
+#include "parallel/memory.h"
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
 
@@ -66,6 +67,7 @@ int wrong_usage(const std::exception& error, const std::vector<Command>& command
 
 int main(int argc, char** argv)
 {
+    keep_freed_memory();
     prepare_standard_streams();
     end_at_interrupts();
     end_at_bus_errors();

@@ -5,6 +5,9 @@
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace multipath {
 
@@ -26,5 +29,13 @@ void ask_for_huge_pages(void* memory, std::size_t bytes)
 void ask_for_huge_pages(void*, std::size_t) {}
 
 #endif
+
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // larger blocks are returned at once; glibc's largest value
+#endif
+}
 
 } // namespace multipath

@@ -34,6 +34,11 @@ void prefetch_all(const Object& object)
 /// such pages.
 void ask_for_huge_pages(void* memory, std::size_t bytes);
 
+/// Freed memory stays with the program, up to 64 MB, for what it allocates next. By default glibc returns most of it to
+/// the system, which then clears the pages of every run of a study or selftest again. Has no effect with other C
+/// libraries.
+void keep_freed_memory();
+
 /// Initial contents of the elements that a constructor or resize(count) adds to a vector with LargeAllocator.
 enum class NewElements {
     constructed, ///< value-initialised, as in std::vector
