@@ -263,15 +263,20 @@ void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const std:
     FirstHitScratch& work = found.scratch_->in_tree;
     work.rays.clear();
     work.nearest.assign(count, NearestHit());
+    if (targets != nullptr) {
+        for (std::size_t i = first; i < first + count; ++i)
+            prefetch_all(table_.row(targets[i]));
+        kernel_->decide_nearest(table_, rays + first, targets + first, count, found.hits_.data() + first,
+                                found.is_hit_.data() + first);
+    }
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::size_t ray = first + i;
         if (found.scratch_->batch.course[i] != static_cast<std::uint32_t>(LineCourse::passes))
             continue;
-        Hit hit;
         if (targets != nullptr) {
-            if (plane_[targets[ray]] == plane_of(from[ray]) || !table_.decide(rays[ray], targets[ray], hit))
+            if (plane_[targets[ray]] == plane_of(from[ray]) || found.is_hit_[ray] == 0)
                 continue;
-            work.nearest[i].best = hit;
+            work.nearest[i].best = found.hits_[ray];
         }
         work.rays.push_back(searched_ray(i, plane_of(from[ray])));
     }

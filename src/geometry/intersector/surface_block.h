@@ -117,6 +117,10 @@ struct alignas(64) LeafBlock
     float slack[lanes]; ///< tolerance of u a and v a, per unit of FilterLine::scale, and tolerance of t a; negated for
                         ///< a triangle; NaN in an empty lane
     std::uint32_t surface[lanes]; ///< index of the surface in the SurfaceList
+
+    /// A surface in the plane around the start of a ray, from which the start is up to 1e-5 away, has t a below this
+    /// many times its tolerance.
+    static constexpr float beyond_own_plane = 8.0f;
 };
 
 } // namespace multipath

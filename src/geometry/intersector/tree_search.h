@@ -102,7 +102,8 @@ struct FirstHitSearch
     const SearchedRay* rays;
     std::size_t ray_count;
     NearestHit* nearest;      ///< per line of the batch; in: a hit already known, or none; out: the first hit or, if
-                              ///< `any` is true, some hit that is no farther than the known one
+                              ///< `any` is true, some hit that is no farther than the known one; then only its
+                              ///< surface may be valid
     bool any;                 ///< true: any hit nearer than the known one ends the search for its ray
     std::uint64_t* stacks;    ///< buffer for min(at_once, ray_count) stacks of stack_size elements
     std::uint32_t stack_size; ///< at least WideTree::most_pending() + 2

@@ -102,13 +102,22 @@ KERNEL_CODE LaneVector cross(const LaneVector& a, const LaneVector& b)
     return {less_product(a.y * b.z, a.z, b.y), less_product(a.z * b.x, a.x, b.z), less_product(a.x * b.y, a.y, b.x)};
 }
 
-/// Bits of the surfaces of a leaf that the line may meet in the interval that is searched: the tests of LeafBlock.
-KERNEL_CODE unsigned surfaces_met(const LeafBlock& leaf, const TreeLine& line)
+/// Bits of the surfaces of a leaf that a line may meet in the interval that is searched, and of those that it certainly
+/// meets there, farther from its start than any surface in a plane around it.
+struct LeafTest
+{
+    unsigned met = 0;
+    unsigned certain = 0;
+};
+
+/// The tests of LeafBlock. `certain` is only found if `with_certain` is true.
+template <bool with_certain>
+KERNEL_CODE LeafTest test_leaf(const LeafBlock& leaf, const TreeLine& line)
 {
     const LaneVector direction = spread(line.direction);
     const LaneVector backwards = spread(line.backwards);
     const Lanes zero = Lanes::all(0.0f);
-    unsigned result = 0;
+    LeafTest result;
     for (unsigned lane = 0; lane < LeafBlock::lanes; lane += Lanes::width) {
         const LaneVector corner = lane_vector(leaf.corner, lane);
         const LaneVector edge_u = lane_vector(leaf.edge_u, lane);
@@ -125,12 +134,24 @@ KERNEL_CODE unsigned surfaces_met(const LeafBlock& leaf, const TreeLine& line)
         const Lanes distance_slack = absolute(signed_slack);
         const Lanes slack = distance_slack * Lanes::all(line.scale);
         const Lanes most = size_a + slack;
+        const Lanes sum = where(not_above(signed_slack, zero), u + v, u);
+        const Lanes first = size_a * Lanes::all(line.first);
+        const Lanes last = size_a * Lanes::all(line.last);
         LaneMask met = not_above(zero - slack, smaller(u, v));
         met = not_above(met, larger(u, v), most);
-        met = not_above(met, where(not_above(signed_slack, zero), u + v, u), most);
-        met = not_above(met, t, multiply_add(size_a, Lanes::all(line.last), distance_slack));
-        met = not_above(met, size_a * Lanes::all(line.first) - distance_slack, t);
-        result |= bits(met) << lane;
+        met = not_above(met, sum, most);
+        met = not_above(met, t, last + distance_slack);
+        met = not_above(met, first - distance_slack, t);
+        result.met |= bits(met) << lane;
+        if constexpr (with_certain) {
+            const Lanes least = size_a - slack;
+            LaneMask certain = not_above(slack, smaller(u, v));
+            certain = not_above(certain, larger(u, v), least);
+            certain = not_above(certain, sum, least);
+            certain = not_above(certain, t, last - distance_slack);
+            certain = not_above(certain, first + distance_slack * Lanes::all(LeafBlock::beyond_own_plane), t);
+            result.certain |= bits(certain) << lane;
+        }
     }
     return result;
 }
@@ -191,7 +212,7 @@ KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
         for (std::size_t i = 0; i < leaf_count; ++i) {
             const TreeLine& line = search.lines[leaves[i].line];
             const LeafBlock& leaf = tree.leaves[leaves[i].child];
-            const unsigned met = surfaces_met(leaf, line);
+            const unsigned met = test_leaf<false>(leaf, line).met;
             search.candidate_count += add_lanes(met, search.candidates + search.candidate_count, [&](unsigned lane) {
                 return LineCandidate{line.number, leaf.surface[lane]};
             });
@@ -286,6 +307,15 @@ KERNEL_CODE void take_hit(const FirstHitSearch& search, const Hit& hit, ActiveRa
     ray.pending = search.any ? 0 : ray.pending;
 }
 
+/// Ends the search of a ray that certainly meets this surface before the hit known before.
+KERNEL_CODE void block(const FirstHitSearch& search, std::uint32_t surface, ActiveRay& ray)
+{
+    NearestHit& nearest = search.nearest[ray.line.number];
+    nearest.best.surface = surface;
+    nearest.has_back = false;
+    ray.pending = 0;
+}
+
 /// A ray and the child or surface to test it against.
 struct RayTask
 {
@@ -356,7 +386,15 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
             ActiveRay* const ray = now.leaves[i].ray;
             const LeafBlock& leaf = tree.leaves[now.leaves[i].index];
             idle[idle_count++] = ray;
-            const unsigned met = surfaces_met(leaf, ray->line);
+            unsigned met = 0;
+            if (search.any) {
+                const LeafTest test = test_leaf<true>(leaf, ray->line);
+                met = test.certain == 0 ? test.met : 0;
+                if (test.certain != 0)
+                    block(search, leaf.surface[first_lane(test.certain)], *ray);
+            } else {
+                met = test_leaf<false>(leaf, ray->line).met;
+            }
             candidate_count += add_lanes(met, candidates + candidate_count, [&](unsigned lane) {
                 prefetch_all(table.row(leaf.surface[lane]));
                 return RayTask{ray, leaf.surface[lane]};
