@@ -1,7 +1,8 @@
 # Feeds made-up bytes to everything that reads what others wrote: SECONDS for each tests/fuzz/NAME_fuzz.cpp, from the
 # examples in tests/fuzz/corpus/NAME on. Ends with the line "N passed, N failed". What makes a target crash, hang or
 # take a gigabyte is kept as build/fuzz/NAME-crash-..., and `build/fuzz/NAME_fuzz FILE` shows it again.
-# CXX may name another clang++, BUILD a folder of objects that were compiled with the flags below. Without any there is nothing to run and nothing fails.
+# CXX may name another clang++, BUILD a folder of objects, which the fuzzer explores as far as they were compiled for it.
+# Without a clang++ there is nothing to run and nothing fails.
 # usage: run.sh SECONDS [NAME...]
 [ $# -ge 1 ] || { echo "usage: run.sh SECONDS [NAME...]" >&2; exit 2; }
 seconds=$1
