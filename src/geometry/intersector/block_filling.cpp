@@ -96,11 +96,11 @@ void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const 
 // 4. t a = dot(n, c): 15 + 5 + 7.5 = 27.5 e |U| |V|. |a| times the ends of the segment, at most 1.01 / L: 10 e |U| |V|
 //    for a, 4 for the ends and the multiplication, 1 for double precision: less than 48 e |U| |V| <= 96 e m.
 // So a line certainly meets a surface if it passes these tests with the slack on the other side; what double precision
-// loses is part of the sums. The start of a ray may be 1e-5 from the plane of its surface, moved to a shared plane: for
-// surfaces in this plane t a is at most 1e-5 |n| + 48 e |U| |V|, below 4 times the slack of 96 e m since |n| <= 2 m.
-// Corner and edges are computed from the row, as the basis dual to its three gradients, and not from the surface, so
-// that the filter tests the same figure as SurfaceTable::decide. If can_be_filtered is true, double precision loses
-// much less than e with them.
+// loses is part of the sums. The start of a ray may be 1.4e-5 from the plane in the row of its surface
+// (displacement_limit): for surfaces in this plane t a is at most 1.4e-5 |n| + 48 e |U| |V|, below 6 times the slack of
+// 96 e m since |n| <= 2 m. Corner and edges are computed from the row, as the basis dual to its three gradients, and
+// not from the surface, so that the filter tests the same figure as SurfaceTable::decide. If can_be_filtered is true,
+// double precision loses much less than e with them.
 LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame)
 {
     constexpr double slack_per_edge = 96.0 * 0x1p-24;

@@ -118,8 +118,8 @@ struct alignas(64) LeafBlock
                         ///< a triangle; NaN in an empty lane
     std::uint32_t surface[lanes]; ///< index of the surface in the SurfaceList
 
-    /// A surface in the plane around the start of a ray, from which the start is up to 1e-5 away, has t a below this
-    /// many times its tolerance.
+    /// A surface in the plane around the start of a ray has t a below this many times its tolerance; derived in
+    /// block_filling.cpp.
     static constexpr float beyond_own_plane = 8.0f;
 };
 

@@ -110,7 +110,7 @@ struct LeafTest
     unsigned certain = 0;
 };
 
-/// The tests of LeafBlock. `certain` is only found if `with_certain` is true.
+/// The tests of LeafBlock. If `with_certain` is false, `certain` stays 0.
 template <bool with_certain>
 KERNEL_CODE LeafTest test_leaf(const LeafBlock& leaf, const TreeLine& line)
 {
@@ -136,11 +136,10 @@ KERNEL_CODE LeafTest test_leaf(const LeafBlock& leaf, const TreeLine& line)
         const Lanes most = size_a + slack;
         const Lanes sum = where(not_above(signed_slack, zero), u + v, u);
         const Lanes first = size_a * Lanes::all(line.first);
-        const Lanes last = size_a * Lanes::all(line.last);
         LaneMask met = not_above(zero - slack, smaller(u, v));
         met = not_above(met, larger(u, v), most);
         met = not_above(met, sum, most);
-        met = not_above(met, t, last + distance_slack);
+        met = not_above(met, t, multiply_add(size_a, Lanes::all(line.last), distance_slack));
         met = not_above(met, first - distance_slack, t);
         result.met |= bits(met) << lane;
         if constexpr (with_certain) {
@@ -148,7 +147,7 @@ KERNEL_CODE LeafTest test_leaf(const LeafBlock& leaf, const TreeLine& line)
             LaneMask certain = not_above(slack, smaller(u, v));
             certain = not_above(certain, larger(u, v), least);
             certain = not_above(certain, sum, least);
-            certain = not_above(certain, t, last - distance_slack);
+            certain = not_above(certain, t, size_a * Lanes::all(line.last) - distance_slack);
             certain = not_above(certain, first + distance_slack * Lanes::all(LeafBlock::beyond_own_plane), t);
             result.certain |= bits(certain) << lane;
         }
@@ -386,15 +385,10 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
             ActiveRay* const ray = now.leaves[i].ray;
             const LeafBlock& leaf = tree.leaves[now.leaves[i].index];
             idle[idle_count++] = ray;
-            unsigned met = 0;
-            if (search.any) {
-                const LeafTest test = test_leaf<true>(leaf, ray->line);
-                met = test.certain == 0 ? test.met : 0;
-                if (test.certain != 0)
-                    block(search, leaf.surface[first_lane(test.certain)], *ray);
-            } else {
-                met = test_leaf<false>(leaf, ray->line).met;
-            }
+            const LeafTest test = search.any ? test_leaf<true>(leaf, ray->line) : test_leaf<false>(leaf, ray->line);
+            if (test.certain != 0)
+                block(search, leaf.surface[first_lane(test.certain)], *ray);
+            const unsigned met = test.certain == 0 ? test.met : 0;
             candidate_count += add_lanes(met, candidates + candidate_count, [&](unsigned lane) {
                 prefetch_all(table.row(leaf.surface[lane]));
                 return RayTask{ray, leaf.surface[lane]};
