@@ -3,7 +3,7 @@
 // 16,000 cases, and once in 2,000 where two dozen seeds estimate it.
 
 #include "form_factor.h"
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "linear_system.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "export/state_file.h"
-#include "parallel/checkpoint.h"
+#include "parallel/run_control.h"
 
 #include <memory>
 #include <string>

@@ -5,8 +5,8 @@
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "export/json.h"
-#include "scene/light_units.h"
 #include "scene/obj/light_advice.h"
+#include "scene/scene_file.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

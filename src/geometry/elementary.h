@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/pi.h"
-
 namespace multipath {
+
+constexpr double pi = 3.14159265358979323846;
 
 /// Sine and cosine of one angle.
 struct SinCos

@@ -4,7 +4,6 @@
 #include "geometry/polygon.h"
 
 #include "geometry/elementary.h"
-#include "geometry/pi.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "geometry/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/line.h"
-#include "geometry/pi.h"
 #include "geometry/vec3.h"
 #include "scene/scene.h"
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace multipath {
@@ -34,5 +35,12 @@ struct ScreenImage
 
     std::uint8_t* at(int x, int y) { return &bytes[3 * pixel_index(width, x, y)]; } ///< the three bytes of a pixel
 };
+
+/// Bytes of a binary portable pixmap (PPM, P6). Line ends in `comment` become spaces. The file has no comment if
+/// `comment` is empty.
+std::string ppm_bytes(const ScreenImage& image, const std::string& comment = "");
+
+/// Bytes of a portable float map (PFM, PF): radiosities [W/m^2] in single precision, little endian, bottom row first.
+std::string pfm_bytes(const Image& image);
 
 } // namespace multipath

@@ -7,7 +7,7 @@
 
 #include "parallel/blocks.h"
 #include "parallel/memory.h"
-#include "sampling/systematic_rounding.h"
+#include "sampling/allotment.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 

@@ -1,6 +1,6 @@
 #include "radiosity/solution.h"
 
-#include "radiosity/error_measure.h"
+#include "radiosity/statistics.h"
 
 #include <cmath>
 #include <utility>

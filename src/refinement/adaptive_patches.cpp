@@ -2,7 +2,6 @@
 
 #include "geometry/elementary.h"
 #include "image/shading/smooth_shading.h"
-#include "image/shading/texture_detail.h"
 
 #include <algorithm>
 #include <cmath>

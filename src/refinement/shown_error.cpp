@@ -9,7 +9,6 @@
 #include "image/gather/indirect_light.h"
 #include "image/gather/source_light.h"
 #include "image/shading/smooth_shading.h"
-#include "image/shading/texture_detail.h"
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
 #include "radiosity/runs/replicates.h"

@@ -1,7 +1,6 @@
 #include "sampling/allotment.h"
 
 #include "parallel/memory.h"
-#include "sampling/systematic_rounding.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "sampling/sequence.h"
 
 #include <cstddef>

@@ -3,7 +3,6 @@
 #include "geometry/bounds.h"
 #include "geometry/elementary.h"
 #include "geometry/intersector/surface_sizes.h"
-#include "geometry/pi.h"
 
 #include <cmath>
 #include <string>

@@ -7,7 +7,6 @@
 #include "scene/room_shell.h"
 
 #include "geometry/elementary.h"
-#include "geometry/pi.h"
 #include "geometry/polygon.h"
 #include "scene/vertex_weld.h"
 

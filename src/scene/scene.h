@@ -1,7 +1,6 @@
 #pragma once
 
 #include "geometry/bounds.h"
-#include "scene/material.h"
 #include "scene/scene_file.h"
 #include "scene/tessellation.h"
 

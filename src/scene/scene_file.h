@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/surface.h"
-#include "scene/material.h"
+#include "scene/rgb.h"
 #include "scene/texture/texture.h"
 
 #include <cstddef>
@@ -12,6 +12,26 @@
 #include <vector>
 
 namespace multipath {
+
+/// The statement of an MTL file that gives the emittance of a material: `Ke`, or `Ka` for files of older exporters,
+/// which have no `Ke` and describe lamps by `Ka`.
+enum class EmissionFrom { ke, ka };
+
+/// A diffuse (Lambertian) material that may emit light.
+struct Material
+{
+    std::string name;
+    /// [1] rho, 0 <= rho <= 1 in each channel; MTL `Kd`. If textured: mean over all surfaces of the material.
+    Rgb reflectance;
+    /// [W/m^2] E, emitted power per area (radiant exitance); MTL `Ke` (or `Ka`, see EmissionFrom), times the mean of
+    /// `map_Ke`.
+    Rgb emittance;
+    std::string source; ///< "file:line" of the definition of the material, for messages
+
+    static constexpr std::uint32_t no_texture = 0xffffffffu;
+    std::uint32_t texture = no_texture; ///< index into SceneFile::textures, or no_texture; MTL `map_Kd`
+    Rgb texture_scale = {};             ///< [1] multiplies the texture: the reflectance where the texture is white
+};
 
 /// A directional light source.
 struct Sun
@@ -62,5 +82,22 @@ void turn_over(SceneFile& file, std::size_t surface);
 /// Returns the scene with every surface turned over, for a room that was modelled to be seen from outside. To be called
 /// before add_sky(), since it would turn over the sky, too.
 SceneFile flipped(SceneFile file);
+
+/// Names of the units of results: photometric if the emittances of the scene are in lm/m^2, else radiometric. The
+/// numbers are computed in the same way for both.
+struct LightUnits
+{
+    const char* power;           ///< [W] or [lm]
+    const char* per_area;        ///< [W/m^2] or [lx], in ASCII
+    const char* per_area_utf8;   ///< the same in UTF-8
+    const char* per_area_latin1; ///< the same in ISO 8859-1
+    const char* squared;         ///< square of `per_area`, the unit of mean square errors
+};
+
+inline LightUnits light_units(const SceneFile& scene)
+{
+    return scene.photometric ? LightUnits{"lm", "lx", "lx", "lx", "lx^2"}
+                             : LightUnits{"W", "W/m^2", "W/m\u00b2", "W/m\xB2", "W^2/m^4"};
+}
 
 } // namespace multipath

@@ -1,18 +1,90 @@
-// Scenes so simple that the light in them is known from a formula: reflections in a closed room sum to a geometric
-// series, a few surfaces that see each other give equations that are solved by hand, and the light between two
-// rectangles has a closed form. The comment of each scene derives its answers.
-
 #include "selftest/known_scenes.h"
 
 #include "geometry/form_factor/gauss_legendre.h"
+#include "geometry/polygon.h"
 #include "scene/scene_builder.h"
-#include "selftest/occluded_lamp.h"
-#include "selftest/rectangle_exchange.h"
 
 #include <utility>
 #include <vector>
 
 namespace multipath {
+
+// The polygon of the lamp is clipped by the horizon of the point. Each blocker then removes its shadow from what is
+// left: the part inside the pyramid from the point through the edges of the blocker, and farther away than the plane of
+// the blocker. A plane cuts a convex polygon into two convex ones, so the visible region is a list of convex polygons.
+// Lambert's formula gives the irradiance from each.
+
+namespace {
+
+using Polygon = std::vector<Vec3>; ///< convex, with any number of corners
+
+/// The parts of a polygon on both sides of a plane.
+struct Halves
+{
+    Polygon front;
+    Polygon back;
+};
+
+/// Cuts a polygon by the plane through a point with this normal.
+Halves cut(const Polygon& polygon, Vec3 origin, Vec3 normal)
+{
+    Halves result;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 from = polygon[k];
+        const Vec3 to = polygon[(k + 1) % polygon.size()];
+        const double here = dot(from - origin, normal);
+        const double there = dot(to - origin, normal);
+        if (here >= 0.0)
+            result.front.push_back(from);
+        if (here <= 0.0)
+            result.back.push_back(from);
+        if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0)) {
+            const Vec3 between = from + (here / (here - there)) * (to - from);
+            result.front.push_back(between);
+            result.back.push_back(between);
+        }
+    }
+    return result;
+}
+
+/// Appends the parts of a polygon that are visible from the point past a blocker: the part outside each plane through
+/// the point and an edge of the blocker, and of the rest the part in front of the blocker's plane.
+void add_seen(Polygon rest, const Surface& blocker, Vec3 point, std::vector<Polygon>& seen)
+{
+    const std::vector<Vec3> corners = corners_of(blocker);
+    const double side = dot(blocker.centre() - point, blocker.normal()) < 0.0 ? -1.0 : 1.0;
+    for (std::size_t k = 0; k < corners.size() && rest.size() > 2; ++k) {
+        const Vec3 inward = side * cross(corners[k] - point, corners[(k + 1) % corners.size()] - point);
+        Halves halves = cut(rest, point, inward);
+        seen.push_back(std::move(halves.back));
+        rest = std::move(halves.front);
+    }
+    seen.push_back(cut(rest, blocker.centre(), side * blocker.normal()).back);
+}
+
+} // namespace
+
+double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, Vec3 point, Vec3 normal)
+{
+    if (dot(point - lamp.centre(), lamp.normal()) <= 0.0)
+        return 0.0;
+    std::vector<Polygon> parts = {cut(corners_of(lamp), point, normal).front};
+    for (const Surface& blocker : blockers) {
+        std::vector<Polygon> seen;
+        for (Polygon& part : parts)
+            add_seen(std::move(part), blocker, point, seen);
+        parts = std::move(seen);
+    }
+    double sum = 0.0;
+    for (const Polygon& part : parts)
+        if (part.size() > 2)
+            sum += lambert_sum(part.data(), part.size(), point, normal);
+    return sum;
+}
+
+// Scenes so simple that the light in them is known from a formula: reflections in a closed room sum to a geometric
+// series, a few surfaces that see each other give equations that are solved by hand, and the light between two
+// rectangles has a closed form. The comment of each scene derives its answers.
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "commands/options/camera_file.h"
+#include "commands/options/picture_options.h"
 
 #include "scene/input_problem.h"
 #include "scene/scratch_folder.h"

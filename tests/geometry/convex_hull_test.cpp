@@ -1,5 +1,5 @@
 #include "geometry/convex_hull.h"
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "geometry/random_surfaces.h"
 
 #include <cmath>

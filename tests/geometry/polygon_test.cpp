@@ -1,6 +1,6 @@
 #include "geometry/polygon.h"
 
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "image/camera.h"
 
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "scene/input_error.h"
 #include "test_scenes.h"
 

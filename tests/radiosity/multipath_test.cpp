@@ -1,7 +1,7 @@
 #include "radiosity/multipath.h"
 
-#include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
+#include "radiosity/statistics.h"
 #include "scene/obj/obj_reader.h"
 
 #include <cstdlib>

@@ -1,12 +1,12 @@
 #include "refinement/shown_error.h"
 
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "image/shading/smooth_shading.h"
 #include "radiosity/runs/replicates.h"
 #include "radiosity/solve.h"
 #include "refinement/adaptive_patches.h"
 #include "scene/tessellation.h"
-#include "selftest/occluded_lamp.h"
+#include "selftest/known_scenes.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

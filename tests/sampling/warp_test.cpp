@@ -1,4 +1,4 @@
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 

@@ -1,8 +1,10 @@
 #include "selftest/selftest.h"
 
+#include "radiosity/statistics.h"
 #include "scene/scene_builder.h"
 
 #include <doctest/doctest.h>
+#include <limits>
 
 namespace selftest_test {
 
@@ -89,3 +91,105 @@ TEST_CASE("in a grey room every method gives each material the power that local 
 }
 
 } // namespace selftest_test
+
+namespace check_test {
+
+using namespace multipath;
+
+namespace {
+
+/// A random check of expectation 10 that is off by so many standard errors of 0.1.
+Check check_off(double sigmas, double allowance, double resolution)
+{
+    Check check = {"case", "method", "random", "quantity", 10.0, 10.0 + 0.1 * sigmas};
+    check.standard_error = 0.1;
+    check.degrees = 31;
+    check.allowance = allowance;
+    check.resolution = resolution;
+    return check;
+}
+
+/// Runs of mean 10 and standard deviation 1, as a normal distribution has its quantiles.
+Check check_of_runs(double expected)
+{
+    RunningMean mean;
+    for (const double deviation : {-1.5, -1.0, -0.7, -0.4, -0.1, 0.1, 0.4, 0.7, 1.0, 1.5})
+        mean.add(10.0 + deviation);
+    Check check = {"case", "method", "random", "quantity", expected, mean.mean(), mean.standard_error(), 9};
+    check.resolution = 5.0;
+    return check;
+}
+
+} // namespace
+
+TEST_CASE("a check may be off by its share of the risk")
+{
+    const std::vector<Check> checks(100, check_off(0.0, 0.0, 1.0));
+    const SignificanceTest test(checks);
+    const double most = test.most_sigmas(31);
+    CHECK(100.0 * student_tail(most, 31) == doctest::Approx(1e-3).epsilon(1e-4));
+    CHECK(test.outcome(check_off(0.99 * most, 0.0, 1.0)) == CheckOutcome::passed);
+    CHECK(test.outcome(check_off(-1.01 * most, 0.0, 1.0)) == CheckOutcome::wrong);
+    CHECK(test.outcome(check_off(-1.01 * most, 0.2, 1.0)) == CheckOutcome::passed);
+    CHECK(SignificanceTest({checks[0]}).most_sigmas(31) < most);
+}
+
+// The standard error of the ten runs is 0.3, the quantile for 9 degrees of freedom and a tail of 0.001 is 4.78.
+TEST_CASE("runs with a wrong mean fail, and so do those with a wrong variance")
+{
+    const auto outcome = [](const Check& check) { return SignificanceTest({check}).outcome(check); };
+    CHECK(outcome(check_of_runs(10.0)) == CheckOutcome::passed);
+    CHECK(outcome(check_of_runs(11.0)) == CheckOutcome::passed);
+    CHECK(outcome(check_of_runs(12.0)) == CheckOutcome::wrong);
+
+    Check repeated = check_of_runs(10.1); // runs that repeat each other have no scatter
+    repeated.standard_error = 0.0;
+    CHECK(outcome(repeated) == CheckOutcome::wrong);
+    Check noisy = check_of_runs(10.0);
+    noisy.standard_error *= 10.0;
+    CHECK(outcome(noisy) == CheckOutcome::inconclusive);
+}
+
+TEST_CASE("a check whose limit is wider than its resolution is inconclusive, however right it is")
+{
+    const SignificanceTest test({check_off(0.0, 0.0, 1.0)});
+    const double limit = test.limit(check_off(0.0, 0.3, 1.0));
+    CHECK(test.outcome(check_off(0.0, 0.3, 1.01 * limit)) == CheckOutcome::passed);
+    CHECK(test.outcome(check_off(0.0, 0.3, 0.99 * limit)) == CheckOutcome::inconclusive);
+}
+
+TEST_CASE("without randomness only the allowance counts, and what is not a number is wrong")
+{
+    Check check = {"case", "", "", "quantity", 1.0, 1.0 + 1e-10};
+    check.allowance = 1e-9;
+    check.resolution = 1e-9;
+    CHECK(SignificanceTest({check}).outcome(check) == CheckOutcome::passed);
+    check.measured = 1.0 + 1e-8;
+    CHECK(SignificanceTest({check}).outcome(check) == CheckOutcome::wrong);
+    check.measured = std::numeric_limits<double>::quiet_NaN();
+    CHECK(SignificanceTest({check}).outcome(check) == CheckOutcome::wrong);
+    CHECK(SignificanceTest({check, check_off(0.0, 0.0, 1.0)}).failures() == 1);
+}
+
+TEST_CASE("sigmas are counted beyond the allowance")
+{
+    CHECK(sigmas(check_off(3.0, 0.0, 1.0)) == doctest::Approx(3.0));
+    CHECK(sigmas(check_off(-3.0, 0.1, 1.0)) == doctest::Approx(-2.0));
+    CHECK(sigmas(check_off(0.5, 0.1, 1.0)) == 0.0);
+}
+
+TEST_CASE("the table ends with the counts, and can be of failures only")
+{
+    const std::vector<Check> checks = {check_off(0.0, 0.0, 1.0), check_off(50.0, 0.0, 1.0), check_off(0.0, 0.0, 0.1)};
+    const std::string all = checks_text(checks, false);
+    const std::string failed = checks_text(checks, true);
+    CHECK(all.find("passed\n") < all.find("WRONG\n"));
+    CHECK(all.find("WRONG\n") < all.find("INCONCLUSIVE\n"));
+    CHECK(all.find("\na check fails beyond ") > all.find("INCONCLUSIVE\n"));
+    CHECK(all.substr(all.rfind("0.001\n") + 6) == "1 passed, 2 failed\n");
+    CHECK(failed.find("passed\n") == std::string::npos);
+    CHECK(checks_text({checks[0]}, true) == "1 passed, 0 failed\n");
+    CHECK(checks_csv({checks[1]}, {"version"}).substr(0, 15) == "# version\ncase,");
+}
+
+} // namespace check_test

@@ -8,12 +8,11 @@
 #include "export/patch_table.h"
 #include "geometry/elementary.h"
 #include "image/false_colour/false_colour.h"
-#include "image/pixmap.h"
+#include "image/image.h"
 #include "image/png.h"
 #include "image/shading/smooth_shading.h"
-#include "image/shading/texture_detail.h"
 #include "image/tone_map.h"
-#include "scene/light_units.h"
+#include "scene/scene_file.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

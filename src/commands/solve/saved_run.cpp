@@ -1,6 +1,6 @@
 // A state file begins with the description of its run: the options that change the result, as words of a command line,
 // the scene, and the shard. The names of the parts of the run that are in progress follow, and then the arrays of these
-// parts (parallel/checkpoint.h). A resumed run must have the same description, except that lines, tolerance and time
+// parts (parallel/run_control.h). A resumed run must have the same description, except that lines, tolerance and time
 // may differ. To resume, the program starts the run again, and every part restores the arrays that are stored under its
 // name.
 
@@ -287,6 +287,43 @@ void StateKeeper::finish_now()
         keep();
     else if (keep_last_) // the file is up to date
         keep_in_memory();
+}
+
+namespace {
+
+PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene& scene)
+{
+    const Solution solution = finished_solution(saved, scene);
+    PatchTable table;
+    table.path = path;
+    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        table.surfaces.push_back(scene.surface_of(i));
+        table.materials.push_back(scene.material_of(i).name);
+        table.centres.push_back(scene.patch(i).shape.centre());
+    }
+    table.areas = scene.weights();
+    table.radiosity = solution.radiosity;
+    table.standard_error = solution.standard_error;
+    return table;
+}
+
+} // namespace
+
+ResultFile::ResultFile(const std::string& path, const PatchTable* beside)
+{
+    if (!is_state_file(path)) {
+        table = read_patch_table(path, beside);
+        return;
+    }
+    const SavedRun saved = read_saved_run(path);
+    scene = std::make_unique<const Scene>(restored(saved.description.scene));
+    table = table_of(path, saved, *scene);
+}
+
+bool have_same_surfaces(const Scene& a, const Scene& b)
+{
+    return a.two_sided() == b.two_sided() && a.surfaces() == b.surfaces();
 }
 
 } // namespace multipath

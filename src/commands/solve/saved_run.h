@@ -1,10 +1,11 @@
 #pragma once
 
 #include "cli/options/command_line.h"
+#include "export/patch_table.h"
 #include "export/state_file.h"
-#include "parallel/checkpoint.h"
 #include "parallel/run_control.h"
 #include "radiosity/solution.h"
+#include "scene/scene.h"
 
 #include <atomic>
 #include <chrono>
@@ -63,7 +64,7 @@ struct SavedRun
 {
     std::unique_ptr<StateReader> arrays;
     RunDescription description;
-    /// Names of the parts of the run that were in progress (checkpoint.h), outermost first.
+    /// Names of the parts of the run that were in progress (run_control.h), outermost first.
     std::vector<std::string> parts;
 
     const std::string& name() const { return arrays->name(); }
@@ -123,5 +124,20 @@ private:
     bool published_ = false;
     mutable std::atomic<bool> worked_{false}; ///< false: nothing was done since the state was resumed
 };
+
+/// A result read from a table of patches (.csv) or from the state of a run. The content of the file decides which, not
+/// its extension.
+struct ResultFile
+{
+    PatchTable table;                   ///< for a state, the table that `solve -o FILE.csv` would have written
+    std::unique_ptr<const Scene> scene; ///< for a state; otherwise null
+
+    /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, and InputError for a run
+    /// of which no piece or round is finished (see finished_solution).
+    explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
+};
+
+/// True if two scenes have the same surfaces, and both or neither are two-sided; their patches may differ.
+bool have_same_surfaces(const Scene& a, const Scene& b);
 
 } // namespace multipath

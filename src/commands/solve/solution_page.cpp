@@ -2,7 +2,7 @@
 
 #include "commands/explain/trace_drawing.h"
 #include "scene/input_error.h"
-#include "scene/light_units.h"
+#include "scene/scene_file.h"
 #include "scene/text/text_format.h"
 #include "viewer/viewer_page.h"
 

@@ -19,13 +19,13 @@
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
 #include "geometry/elementary.h"
-#include "radiosity/error_measure.h"
 #include "radiosity/line_budget.h"
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/runs/replicates.h"
+#include "radiosity/statistics.h"
 #include "sampling/sequence.h"
 #include "scene/input_error.h"
-#include "scene/light_units.h"
+#include "scene/scene_file.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "export/mesh/glb.h"
 
 #include "export/json.h"
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "scene/input_error.h"
 #include "scene/little_endian.h"
 

@@ -15,7 +15,6 @@
 
 #include "geometry/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"
-#include "geometry/pi.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 
 #include "geometry/form_factor/exchange_area.h"
 
+#include "geometry/elementary.h"
 #include "geometry/form_factor/contour_integral.h"
 #include "geometry/form_factor/gauss_legendre.h"
-#include "geometry/pi.h"
 #include "geometry/polygon.h"
 
 #include <algorithm>

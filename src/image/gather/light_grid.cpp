@@ -6,7 +6,7 @@
 #include "parallel/blocks.h"
 #include "sampling/random.h"
 #include "scene/input_error.h"
-#include "scene/light_units.h"
+#include "scene/scene_file.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

@@ -1,9 +1,3 @@
-// The values at the corners of the patches are found in three steps. First each surface gets values from its own
-// patches alone (CornerGroup), or in a region of needles from a fit (FlatRegions). Then coinciding corners of different
-// surfaces are joined if they belong to one smoothing group and no occluder separates them: the triangles of a sphere
-// or the rectangles of a ceiling look like one surface, while the edges of a box and between materials stay sharp.
-// Finally hanging nodes are interpolated.
-
 #include "image/shading/smooth_shading.h"
 
 #include "image/shading/corner_groups.h"
@@ -18,6 +12,58 @@
 #include <utility>
 
 namespace multipath {
+
+namespace {
+
+/// Below this reflectance the irradiance in a channel is unknown; without_texture() uses the mean of the other
+/// channels.
+constexpr double darkest_texture = 1e-6;
+
+/// [W/m^2] Irradiance; 0 if it is unknown.
+double light_on(double reflected, double reflectance)
+{
+    return reflectance > darkest_texture ? reflected / reflectance : 0.0;
+}
+
+} // namespace
+
+std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
+{
+    if (scene.file().textures.empty())
+        return radiosity;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        if (!scene.is_textured(scene.surface_of(i)))
+            continue;
+        const Rgb rho = scene.reflectance(i);
+        const Rgb reflected = radiosity[i] - scene.emittance(i);
+        Rgb light = {light_on(reflected.r, rho.r), light_on(reflected.g, rho.g), light_on(reflected.b, rho.b)};
+        const double known = (rho.r > darkest_texture ? 1.0 : 0.0) + (rho.g > darkest_texture ? 1.0 : 0.0) +
+                             (rho.b > darkest_texture ? 1.0 : 0.0);
+        const double usual = known > 0.0 ? (light.r + light.g + light.b) / known : 0.0;
+        light = {rho.r > darkest_texture ? light.r : usual, rho.g > darkest_texture ? light.g : usual,
+                 rho.b > darkest_texture ? light.b : usual};
+        radiosity[i] = scene.emittance(i) + scene.material_of(i).reflectance * light;
+    }
+    return radiosity;
+}
+
+Rgb with_texture(const Scene& scene, const Hit& hit, Rgb plain)
+{
+    if (scene.file().textures.empty() || !scene.is_textured(hit.surface))
+        return plain;
+    const Material& material = scene.surface_material(hit.surface);
+    const Rgb emitted = hit.front ? material.emittance : Rgb{};
+    const Rgb reflected = plain - emitted;
+    const Rgb mean = material.reflectance;
+    const Rgb light = {light_on(reflected.r, mean.r), light_on(reflected.g, mean.g), light_on(reflected.b, mean.b)};
+    return emitted + scene.reflectance_at(hit.surface, hit.u, hit.v) * light;
+}
+
+// The values at the corners of the patches are found in three steps. First each surface gets values from its own
+// patches alone (CornerGroup), or in a region of needles from a fit (FlatRegions). Then coinciding corners of different
+// surfaces are joined if they belong to one smoothing group and no occluder separates them: the triangles of a sphere
+// or the rectangles of a ceiling look like one surface, while the edges of a box and between materials stay sharp.
+// Finally hanging nodes are interpolated.
 
 namespace {
 

@@ -12,6 +12,18 @@
 
 namespace multipath {
 
+// Pictures show textures at full resolution although light is known per patch only. The radiosity that patches would
+// have without the detail of their texture is interpolated. Then the texture is applied again at each point.
+
+/// [W/m^2] The radiosity that every patch would have if, under the same irradiance, it had the mean reflectance of its
+/// material instead of its texture. Where a patch is black in a channel, the irradiance in this channel is unknown and
+/// taken to be the mean of the other channels. Equal to `radiosity` in scenes without textures.
+std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity);
+
+/// [W/m^2] Radiosity at a hit with the texture applied. `plain`: the radiosity there without texture, interpolated from
+/// without_texture().
+Rgb with_texture(const Scene& scene, const Hit& hit, Rgb plain);
+
 /// Interpolates one value per patch to a piecewise continuous function on the surfaces of a scene. Patches share a
 /// value at a common corner if they have the same material, lie in one smoothing group (smoothing_groups.h), and no
 /// occluder separates them. Parts of patches that furniture covers are ignored. Sources are interpolated like other

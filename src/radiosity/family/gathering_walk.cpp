@@ -6,8 +6,8 @@
 #include "radiosity/family/gathering_walk.h"
 
 #include "parallel/blocks.h"
+#include "sampling/allotment.h"
 #include "sampling/random.h"
-#include "sampling/systematic_rounding.h"
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>

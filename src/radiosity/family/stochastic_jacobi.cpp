@@ -5,8 +5,8 @@
 #include "radiosity/family/stochastic_jacobi.h"
 
 #include "parallel/blocks.h"
+#include "sampling/allotment.h"
 #include "sampling/random.h"
-#include "sampling/systematic_rounding.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 

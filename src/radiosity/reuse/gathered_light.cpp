@@ -8,7 +8,6 @@
 #include "geometry/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
-#include "geometry/pi.h"
 #include "parallel/blocks.h"
 #include "parallel/memory.h"
 #include "sampling/random.h"

@@ -3,7 +3,6 @@
 #include "parallel/blocks.h"
 #include "parallel/run_control.h"
 #include "radiosity/reuse/light_tree.h"
-#include "radiosity/reuse/surface_tree.h"
 #include "sampling/allotment.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"

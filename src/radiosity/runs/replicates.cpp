@@ -1,6 +1,5 @@
 #include "radiosity/runs/replicates.h"
 
-#include "radiosity/error_measure.h"
 #include "radiosity/reuse/denoising.h"
 #include "radiosity/solution.h"
 #include "radiosity/statistics.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/material.h"
+#include "scene/scene_file.h"
 #include "scene/text/text_lines.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/texture/bitmap.h"
+#include "scene/texture/image_formats.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "scene/texture/inflate.h"
 
-#include "scene/texture/bitmap.h"
+#include "scene/texture/image_formats.h"
 
 #include <algorithm>
 #include <array>

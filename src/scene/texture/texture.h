@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/rgb.h"
-#include "scene/texture/bitmap.h"
+#include "scene/texture/image_formats.h"
 
 #include <array>
 #include <cstddef>

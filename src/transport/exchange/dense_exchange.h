@@ -2,7 +2,7 @@
 
 #include "transport/exchange/exchange.h"
 #include "transport/exchange/exchange_estimate.h"
-#include "transport/exchange/pair_matrix.h"
+#include "transport/exchange/pair_counts.h"
 
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include "scene/scene.h"
 #include "transport/exchange/pair_counts.h"
-#include "transport/exchange/pair_matrix.h"
 
 #include <cstdint>
 #include <vector>

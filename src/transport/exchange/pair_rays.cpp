@@ -1,12 +1,11 @@
 #include "transport/exchange/pair_rays.h"
 
+#include "geometry/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
-#include "geometry/pi.h"
 #include "parallel/blocks.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
-#include "sampling/systematic_rounding.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
 #include "transport/exchange/exchange_estimate.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "transport/exchange/kernels/row_kernel.h"
-#include "transport/exchange/pair_matrix.h"
+#include "transport/exchange/pair_counts.h"
 
 #include <vector>
 

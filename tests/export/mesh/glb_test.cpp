@@ -4,7 +4,7 @@
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
 #include "export/mesh/ply_reader.h"
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "image/shading/smooth_shading.h"
 
 #include <doctest/doctest.h>

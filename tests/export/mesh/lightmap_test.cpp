@@ -66,7 +66,7 @@ std::array<double, 2> point_at(const TextureFrame& frame, TexturePoint place)
             (frame.along_u.s * t - frame.along_u.t * s) / determinant};
 }
 
-std::vector<std::array<double, 2>> corners_of(const Surface& surface)
+std::vector<std::array<double, 2>> unit_corners_of(const Surface& surface)
 {
     if (surface.shape == Shape::triangle)
         return {{0, 0}, {1, 0}, {0, 1}};
@@ -143,7 +143,7 @@ TEST_CASE("surfaces lie on a lightmap undistorted, at one scale, within it, and 
             CHECK(dot(v, v) == doctest::Approx(square * dot(surface.edge_v, surface.edge_v)).epsilon(1e-9));
             CHECK(std::abs(dot(u, v) - square * dot(surface.edge_u, surface.edge_v)) < 1e-9 * square);
         }
-        for (const auto& [x, y] : corners_of(surface)) {
+        for (const auto& [x, y] : unit_corners_of(surface)) {
             const TexturePoint place = frame.at(x, y);
             CHECK(std::min(place.s, place.t) > 2.0 / 512);
             CHECK(std::max(place.s, place.t) < 1.0 - 2.0 / 512);
@@ -187,7 +187,7 @@ TEST_CASE("a texel within two of several surfaces stands for one point on one pl
                 const TextureFrame& frame = map.frame(s, front);
                 const Surface& surface = scene.surfaces()[s];
                 Bounds box;
-                for (const auto& [u, v] : corners_of(surface)) {
+                for (const auto& [u, v] : unit_corners_of(surface)) {
                     const TexturePoint place = frame.at(u, v);
                     box.include(Vec3{place.s * map.width, place.t * map.height, 0.0});
                 }
@@ -224,7 +224,7 @@ TEST_CASE("bilinear lookup finds linear light: exactly inside, within a texel's 
             for (const double v : {0.2, 0.31, 0.37})
                 if (surface.area() > 0.02)
                     CHECK(miss(u, v) < 1e-9);
-        const auto corners = corners_of(surface);
+        const auto corners = unit_corners_of(surface);
         for (std::size_t k = 0; k < corners.size(); ++k)
             for (const double share : {0.0, 0.01, 0.3, 0.777}) {
                 const auto& a = corners[k];
@@ -302,7 +302,7 @@ TEST_CASE("the two sides of a surface have places and light of their own")
     CHECK(map.chart_count == 2 * lightmap(one_sided, 512, places_of(one_sided), 1).chart_count);
     REQUIRE(map.frames.size() == 2 * scene.surfaces().size());
     for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        for (const auto& [u, v] : corners_of(scene.surfaces()[s])) {
+        for (const auto& [u, v] : unit_corners_of(scene.surfaces()[s])) {
             CHECK(length(to_place(bilinear(map, map.frame(s, true).at(u, v))) - Vec3{1, 0, 0}) < 1e-12);
             CHECK(length(to_place(bilinear(map, map.frame(s, false).at(u, v))) - Vec3{0, 1, 0}) < 1e-12);
         }
@@ -510,7 +510,7 @@ TEST_CASE("the reader of scenes reads the lightmap's OBJ back, and its texture c
     for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
         area += lit.surfaces[s].area();
         REQUIRE(lit.texture_frames[s].known);
-        for (const auto& [u, v] : corners_of(lit.surfaces[s]))
+        for (const auto& [u, v] : unit_corners_of(lit.surfaces[s]))
             CHECK(length(to_place(bilinear(map, lit.texture_frames[s].at(u, v))) - lit.surfaces[s].at(u, v)) <
                   1.0 / map.texels_per_unit);
     }

@@ -1,7 +1,7 @@
 #include "geometry/form_factor/contour_integral.h"
 
 #include "geometry/surface_pieces.h"
-#include "selftest/rectangle_exchange.h"
+#include "selftest/known_scenes.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,10 +1,10 @@
 #include "geometry/form_factor/exchange_area.h"
 
+#include "geometry/elementary.h"
 #include "geometry/form_factor/contour_integral.h"
-#include "geometry/pi.h"
 #include "geometry/random_surfaces.h"
 #include "geometry/surface_pieces.h"
-#include "selftest/rectangle_exchange.h"
+#include "selftest/known_scenes.h"
 
 #include <algorithm>
 #include <cmath>

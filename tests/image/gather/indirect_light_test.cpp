@@ -1,7 +1,7 @@
 #include "image/gather/indirect_light.h"
 
+#include "geometry/elementary.h"
 #include "geometry/intersector/intersector.h"
-#include "geometry/pi.h"
 #include "geometry/polygon.h"
 #include "test_scenes.h"
 

@@ -1,7 +1,7 @@
 #include "image/gather/source_light.h"
 
+#include "geometry/elementary.h"
 #include "geometry/intersector/intersector.h"
-#include "geometry/pi.h"
 #include "sampling/sequence.h"
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"

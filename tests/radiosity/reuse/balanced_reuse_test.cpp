@@ -1,9 +1,9 @@
 #include "radiosity/reuse/balanced_reuse.h"
 
-#include "geometry/pi.h"
+#include "geometry/elementary.h"
 #include "paused_work.h"
-#include "radiosity/error_measure.h"
 #include "radiosity/solve.h"
+#include "radiosity/statistics.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
 

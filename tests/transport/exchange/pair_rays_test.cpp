@@ -1,7 +1,7 @@
 #include "transport/exchange/pair_rays.h"
 
+#include "geometry/elementary.h"
 #include "geometry/form_factor/exchange_area.h"
-#include "geometry/pi.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "statistics.h"

@@ -2,7 +2,7 @@
 // position d of expected_; it then reads its state. Once the innermost expected part has read its state, later parts
 // start from the beginning.
 
-#include "parallel/checkpoint.h"
+#include "parallel/run_control.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "image/pixmap.h"
+#include "image/image.h"
 
 #include <doctest/doctest.h>
 

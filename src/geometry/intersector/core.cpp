@@ -3,7 +3,7 @@
 // are few, else those that the hierarchy has near the surface. Limits keep time and memory linear: a surface that
 // exceeds a limit stays unlisted, and queries about this surface search the hierarchy.
 
-#include "geometry/intersector/plane_neighbours.h"
+#include "geometry/intersector/core.h"
 
 #include "parallel/blocks.h"
 
