@@ -7,7 +7,7 @@
 #include "parallel/blocks.h"
 #include "radiosity/solve.h"
 #include "radiosity/trapped_light.h"
-#include "transport/depth_complexity.h"
+#include "transport/lines/depth_complexity.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/line_segments.h"
 

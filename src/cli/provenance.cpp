@@ -1,6 +1,6 @@
 #include "cli/provenance.h"
 
-#include "cli/version.h"
+#include "cli/provenance.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

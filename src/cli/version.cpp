@@ -1,4 +1,4 @@
-#include "cli/version.h"
+#include "cli/provenance.h"
 
 #include "parallel/instruction_set.h"
 

@@ -10,7 +10,7 @@
 #include "radiosity/first_shot.h"
 #include "sampling/halton.h"
 #include "sampling/random.h"
-#include "transport/depth_complexity.h"
+#include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 

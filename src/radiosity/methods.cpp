@@ -15,7 +15,7 @@
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/run.h"
 #include "scene/input_error.h"
-#include "transport/depth_complexity.h"
+#include "transport/lines/depth_complexity.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 #include "radiosity/multipath.h"
 
 #include "parallel/blocks.h"
-#include "transport/depth_complexity.h"
+#include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // The program ends inside the signal handler, so that neither the current work nor a pipe without a reader can delay
 // it. Handlers call only async-signal-safe functions (POSIX) and read only lock-free atomics and the slots of
-// part_file.cpp.
+// output_file.cpp.
 
 #include "cli/files/interrupt.h"
 
-#include "cli/files/part_file.h"
+#include "cli/files/output_file.h"
 
 #include <array>
 #include <atomic>

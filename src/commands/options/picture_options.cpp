@@ -3,7 +3,7 @@
 #include "cli/options/number_text.h"
 #include "cli/options/usage_error.h"
 #include "image/automatic_camera.h"
-#include "image/false_colour/false_colour.h"
+#include "image/false_colour.h"
 #include "radiosity/reuse/gathered_light.h"
 #include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"

@@ -11,7 +11,7 @@
 // rounded coordinates produce, the feet are so far away that digits cancel: there the integral of ln r from a point of
 // the first edge to the second edge is integrated by Gauss-Legendre quadrature.
 
-#include "geometry/form_factor/contour_integral.h"
+#include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"

@@ -10,7 +10,7 @@
 #include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/elementary.h"
-#include "geometry/form_factor/contour_integral.h"
+#include "geometry/form_factor/exchange_area.h"
 #include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/polygon.h"
 

@@ -1,4 +1,4 @@
-#include "scene/obj/obj_changes.h"
+#include "scene/obj/obj_reader.h"
 
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"

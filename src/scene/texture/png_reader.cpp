@@ -4,7 +4,6 @@
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
-#include "scene/texture/inflate.h"
 
 #include <algorithm>
 #include <array>

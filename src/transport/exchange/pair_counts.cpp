@@ -6,7 +6,7 @@
 #include "transport/exchange/pair_counts.h"
 
 #include "parallel/blocks.h"
-#include "transport/depth_complexity.h"
+#include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "geometry/form_factor/contour_integral.h"
+#include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/surface_pieces.h"
 #include "selftest/known_scenes.h"

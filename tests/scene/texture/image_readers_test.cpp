@@ -1,7 +1,7 @@
 // The texture readers on tiny files with known pixels, and on damaged ones.
 
+#include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
-#include "scene/texture/inflate.h"
 
 #include <doctest/doctest.h>
 

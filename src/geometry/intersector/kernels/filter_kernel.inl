@@ -4,8 +4,6 @@
 
 #include "geometry/intersector/kernels/lane_packet.inl"
 
-#include "geometry/intersector/kernels/row_decision.inl"
-
 #include "geometry/intersector/kernels/lane_phases.inl"
 
 #include "geometry/intersector/kernels/lane_tree.inl"

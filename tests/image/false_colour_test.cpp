@@ -1,6 +1,6 @@
-#include "image/false_colour/false_colour.h"
+#include "image/false_colour.h"
 
-#include "image/false_colour/legend.h"
+#include "image/legend.h"
 #include "image/tone_map.h"
 #include "test_scenes.h"
 

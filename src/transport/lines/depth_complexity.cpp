@@ -1,4 +1,4 @@
-#include "transport/depth_complexity.h"
+#include "transport/lines/depth_complexity.h"
 
 #include "geometry/intersector/intersector.h"
 #include "sampling/halton.h"

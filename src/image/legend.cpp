@@ -1,4 +1,4 @@
-#include "image/false_colour/legend.h"
+#include "image/legend.h"
 
 #include "geometry/elementary.h"
 #include "image/tone_map.h"

@@ -1,8 +1,8 @@
-#include "transport/exchange/kernels/row_kernel.h"
+#include "transport/exchange/symmetric_product.h"
 
 #include "parallel/instruction_set.h"
 
-#define KERNELS "transport/exchange/kernels/lane_row.inl"
+#define KERNELS "transport/exchange/lane_row.inl"
 #include "parallel/lanes/every_set.inl"
 
 namespace multipath {

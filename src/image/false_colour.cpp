@@ -1,7 +1,7 @@
-#include "image/false_colour/false_colour.h"
+#include "image/false_colour.h"
 
 #include "geometry/elementary.h"
-#include "image/false_colour/legend.h"
+#include "image/legend.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
 #include "parallel/blocks.h"

@@ -14,4 +14,10 @@ namespace multipath {
 std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_per_patch, const ScreenColour& colour,
                       const std::vector<std::string>& comments);
 
+/// A mesh as a Wavefront OBJ file with vertex colours ("v x y z r g b", sRGB from 0 to 1, as MeshLab and Blender read
+/// them). `colour` maps radiosity to these colours. Groups and materials keep the names that they have in the scene.
+/// There is no MTL file, since the colours replace the materials. The comments become `# ` lines at the top.
+std::string obj_text(const PatchMesh& mesh, const Scene& scene, const ScreenColour& colour,
+                     const std::vector<std::string>& comments);
+
 } // namespace multipath
