@@ -14,17 +14,18 @@ struct Effort
     std::string order_to; ///< lines of the study of the order of the lines; its bias shows only with many
     std::string shots_to; ///< lines of Figures 7 to 9, from 46875 on; 46875 * 2^5 = 1.5 million
     std::string reference_lines;
+    std::string reuse_to; ///< lines of the curves of line reuse
     std::string replicates;
 };
 
 Effort full_effort()
 {
-    return {"2^15", "2^21", "2^22", "1.5M", "16M", "6"};
+    return {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "6"};
 }
 
 Effort quick_effort()
 {
-    return {"2^14", "2^19", "2^20", "375k", "2M", "3"};
+    return {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "3"};
 }
 
 /// Builds the list of steps from command lines whose words are separated by spaces. SCENES and FOLDER stand for the
@@ -119,7 +120,7 @@ void add_shots(StepList& list, const Effort& effort)
 void add_reuse(StepList& list, const Effort& effort)
 {
     const std::string lines =
-        " --from " + effort.slopes_from + " --to " + effort.slopes_to + " --replicates " + effort.replicates;
+        " --from " + effort.slopes_from + " --to " + effort.reuse_to + " --replicates " + effort.replicates;
     for (const std::string scene : {"5cubes", "4chairs", "4chairs-up"}) {
         const std::string curves = scene + ".obj --methods extended,reuse --sequences random,sobol-owen";
         list.study("reuse-" + scene, curves + lines);
