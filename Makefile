@@ -1,6 +1,7 @@
 # make            builds ./multipath
 # make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
-# make test       builds and runs all tests
+# make test       builds and runs the tests, except
+# make long-tests those that take long: statistics, every option at its limits, interrupts, installation
 # make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
 # make mutants    plants the bugs of tests/mutants.list one by one and tells which the tests notice; takes about an hour
 # make bench      measures speed; close other programs first. OBJ=FILE.obj: of lines through this file
@@ -88,8 +89,8 @@ results: paper
 pictures: $(PROGRAM)
 	BUILD=$(BUILD) RENEW=yes sh tests/documented_commands.sh $(PROGRAM) docs/gallery.md docs/method.md docs/beyond.md
 
-test: $(BUILD)/unit_tests $(PROGRAM)
-	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD)
+test long-tests: $(BUILD)/unit_tests $(PROGRAM)
+	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD) $(if $(filter long-tests,$@),long,quick)
 
 $(BUILD)/unit_tests: $(filter-out $(BUILD)/src/main.o,$(objects)) $(test_objects)
 	@echo "  link    $@"
@@ -208,6 +209,6 @@ dist:
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
 
-.PHONY: always demo paper results pictures test coverage mutants bench install uninstall dist clean
+.PHONY: always demo paper results pictures test long-tests coverage mutants bench install uninstall dist clean
 $(BUILD)/%.d: ;
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

@@ -1,7 +1,8 @@
-# Runs every test, shows what failed, and ends with the line "N passed, N failed".
-# LEAVE_OUT names scripts to leave out. UNIT_ARGS are for the unit tests, such as -tse=statistics to leave out the long ones that prove no more under sanitizers.
-# usage: run.sh UNIT_TESTS PROGRAM BUILD
-[ $# -eq 3 ] || { echo "usage: run.sh UNIT_TESTS PROGRAM BUILD" >&2; exit 2; }
+# Runs the tests, shows what failed, and ends with the line "N passed, N failed". `long` are those that take long, the unit
+# tests of the suite `statistics` and some scripts; `quick` are all others.
+# LEAVE_OUT names scripts to leave out, and UNIT_ARGS are for the unit tests.
+# usage: run.sh UNIT_TESTS PROGRAM BUILD [quick|long]
+case $#:$4 in 3: | 4:quick | 4:long) ;; *) echo "usage: run.sh UNIT_TESTS PROGRAM BUILD [quick|long]" >&2; exit 2 ;; esac
 absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 unit_tests=$(absolute "$1")
@@ -24,18 +25,28 @@ tally() {
     failed=$((failed + 1))
 }
 
-# Two parts of the unit tests, and beside them as many scripts as there are processors, those that take longest first.
+# The unit tests, and beside them as many scripts as there are processors, those that take longest first.
 jobs=$(nproc 2>/dev/null || echo 2)
 run_unit_tests() { (cd "$root" && "$unit_tests" $UNIT_ARGS "$1") >"$scratch/unit_tests$1.log" 2>&1; }
-case $UNIT_ARGS in *-tse=statistics*) suites=-tse=statistics ;; *) suites="-tse=statistics -ts=statistics" ;; esac
+case $4:$UNIT_ARGS in
+long:*) suites=-ts=statistics ;;
+quick:* | *-tse=statistics*) suites=-tse=statistics ;;
+*) suites="-tse=statistics -ts=statistics" ;;
+esac
 processes=
 for suite in $suites; do
     run_unit_tests $suite &
     processes="$processes $!"
 done
-slow="tolerance solve memory page interrupt limits provenance mini selftest install study torture state"
+long="limits tolerance memory interrupt page install mini selftest"
+all="$long solve torture state study provenance compare include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p')"
+case $4 in
+long) wanted=$long ;;
+quick) wanted=$all LEAVE_OUT="$LEAVE_OUT $long" ;;
+*) wanted=$all ;;
+esac
 scripts=
-for name in $slow include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p'); do
+for name in $wanted; do
     case " check $LEAVE_OUT $scripts " in *" $name "*) ;; *) scripts="$scripts $name" ;; esac
 done
 export root program scratch

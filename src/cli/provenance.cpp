@@ -1,6 +1,5 @@
 #include "cli/provenance.h"
 
-#include "cli/provenance.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "image/false_colour.h"
 
 #include "geometry/elementary.h"
-#include "image/legend.h"
+#include "image/colour_scale.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
 #include "parallel/blocks.h"

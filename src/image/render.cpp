@@ -135,17 +135,14 @@ class Painter
 {
 public:
     Painter(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
-        : scene_(scene),
-          radiosity_(options.shading == Shading::smooth ? without_texture(scene, radiosity) : radiosity),
-          rays_(camera, options.width, options.height),
-          options_(options)
+        : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
     {
         if (scene.file().sky_surfaces > 0)
             background_ = radiosity[scene.first_patch(scene.own_surfaces())];
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
         if (options.shading == Shading::smooth)
-            smooth_.emplace(scene, radiosity_, options.threads, find_shown());
+            smooth_.emplace(scene, radiosity, options.threads, find_shown());
         // Twice as many rays to the sources: neighbours do not share them, and only pixels in penumbrae, where noise is
         // visible, need any.
         const GatherRays gather_rays{(2 * options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
@@ -261,8 +258,7 @@ private:
     {
         if (gather_)
             return gather_->at(hit, sample.x, sample.y, sample.number, grid_ * grid_, tools.fan);
-        return smooth_ ? with_texture(scene_, hit, smooth_->at(hit))
-                       : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
+        return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
     }
 
     Rgb clipped(Rgb value) const
@@ -274,10 +270,10 @@ private:
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
     const Scene& scene_;
-    std::vector<Rgb> radiosity_; ///< [W/m^2] per patch; without textures if it is interpolated
+    const std::vector<Rgb>& radiosity_; ///< [W/m^2] per patch
     PixelRays rays_;
     RenderOptions options_;
-    std::optional<SmoothShading> smooth_;
+    std::optional<ShownRadiosity> smooth_;
     std::optional<FinalGather> gather_;
     int grid_ = 1;                     ///< k: samples along a side of a pixel
     Rgb background_;                   ///< [W/m^2] of rays that meet nothing: the sky, or black

@@ -203,23 +203,6 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
     return result;
 }
 
-/// What smooth shading shows of a solution.
-class ShownRadiosity
-{
-public:
-    ShownRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
-        : scene_(scene), plain_(without_texture(scene, radiosity)), shading_(scene, plain_, threads)
-    {
-    }
-
-    Rgb at(const Hit& hit) const { return with_texture(scene_, hit, shading_.at(hit)); } ///< [W/m^2]
-
-private:
-    const Scene& scene_;
-    std::vector<Rgb> plain_;
-    SmoothShading shading_;
-};
-
 /// Final gathering at single points, from a solution.
 class PointRadiosity
 {

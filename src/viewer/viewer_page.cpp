@@ -4,7 +4,7 @@
 #include "export/json.h"
 #include "export/mesh/patch_mesh.h"
 #include "geometry/elementary.h"
-#include "image/legend.h"
+#include "image/colour_scale.h"
 #include "image/png.h"
 #include "image/render.h"
 #include "image/shading/smooth_shading.h"

@@ -1,6 +1,6 @@
 #include "image/false_colour.h"
 
-#include "image/legend.h"
+#include "image/colour_scale.h"
 #include "image/tone_map.h"
 #include "test_scenes.h"
 

@@ -220,11 +220,9 @@ std::string SolvedScene::grid_summary() const
 const Lightmap& SolvedScene::lightmap()
 {
     if (!lightmap_) {
-        const std::vector<Rgb> plain = without_texture(scene, solution.radiosity);
-        const SmoothShading smooth(scene, plain, options.render.threads);
+        const ShownRadiosity shown(scene, solution.radiosity, options.render.threads);
         const auto light = [&](std::uint32_t surface, bool front, double u, double v) {
-            const Hit hit = {0.0, surface, u, v, front};
-            return with_texture(scene, hit, smooth.at(hit));
+            return shown.at({0.0, surface, u, v, front});
         };
         lightmap_ = multipath::lightmap(scene, default_lightmap_size, light, options.render.threads);
     }

@@ -10,7 +10,6 @@
 #include "geometry/form_factor/exchange_area.h"
 
 #include "geometry/elementary.h"
-#include "geometry/form_factor/exchange_area.h"
 #include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/polygon.h"
 

@@ -47,18 +47,6 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
     return radiosity;
 }
 
-Rgb with_texture(const Scene& scene, const Hit& hit, Rgb plain)
-{
-    if (scene.file().textures.empty() || !scene.is_textured(hit.surface))
-        return plain;
-    const Material& material = scene.surface_material(hit.surface);
-    const Rgb emitted = hit.front ? material.emittance : Rgb{};
-    const Rgb reflected = plain - emitted;
-    const Rgb mean = material.reflectance;
-    const Rgb light = {light_on(reflected.r, mean.r), light_on(reflected.g, mean.g), light_on(reflected.b, mean.b)};
-    return emitted + scene.reflectance_at(hit.surface, hit.u, hit.v) * light;
-}
-
 // The values at the corners of the patches are found in three steps. First each surface gets values from its own
 // patches alone (CornerGroup), or in a region of needles from a fit (FlatRegions). Then coinciding corners of different
 // surfaces are joined if they belong to one smoothing group and no occluder separates them: the triangles of a sphere
@@ -360,6 +348,19 @@ std::array<Rgb, 4> SmoothShading::at_corners(std::uint32_t patch) const
     for (std::size_t k = 0; k < scene_.corners(patch).count; ++k)
         result[k] = corners_[CornerLattice::per_cell * patch + k];
     return result;
+}
+
+Rgb ShownRadiosity::at(const Hit& hit) const
+{
+    const Rgb plain = shading_.at(hit);
+    if (scene_.file().textures.empty() || !scene_.is_textured(hit.surface))
+        return plain;
+    const Material& material = scene_.surface_material(hit.surface);
+    const Rgb emitted = hit.front ? material.emittance : Rgb{};
+    const Rgb reflected = plain - emitted;
+    const Rgb mean = material.reflectance;
+    const Rgb light = {light_on(reflected.r, mean.r), light_on(reflected.g, mean.g), light_on(reflected.b, mean.b)};
+    return emitted + scene_.reflectance_at(hit.surface, hit.u, hit.v) * light;
 }
 
 } // namespace multipath

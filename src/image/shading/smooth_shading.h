@@ -20,10 +20,6 @@ namespace multipath {
 /// taken to be the mean of the other channels. Equal to `radiosity` in scenes without textures.
 std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity);
 
-/// [W/m^2] Radiosity at a hit with the texture applied. `plain`: the radiosity there without texture, interpolated from
-/// without_texture().
-Rgb with_texture(const Scene& scene, const Hit& hit, Rgb plain);
-
 /// Interpolates one value per patch to a piecewise continuous function on the surfaces of a scene. Patches share a
 /// value at a common corner if they have the same material, lie in one smoothing group (smoothing_groups.h), and no
 /// occluder separates them. Parts of patches that furniture covers are ignored. Sources are interpolated like other
@@ -56,6 +52,29 @@ private:
     const Scene& scene_;
     const std::vector<Rgb>& values_;
     std::vector<Rgb> corners_; ///< CornerLattice::per_cell slots for each patch
+};
+
+/// The radiosity as smooth pictures show it: SmoothShading of the radiosity without texture, to which the texture is
+/// applied at each point.
+class ShownRadiosity
+{
+public:
+    /// `radiosity` [W/m^2] per patch. `shown`: as for SmoothShading. The scene must outlive this object.
+    ShownRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int threads,
+                   const std::vector<char>& shown = {})
+        : scene_(scene), plain_(without_texture(scene, radiosity)), shading_(scene, plain_, threads, shown)
+    {
+    }
+    ShownRadiosity(const ShownRadiosity&) = delete;
+    ShownRadiosity& operator=(const ShownRadiosity&) = delete;
+
+    /// [W/m^2] at a hit on a side that has patches.
+    Rgb at(const Hit& hit) const;
+
+private:
+    const Scene& scene_;
+    std::vector<Rgb> plain_;
+    SmoothShading shading_;
 };
 
 } // namespace multipath

@@ -1,4 +1,4 @@
-#include "image/legend.h"
+#include "image/colour_scale.h"
 
 #include "geometry/elementary.h"
 #include "image/tone_map.h"
