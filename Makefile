@@ -64,6 +64,8 @@ folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(
 units      = src/lines $(filter-out %.cpp $(src/lines) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/commands src/small
 test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
 endif
+# Objects, those first that take longest to compile.
+longest_first = $(foreach unit,tests/small src/small src/radiosity src/lines src/commands,$(filter %/$(unit).o,$1)) $1
 objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
@@ -71,9 +73,9 @@ ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 
-$(PROGRAM): $(objects)
+$(PROGRAM): $(call longest_first,$(objects))
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $(objects) -o $@
 
 demo: $(PROGRAM)
 	./$(PROGRAM) solve scenes/5cubes.obj --lines 2^22 -o 5cubes.png -o 5cubes.ppm
@@ -92,9 +94,11 @@ pictures: $(PROGRAM)
 test long-tests: $(BUILD)/unit_tests $(PROGRAM)
 	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD) $(if $(filter long-tests,$@),long,quick)
 
-$(BUILD)/unit_tests: $(filter-out $(BUILD)/src/main.o,$(objects)) $(test_objects)
+parts_tested = $(filter-out $(BUILD)/src/main.o,$(objects))
+
+$(BUILD)/unit_tests: $(call longest_first,$(parts_tested) $(test_objects))
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ -o $@
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $(parts_tested) $(test_objects) -o $@
 
 $(test_objects): COMPILE += -Itests $(addprefix -isystem ,$(shell cat $(BUILD)/doctest.path 2>/dev/null))
 $(test_objects): | $(BUILD)/doctest.path
