@@ -7,7 +7,7 @@ absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 unit_tests=$(absolute "$1")
 program=$(absolute "$2")
-scratch=$(absolute "$3")/test-run
+scratch=$(absolute "$3")/test-run${4:+-$4}
 rm -rf "$scratch" && mkdir -p "$scratch" || exit 1
 LC_ALL=C
 export LC_ALL

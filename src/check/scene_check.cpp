@@ -3,6 +3,7 @@
 #include "geometry/elementary.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
+#include "parallel/memory.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
 #include "scene/vertex_weld.h"
@@ -129,6 +130,12 @@ namespace {
 
 constexpr std::size_t most_named = 4; ///< names in a list
 constexpr std::size_t most_coincident_pairs = 10000;
+/// Least share [1] of the power of the sources, or of the area of the surfaces, at which a finding is an error: the
+/// fault makes the result wrong. A fault with a smaller share changes the result by less than one step of an 8-bit
+/// picture, and by less than the noise of most runs. The share does not matter for some kinds: "trapped" is always an
+/// error, while "open", "reflectance" and findings without a share are always remarks.
+constexpr double share_that_matters = 0.005;
+
 constexpr double least_reported = 1e-5; ///< [1] share of the power; smaller losses are not reported
 
 bool emits(const Scene& scene, std::uint32_t surface)

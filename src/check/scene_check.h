@@ -38,12 +38,6 @@ CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most);
 /// (a T-junction) counts as open. Corners are equal if they snap to the same grid point (snapped()).
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces);
 
-/// Least share [1] of the power of the sources, or of the area of the surfaces, at which a finding is an error: the
-/// fault makes the result wrong. A fault with a smaller share changes the result by less than one step of an 8-bit
-/// picture, and by less than the noise of most runs. The share does not matter for some kinds: "trapped" is always an
-/// error, while "open", "reflectance" and findings without a share are always remarks.
-constexpr double share_that_matters = 0.005;
-
 /// A diagnostic about a scene. Findings of the same cause are merged into one, whose message says how many there are.
 struct Finding
 {

@@ -155,6 +155,7 @@ void draw_text(ScreenImage& picture, int x, int y, int scale, std::string_view t
 
 namespace {
 
+constexpr int font_ascent = 7; ///< from the top of an `h` to the baseline
 constexpr int title_top = 4;
 constexpr int bar_top = title_top + font_height + 2;
 constexpr int bar_bottom = bar_top + 8;

@@ -27,7 +27,6 @@ Rgb linear_light(OkLab colour);
 Rgb map_colour(double share);
 
 constexpr int font_height = 9; ///< [font pixels] from the top of an `h` to the bottom of a `g`
-constexpr int font_ascent = 7; ///< [font pixels] from the top of an `h` to the baseline
 
 /// [font pixels] Width of the text without the gap after its last character; 0 for an empty text.
 int text_width(std::string_view text);

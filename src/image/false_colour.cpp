@@ -243,9 +243,9 @@ ScreenImage flat_picture(const Scene& scene, const std::vector<Rgb>& colours, co
 
 ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Camera& camera, RenderOptions options)
 {
-    const int strip_height = legend_height(options.width, options.height, quantity.title);
-    const Camera view = cropped(camera, options.height, options.height - strip_height);
-    options.height -= strip_height;
+    const int legend_rows = legend_height(options.width, options.height, quantity.title);
+    const Camera view = cropped(camera, options.height, options.height - legend_rows);
+    options.height -= legend_rows;
     std::vector<double> values;
     values.reserve(quantity.values.size());
     for (const Rgb& value : quantity.values)
@@ -260,10 +260,10 @@ ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Cam
     ScreenImage screen = flat_picture(scene, colours, view, options);
     if (quantity.contours)
         ContourPen(screen, seen_values(scene, values, view, options), legend).draw();
-    if (strip_height > 0) {
-        const ScreenImage strip = legend_strip(options.width, strip_height, legend);
+    if (legend_rows > 0) {
+        const ScreenImage strip = legend_strip(options.width, legend_rows, legend);
         screen.bytes.insert(screen.bytes.end(), strip.bytes.begin(), strip.bytes.end());
-        screen.height += strip_height;
+        screen.height += legend_rows;
     }
     return screen;
 }

@@ -5,6 +5,7 @@
 #include "image/render.h"
 #include "scene/scene.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

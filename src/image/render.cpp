@@ -1,28 +1,33 @@
 #include "image/render.h"
 
 #include "geometry/elementary.h"
+#include "geometry/hit.h"
 #include "image/camera.h"
 #include "image/gather/gather_point.h"
+#include "image/gather/indirect_light.h"
+#include "image/gather/source_light.h"
 #include "image/shading/smooth_shading.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
+#include "sampling/sequence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace multipath {
 
-// Direct light has sharp shadows, so every camera ray samples the sources. Indirect light varies slowly, so it is
-// gathered at few points and interpolated (IndirectGrid). The cache is filled in two passes over the pixel centres. The
-// first pass samples every second pixel in x and y. The second samples each other pixel for which the samples of the
-// first pass do not suffice. A third pass stores the interpolated indirect light of each pixel in which it is almost
-// constant.
+// Final gathering. Direct light has sharp shadows, so every camera ray samples the sources. Indirect light varies
+// slowly, so it is gathered at few points and interpolated (IndirectGrid). The cache is filled in two passes over the
+// pixel centres. The first pass samples every second pixel in x and y. The second samples each other pixel for which
+// the samples of the first pass do not suffice. A third pass stores the interpolated indirect light of each pixel in
+// which it is almost constant.
 
 namespace {
 
@@ -36,6 +41,55 @@ std::uint64_t morton_number(int x, int y)
         number |= static_cast<std::uint64_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
     return number;
 }
+
+/// Numbers of rays that FinalGather casts.
+struct GatherRays
+{
+    int to_sources = 16; ///< shadow rays per camera ray
+    /// Hemisphere rays per sample of indirect light; a sample also serves neighbouring pixels. 0: no indirect light.
+    int around = 64;
+};
+
+/// Final gathering for one picture: the radiosity of each visible point is computed from the light that arrives there,
+/// so that no patch borders show. Direct light is sampled for every point. Indirect light comes from an irradiance
+/// cache (IndirectGrid), or is gathered where the cache has no valid sample. Immutable after construction and safe to
+/// share between threads.
+class FinalGather
+{
+public:
+    /// Fills the irradiance cache for the pixels of a picture of width x height pixels. `radiosity`: the solution
+    /// [W/m^2] per patch. The scene must outlive this object.
+    FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width, int height,
+                GatherRays rays, int threads);
+
+    /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y), emitted light included. `sample`: index
+    /// of the ray among the `samples` rays of its pixel. `fan`: reusable buffers of one thread.
+    Rgb at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const;
+
+private:
+    /// The point seen through the centre of a pixel.
+    struct PixelCentre
+    {
+        std::optional<Hit> hit;
+        std::optional<Rgb> indirect; ///< [W/m^2] indirect irradiance; absent where it may vary within the pixel
+    };
+
+    void trace_pixel_centres(const PixelRays& pixels, int threads);
+    void gather_indirect_light(int threads);
+    Rgb indirect_irradiance(const GatherPoint& receiver, int x, int y, RayFan& fan) const;
+    PixelCentre& centre(int x, int y) { return centres_[pixel_index(width_, x, y)]; }
+
+    const Scene& scene_;
+    int width_;
+    int height_;
+    std::size_t rays_to_sources_;
+    std::unique_ptr<Sequence> sequence_around_;
+    std::unique_ptr<Sequence> sequence_to_sources_;
+    SourceLight source_light_;
+    IndirectLight indirect_light_;
+    IndirectGrid grid_;
+    std::vector<PixelCentre> centres_; ///< row by row
+};
 
 } // namespace
 
@@ -194,8 +248,7 @@ private:
     /// Index of a sample in the whole picture.
     std::size_t number_of(Sample sample) const
     {
-        const auto pixel = static_cast<std::size_t>(sample.y) * static_cast<std::size_t>(options_.width) +
-                           static_cast<std::size_t>(sample.x);
+        const std::size_t pixel = pixel_index(options_.width, sample.x, sample.y);
         return pixel * static_cast<std::size_t>(grid_ * grid_) + static_cast<std::size_t>(sample.number);
     }
 

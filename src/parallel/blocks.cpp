@@ -1,18 +1,13 @@
 #include "parallel/blocks.h"
 
-#include <algorithm>
-#include <condition_variable>
 #include <exception>
-#include <mutex>
 #include <system_error>
-#include <thread>
-#include <vector>
 
 namespace multipath {
 
-// The caller of run() opens as many slots as workers may join, wakes the workers and works itself. A worker that wakes
-// up takes a slot and runs the work. When the caller has finished, it closes the slots that are left and waits for the
-// workers that are still busy.
+// The caller of ThreadPool::run() opens as many slots as workers may join, wakes the workers and works itself. A worker
+// that wakes up takes a slot and runs the work. When the caller has finished, it closes the slots that are left and
+// waits for the workers that are still busy.
 
 ThreadPool::~ThreadPool()
 {

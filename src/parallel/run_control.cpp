@@ -1,6 +1,6 @@
-// The active parts form a stack. While a saved run resumes, the part at depth d of the stack must have the name at
-// position d of expected_; it then reads its state. Once the innermost expected part has read its state, later parts
-// start from the beginning.
+// The active parts of a Checkpoint form a stack. While a saved run resumes, the part at depth d of the stack must have
+// the name at position d of expected_; it then reads its state. Once the innermost expected part has read its state,
+// later parts start from the beginning.
 
 #include "parallel/run_control.h"
 

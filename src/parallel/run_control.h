@@ -56,7 +56,7 @@ public:
     /// True if pause() has returned true or publish_shard() was called: the work must end.
     bool stopped() const { return stopped_; }
 
-    /// Ends the run of a shard (see run_control.h) that is done: saves the results of the active parts, which the
+    /// Ends the run of a shard (see Shard) that is done: saves the results of the active parts, which the
     /// command `merge` adds to those of the other shards.
     void publish_shard()
     {

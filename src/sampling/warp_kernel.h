@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/elementary.h"
 #include "sampling/sequence.h"
 
 #include <cstddef>

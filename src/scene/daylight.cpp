@@ -5,7 +5,6 @@
 #include "geometry/intersector/surface_sizes.h"
 
 #include <cmath>
-#include <string>
 
 namespace multipath {
 

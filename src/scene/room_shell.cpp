@@ -11,10 +11,8 @@
 #include "scene/vertex_weld.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace multipath {

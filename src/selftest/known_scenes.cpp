@@ -1,18 +1,62 @@
 #include "selftest/known_scenes.h"
 
+#include "geometry/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/polygon.h"
 #include "scene/scene_builder.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace multipath {
 
-// The polygon of the lamp is clipped by the horizon of the point. Each blocker then removes its shadow from what is
-// left: the part inside the pyramid from the point through the edges of the blocker, and farther away than the plane of
-// the blocker. A plane cuts a convex polygon into two convex ones, so the visible region is a list of convex polygons.
-// Lambert's formula gives the irradiance from each.
+namespace {
+
+/// The sign of a term of the closed forms, which sum over both ends of four intervals: (-1)^(i + j + k + l).
+double sign_of(int i, int j, int k, int l)
+{
+    return (i + j + k + l) % 2 == 0 ? 1.0 : -1.0;
+}
+
+} // namespace
+
+double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interval y2, double z)
+{
+    const auto term = [&](double u, double v) {
+        const double p = std::sqrt(u * u + z * z);
+        const double q = std::sqrt(v * v + z * z);
+        return v * p * elementary::atan(v / p) + u * q * elementary::atan(u / q) -
+               0.5 * z * z * elementary::log(u * u + v * v + z * z);
+    };
+    double sum = 0.0;
+    for (int bits = 0; bits < 16; ++bits) {
+        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
+        sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y1[j] - y2[l]);
+    }
+    return sum / (2.0 * pi);
+}
+
+double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z)
+{
+    const auto term = [](double u, double c2) {
+        const double c = std::sqrt(c2);
+        const double square = u * u + c2;
+        return (c > 0.0 ? u * c * elementary::atan(u / c) : 0.0) -
+               (square > 0.0 ? 0.25 * (c2 - u * u) * elementary::log(square) : 0.0);
+    };
+    double sum = 0.0;
+    for (int bits = 0; bits < 16; ++bits) {
+        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
+        sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y[j] * y[j] + z[l] * z[l]);
+    }
+    return sum / (2.0 * pi);
+}
+
+// How irradiance_past() works: the polygon of the lamp is clipped by the horizon of the point. Each blocker then
+// removes its shadow from what is left: the part inside the pyramid from the point through the edges of the blocker,
+// and farther away than the plane of the blocker. A plane cuts a convex polygon into two convex ones, so the visible
+// region is a list of convex polygons. Lambert's formula gives the irradiance from each.
 
 namespace {
 

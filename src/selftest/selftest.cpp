@@ -9,7 +9,6 @@
 #include "scene/text/text_format.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 

@@ -5,8 +5,6 @@
 #include "scene/text/text_format.h"
 #include "study/study_table.h"
 
-#include <cmath>
-
 namespace multipath {
 
 namespace {

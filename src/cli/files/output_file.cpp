@@ -236,8 +236,8 @@ int sync_folder_of(const std::string& path)
     return error;
 }
 
-} // namespace
-
+/// Resolves the symbolic links at the end of a path, even if the last link points to a file that does not exist yet.
+/// Throws OutputError for circular links and chains of 40 links or more.
 std::string follow_links(const std::string& name)
 {
     std::string path = name;
@@ -251,6 +251,8 @@ std::string follow_links(const std::string& name)
     }
     fail(name, ELOOP);
 }
+
+} // namespace
 
 void make_folder(const std::string& path)
 {

@@ -70,10 +70,6 @@ public:
     using OutputError::OutputError;
 };
 
-/// Resolves the symbolic links at the end of a path, even if the last link points to a file that does not exist yet.
-/// Throws OutputError for circular links and chains of 40 links or more.
-std::string follow_links(const std::string& path);
-
 /// Makes the folder if it does not exist. Throws OutputError if that fails, or if the path is something else than a
 /// folder.
 void make_folder(const std::string& path);

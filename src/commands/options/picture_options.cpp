@@ -17,7 +17,6 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace multipath {
@@ -250,10 +249,6 @@ void read_views(const CommandLine& line, PictureOptions& options)
     if (options.views.size() == 1)
         options.views.clear();
 }
-
-} // namespace
-
-namespace {
 
 /// Reads "HEIGHT,STEP", such as "0.85,0.5".
 GridPlan read_grid(const std::string& text, Vec3 up)

@@ -4,6 +4,7 @@
 #include "scene/little_endian.h"
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 
 namespace multipath {

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 namespace multipath {
 

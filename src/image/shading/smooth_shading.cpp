@@ -7,7 +7,6 @@
 #include "parallel/blocks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -25,6 +24,12 @@ double light_on(double reflected, double reflectance)
     return reflectance > darkest_texture ? reflected / reflectance : 0.0;
 }
 
+Rgb light_on(Rgb reflected, Rgb reflectance)
+{
+    return {light_on(reflected.r, reflectance.r), light_on(reflected.g, reflectance.g),
+            light_on(reflected.b, reflectance.b)};
+}
+
 } // namespace
 
 std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
@@ -36,7 +41,7 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
             continue;
         const Rgb rho = scene.reflectance(i);
         const Rgb reflected = radiosity[i] - scene.emittance(i);
-        Rgb light = {light_on(reflected.r, rho.r), light_on(reflected.g, rho.g), light_on(reflected.b, rho.b)};
+        Rgb light = light_on(reflected, rho);
         const double known = (rho.r > darkest_texture ? 1.0 : 0.0) + (rho.g > darkest_texture ? 1.0 : 0.0) +
                              (rho.b > darkest_texture ? 1.0 : 0.0);
         const double usual = known > 0.0 ? (light.r + light.g + light.b) / known : 0.0;
@@ -359,8 +364,7 @@ Rgb ShownRadiosity::at(const Hit& hit) const
     const Rgb emitted = hit.front ? material.emittance : Rgb{};
     const Rgb reflected = plain - emitted;
     const Rgb mean = material.reflectance;
-    const Rgb light = {light_on(reflected.r, mean.r), light_on(reflected.g, mean.g), light_on(reflected.b, mean.b)};
-    return emitted + scene_.reflectance_at(hit.surface, hit.u, hit.v) * light;
+    return emitted + scene_.reflectance_at(hit.surface, hit.u, hit.v) * light_on(reflected, mean);
 }
 
 } // namespace multipath

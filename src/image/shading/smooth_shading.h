@@ -12,9 +12,6 @@
 
 namespace multipath {
 
-// Pictures show textures at full resolution although light is known per patch only. The radiosity that patches would
-// have without the detail of their texture is interpolated. Then the texture is applied again at each point.
-
 /// [W/m^2] The radiosity that every patch would have if, under the same irradiance, it had the mean reflectance of its
 /// material instead of its texture. Where a patch is black in a channel, the irradiance in this channel is unknown and
 /// taken to be the mean of the other channels. Equal to `radiosity` in scenes without textures.
@@ -54,8 +51,9 @@ private:
     std::vector<Rgb> corners_; ///< CornerLattice::per_cell slots for each patch
 };
 
-/// The radiosity as smooth pictures show it: SmoothShading of the radiosity without texture, to which the texture is
-/// applied at each point.
+/// The radiosity as smooth pictures show it, with textures at full resolution although light is known per patch only:
+/// the radiosity that patches would have without the detail of their texture is interpolated (SmoothShading), and the
+/// texture is applied again at each point.
 class ShownRadiosity
 {
 public:

@@ -4,10 +4,7 @@
 #include "scene/text/text_format.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <string_view>
-#include <utility>
 
 namespace multipath {
 

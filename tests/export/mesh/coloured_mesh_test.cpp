@@ -6,11 +6,9 @@
 #include "scene/obj/obj_reader.h"
 #include "scene/scratch_folder.h"
 
-#include <cmath>
 #include <doctest/doctest.h>
-#include <sstream>
 
-namespace ply_test {
+namespace coloured_mesh_test {
 
 using namespace multipath;
 
@@ -20,6 +18,10 @@ Rgb halved(Rgb radiosity)
 {
     return 0.5 * radiosity;
 }
+
+} // namespace
+
+namespace {
 
 double area(const PlyFile& file, const PlyFile::Face& face)
 {
@@ -92,21 +94,6 @@ TEST_CASE("areas and powers add up to those of the scene")
     CHECK(power.b == doctest::Approx(expected.b).epsilon(1e-6));
 }
 
-} // namespace ply_test
-
-namespace obj_colours_test {
-
-using namespace multipath;
-
-namespace {
-
-Rgb halved(Rgb radiosity)
-{
-    return 0.5 * radiosity;
-}
-
-} // namespace
-
 TEST_CASE("an OBJ has its record, places with colours, names, and faces that count from one")
 {
     SceneBuilder builder;
@@ -147,4 +134,4 @@ TEST_CASE("the reader of scenes reads the mesh back, with all names")
     CHECK(lit.groups == std::vector<std::string>{"", "one wall"});
 }
 
-} // namespace obj_colours_test
+} // namespace coloured_mesh_test

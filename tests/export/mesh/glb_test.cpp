@@ -3,7 +3,6 @@
 #include "export/mesh/glb_reader.h"
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
-#include "export/mesh/ply_reader.h"
 #include "geometry/elementary.h"
 #include "image/shading/smooth_shading.h"
 

@@ -3,7 +3,6 @@
 #include "export/mesh/glb_reader.h"
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
-#include "export/mesh/ply_reader.h"
 #include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scratch_folder.h"
@@ -13,11 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
-#include <utility>
 
 namespace lightmap_test {
 

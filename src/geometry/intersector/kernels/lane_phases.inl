@@ -1,7 +1,7 @@
-// The phases before and after the filters, in double precision: lines are placed, and candidates decided. Plain loops
-// that the compiler vectorises for the instruction set; SurfaceTable::decide evaluates the columns of a row as vectors
-// where they hold four doubles, with the same operations in the same order. The results are the same bit for bit.
-// Included once for each instruction set.
+// The phases before and after the filters, in double precision: lines are placed, and candidates decided. They are
+// plain loops that the compiler vectorises for the instruction set. decide() does what SurfaceTable::decide does; where
+// vectors hold four doubles, it evaluates the columns of a row as vectors, with the same operations in the same order.
+// So the results are the same bit for bit. Included once for each instruction set.
 
 namespace multipath {
 namespace LANE_SET {
