@@ -19,10 +19,6 @@ Rgb halved(Rgb radiosity)
     return 0.5 * radiosity;
 }
 
-} // namespace
-
-namespace {
-
 double area(const PlyFile& file, const PlyFile::Face& face)
 {
     Vec3 sum;
