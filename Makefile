@@ -13,11 +13,13 @@
 # make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects), TESTS (folder of compiled tests, which are used as they are) and DOCTEST
-# (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors. Each
-# folder of src and of tests is compiled as one file, small ones together; UNITY=no compiles every file by itself, which
-# takes four times as long from scratch and less after a change.
+# (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors.
+# Most of src is compiled as four files, and tests as one for each folder, small ones together; UNITY=no compiles every
+# file by itself, which takes four times as long from scratch and less after a change.
 
-OPTIMISE  = -O3
+# With g++, -O2 that inlines as -O3 does: as fast, and compiled in less time.
+gnu      := $(findstring Free Software,$(shell $(CXX) --version 2>/dev/null))
+OPTIMISE  = $(if $(gnu),-O2 -finline-functions --param max-inline-insns-auto=30 --param inline-min-speedup=15,-O3)
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
@@ -27,8 +29,7 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconver
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
 machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
 # g++ collects its garbage less often: less time for a fifth more memory.
-garbage  := $(if $(findstring Free Software,$(shell $(CXX) --version 2>/dev/null)),--param ggc-min-expand=200 \
-            --param ggc-min-heapsize=300000)
+garbage  := $(if $(gnu),--param ggc-min-expand=200 --param ggc-min-heapsize=300000)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
 COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) $(garbage) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
@@ -40,17 +41,17 @@ test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' !
 
 # Compiled by themselves: kernels, whose lanes have the same names in each of them, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
-# Folders and files that are compiled as one file.
-src/lines    = src/parallel src/sampling src/transport
+# Folders and files that are compiled as one file: where lines fly, what runs for each surface, patch or pixel, the command
+# line, and the rest.
+src/lines    = src/parallel src/sampling src/geometry src/transport src/radiosity/family $(addprefix src/, \
+               radiosity/local_monte_carlo.cpp radiosity/multipath.cpp radiosity/reuse/denoising.cpp scene/scene.cpp \
+               scene/tessellation.cpp)
+src/surfaces = $(filter-out %/denoising.cpp,$(wildcard src/radiosity/reuse/*.cpp)) src/image/gather src/image/shading \
+               src/scene/text src/scene/texture $(addprefix src/,image/image.cpp image/png.cpp image/render.cpp \
+               scene/obj/mesh_pieces.cpp scene/obj/obj_mesh.cpp scene/obj/parallelogram_merge.cpp scene/vertex_weld.cpp)
 src/commands = src/cli src/commands
-src/small    = src/check src/explain src/export src/refinement src/selftest src/study src/viewer src/radiosity/runs \
-               src/scene/obj/mtl_reader.cpp src/scene/obj/obj_changes.cpp
+src/rest     = $(filter-out $(alone) $(call within,$(src/lines) $(src/surfaces) $(src/commands)),$(sources))
 tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
-# What no line flies through.
-cold  = $(src/commands) src/small $(src/small) $(test_units)
-# What runs once for each ray, patch or node, and once for each surface or pixel.
-warm  = src/radiosity src/geometry
-tepid = src/scene src/image
 
 # Patterns of the files named or lying in the folders named.
 within = $(filter %.cpp,$1) $(patsubst %,%/%,$(filter-out %.cpp,$1))
@@ -59,13 +60,13 @@ ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)
 test_units = $(test_sources:%.cpp=%)
 else
+# The linker keeps the first of several copies of a template's function: the fastest come first.
+units      = src/lines src/surfaces $(alone:%.cpp=%) src/commands src/rest
 folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
-# The linker keeps the first of several copies of a template's function: those of -O3 come first.
-units      = src/lines $(filter-out %.cpp $(src/lines) $(cold),$(call folders,$(sources))) $(alone:%.cpp=%) src/commands src/small
 test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
 endif
 # Objects, those first that take longest to compile.
-longest_first = $(foreach unit,tests/small src/small src/radiosity src/lines src/commands,$(filter %/$(unit).o,$1)) $1
+longest_first = $(foreach unit,tests/small src/rest src/lines src/surfaces src/commands,$(filter %/$(unit).o,$1)) $1
 objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
@@ -111,7 +112,7 @@ $(BUILD)/doctest.path: tests/find_doctest.sh
 # The files of the viewer's page as string literals: {"name", "line\n" "line\n" ...}, for each.
 page_files = $(wildcard src/viewer/page/*)
 
-$(filter $(BUILD)/src/viewer% $(BUILD)/src/small.o,$(objects)): $(BUILD)/generated/viewer/page_files.inc
+$(filter $(BUILD)/src/viewer% $(BUILD)/src/rest.o,$(objects)): $(BUILD)/generated/viewer/page_files.inc
 
 $(BUILD)/generated/viewer/page_files.inc: $(page_files)
 	@mkdir -p $(@D)
@@ -128,9 +129,8 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
-$(warm:%=$(BUILD)/%.o): OPTIMISE = -O2
-$(tepid:%=$(BUILD)/%.o): OPTIMISE = -O1
-$(cold:%=$(BUILD)/%.o): OPTIMISE = -Og
+$(BUILD)/src/surfaces.o: OPTIMISE = -O1
+$(patsubst %,$(BUILD)/%.o,src/commands src/rest $(test_units)): OPTIMISE = -Og
 
 define compile
 @mkdir -p $(@D)
@@ -148,8 +148,7 @@ $(BUILD)/%.o: $(BUILD)/unity/%.cpp
 .PRECIOUS: $(BUILD)/unity/%.cpp
 $(BUILD)/unity/%.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(filter-out $(alone) $(if $($*),,$(call within,$(src/small))), \
-	    $(filter $(call within,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
+	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(call within,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 coverage:

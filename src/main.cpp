@@ -6,7 +6,7 @@
 #include "cli/files/standard_streams.h"
 #include "cli/options/help_text.h"
 #include "cli/options/usage_error.h"
-#include "cli/provenance.h"
+#include "cli/version.h"
 #include "commands/commands.h"
 #include "parallel/instruction_set.h"
 #include "parallel/memory.h"

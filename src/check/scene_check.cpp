@@ -128,7 +128,7 @@ std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces)
 
 namespace {
 
-constexpr std::size_t most_named = 4; ///< names in a list
+constexpr std::size_t most_names = 4; ///< names in a list
 constexpr std::size_t most_coincident_pairs = 10000;
 /// Least share [1] of the power of the sources, or of the area of the surfaces, at which a finding is an error: the
 /// fault makes the result wrong. A fault with a smaller share changes the result by less than one step of an 8-bit
@@ -143,19 +143,12 @@ bool emits(const Scene& scene, std::uint32_t surface)
     return mean(scene.surface_material(surface).emittance) > 0.0;
 }
 
-/// "14 emitters", "1 emitter"
-std::string counted(std::size_t count, const std::string& noun)
-{
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 /// "'a', 'b' and 7 more"
-std::string list_of(const std::vector<std::string>& names)
+std::string list_of(std::vector<std::string> names)
 {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most_named, names.size()); ++i)
-        text += (i == 0 ? "'" : ", '") + names[i] + "'";
-    return text + (names.size() > most_named ? format(" and %zu more", names.size() - most_named) : "");
+    for (std::string& name : names)
+        name = "'" + name + "'";
+    return first_of(names, most_names);
 }
 
 /// Rounded down to one significant digit.
@@ -229,7 +222,7 @@ private:
     {
         std::vector<std::uint32_t> order(counts.size());
         std::iota(order.begin(), order.end(), 0u);
-        const auto shown = std::min(most_named, order.size());
+        const auto shown = std::min(most_names, order.size());
         std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
                           [&](std::uint32_t a, std::uint32_t b) {
                               return counts[a] > counts[b] || (counts[a] == counts[b] && a < b);
@@ -306,11 +299,10 @@ private:
         if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
         const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
-        std::string edges;
-        for (std::size_t i = 0; i < std::min(most_named, open.size()); ++i)
-            edges += (i == 0 ? "; open edges: " : ", ") + name_of(open[i]);
-        if (open.size() > most_named)
-            edges += format(" and %zu more", open.size() - most_named);
+        std::vector<std::string> names;
+        for (const std::uint32_t surface : open)
+            names.push_back(name_of(surface));
+        const std::string edges = open.empty() ? "" : "; open edges: " + first_of(names, most_names);
         const std::string place = open.empty() ? file_.path : place_of(open[0]);
         const std::string escapes = format("%.3g %% of the power escapes", 100.0 * lost);
         if (lost >= 0.01)

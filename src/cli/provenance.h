@@ -9,15 +9,6 @@
 
 namespace multipath {
 
-/// "multipath 0.1.0"
-std::string version();
-
-/// Checksum and size of the sources from which the program was built, to distinguish builds of the same version.
-std::string sources_checksum();
-
-/// Version, compiler and usable instruction sets, a line each.
-std::string version_text();
-
 /// Origin of an output, one line per fact: version, the command that reproduces the output, seed, hash of the scene,
 /// and the unit of light if it is lux. Options that do not change the result (threads, outputs, messages) are left out
 /// of the command, so that the same result has the same bytes. The command is one line that a POSIX shell reads back as

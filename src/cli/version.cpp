@@ -1,4 +1,4 @@
-#include "cli/provenance.h"
+#include "cli/version.h"
 
 #include "parallel/instruction_set.h"
 

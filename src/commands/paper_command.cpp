@@ -2,6 +2,7 @@
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
 #include "cli/provenance.h"
+#include "cli/version.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "scene/obj/obj_reader.h"

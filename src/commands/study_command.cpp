@@ -11,6 +11,7 @@
 #include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
+#include "cli/version.h"
 #include "commands/commands.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"

@@ -319,7 +319,7 @@ bool ConvexHull::is_separated_from(const std::vector<Vec3>& points, double overl
 
 namespace {
 
-constexpr std::size_t few = 4096; ///< up to this number of surfaces, all corners are used
+constexpr std::size_t few_surfaces = 4096; ///< up to this number of surfaces, all corners are used
 
 /// Calls visit(corner) for all corners of all surfaces.
 template <class Visit>
@@ -367,7 +367,7 @@ LargeVector<Vec3> extreme_corners(const SurfaceList& surfaces)
 ConvexHull hull_of(const SurfaceList& surfaces)
 {
     LargeVector<Vec3> corners;
-    if (surfaces.size() <= few) {
+    if (surfaces.size() <= few_surfaces) {
         for_each_corner(surfaces, [&](Vec3 p) { corners.push_back(p); });
         return ConvexHull(corners);
     }

@@ -162,9 +162,9 @@ constexpr int bar_bottom = bar_top + 8;
 constexpr int mark_bottom = bar_bottom + 2;
 constexpr int numbers_top = mark_bottom + 2;
 constexpr int strip_height = numbers_top + font_ascent + 4;
-constexpr int side_margin = 24;    // half of the longest number, such as 0.00025+
-constexpr int least_width = 300;   // fits the numbers of five steps side by side
-constexpr std::uint8_t paper = 32; // grey of the background, distinct from black (no value) and from all map colours
+constexpr int side_margin = 24;         // half of the longest number, such as 0.00025+
+constexpr int least_width = 300;        // fits the numbers of five steps side by side
+constexpr std::uint8_t background = 32; // grey, distinct from black (no value) and from all map colours
 constexpr std::uint8_t ink = 230;
 
 /// Draws colours, tick marks and contour lines between the columns `left` and `right`.
@@ -240,7 +240,7 @@ ScreenImage legend_strip(int width, int height, const Legend& legend)
 {
     const int scale = height / strip_height;
     ScreenImage strip{width, height, {}};
-    strip.bytes.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper);
+    strip.bytes.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), background);
     const int left = scale * side_margin;
     const int right = width - left;
     draw_text(strip, left, scale * title_top, scale, legend.title, ink);

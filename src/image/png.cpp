@@ -61,7 +61,7 @@ constexpr std::array<CodeWord, 288> make_fixed_code()
 }
 
 constexpr std::array<CodeWord, 288> fixed_code = make_fixed_code();
-constexpr std::uint32_t end_of_block = 256;
+constexpr std::uint32_t end_of_data = 256;
 
 constexpr std::size_t window = 32768; ///< greatest distance of a copy
 constexpr std::size_t shortest_copy = 3;
@@ -91,7 +91,7 @@ public:
 
     std::string finished()
     {
-        put(fixed_code[end_of_block]);
+        put(fixed_code[end_of_data]);
         put(0, 7); // completes the last byte
         return std::move(bytes_);
     }

@@ -234,7 +234,7 @@ FirstShot shots_of_reuse(const SolveOptions& options)
     return options.direct == Direct::shoot ? FirstShot::extended : FirstShot::none;
 }
 
-constexpr MethodInfo table[] = {
+constexpr MethodInfo method_table[] = {
     {"local",
      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
      "estimator", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_local, nullptr, nullptr, "local"},
@@ -284,28 +284,28 @@ std::vector<std::string_view> words_of(std::string_view text)
 
 } // namespace
 
-const Method Method::local(&table[0]);
-const Method Method::global(&table[1]);
-const Method Method::first_shot(&table[2]);
-const Method Method::extended(&table[3]);
-const Method Method::reuse(&table[4]);
-const Method Method::jacobi(&table[5]);
-const Method Method::transillumination(&table[6]);
-const Method Method::gathering(&table[7]);
+const Method Method::local(&method_table[0]);
+const Method Method::global(&method_table[1]);
+const Method Method::first_shot(&method_table[2]);
+const Method Method::extended(&method_table[3]);
+const Method Method::reuse(&method_table[4]);
+const Method Method::jacobi(&method_table[5]);
+const Method Method::transillumination(&method_table[6]);
+const Method Method::gathering(&method_table[7]);
 
 std::vector<Method> all_methods()
 {
     std::vector<Method> methods;
-    for (const MethodInfo& info : table)
+    for (const MethodInfo& info : method_table)
         methods.push_back(Method(&info));
     return methods;
 }
 
 Method method_named(std::string_view name)
 {
-    const MethodInfo* const found =
-        std::find_if(std::begin(table), std::end(table), [&](const MethodInfo& info) { return info.name == name; });
-    if (found == std::end(table))
+    const MethodInfo* const found = std::find_if(std::begin(method_table), std::end(method_table),
+                                                 [&](const MethodInfo& info) { return info.name == name; });
+    if (found == std::end(method_table))
         throw std::invalid_argument("no method is called '" + std::string(name) + "'");
     return Method(found);
 }

@@ -17,7 +17,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t key = random_key(RandomStream::trapped_light);
+constexpr std::uint64_t particle_key = random_key(RandomStream::trapped_light);
 constexpr std::uint64_t endless_reflections =
     1u << 16; ///< number of reflections without a loss after which light counts as trapped
 
@@ -61,7 +61,7 @@ void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vecto
     for (const Particle& particle : particles) {
         Item item;
         for (std::uint64_t i = 0; i < item.size(); ++i)
-            item[i] = bits_to_unit(random_bits(random_bits(key, particle.number), item.size() * depth + i));
+            item[i] = bits_to_unit(random_bits(random_bits(particle_key, particle.number), item.size() * depth + i));
         rays.patches.push_back(particle.at);
         rays.items.push_back(item);
     }

@@ -47,6 +47,16 @@ inline bool operator!=(Rgb a, Rgb b)
     return !(a == b);
 }
 
+/// a / b, or 0 where b is 0; for colours, channel by channel.
+inline double quotient(double a, double b)
+{
+    return b != 0.0 ? a / b : 0.0;
+}
+inline Rgb quotient(Rgb a, Rgb b)
+{
+    return {quotient(a.r, b.r), quotient(a.g, b.g), quotient(a.b, b.b)};
+}
+
 /// The mean of the channels, used where the multi-path method needs one number instead of three channels
 /// (docs/method.md, Symbols). For r = g = b it is exactly r; (r + g + b) / 3 may differ from that in the last bit.
 inline double mean(Rgb a)

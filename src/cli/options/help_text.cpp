@@ -1,7 +1,7 @@
 #include "cli/options/help_text.h"
 
 #include "cli/options/command_line.h"
-#include "cli/provenance.h"
+#include "cli/version.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>

@@ -12,8 +12,8 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<const char*, 8> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                "#222222", "#e69f00", "#56b4e9", "#8b5a2b"};
+constexpr std::array<const char*, 8> series_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                       "#222222", "#e69f00", "#56b4e9", "#8b5a2b"};
 
 /// Shapes of marks: path data relative to the mark's centre.
 constexpr std::array<const char*, 12> outlines = {
@@ -113,7 +113,7 @@ std::string plot_titles(const Plot& plot)
 }
 
 constexpr int most_powers = 14;
-constexpr double least_width = 0.7; // [decades] contains at least two of 1, 2, 5, 10, 20 ... wherever it begins
+constexpr double least_decades = 0.7; // [decades] contains at least two of 1, 2, 5, 10, 20 ... wherever it begins
 
 /// Label of times * 10^exponent: "10^−4", "2·10^6".
 std::string label_of(int times, int exponent)
@@ -132,7 +132,7 @@ std::string svg_path(const std::string& shape, const std::string& attributes)
 MarkStyle svg_series_mark(std::size_t series)
 {
     constexpr std::size_t period = 24; // of colour and shape together
-    return {colours[series % colours.size()], (series + series / period) % outlines.size()};
+    return {series_colours[series % series_colours.size()], (series + series / period) % outlines.size()};
 }
 
 std::string svg_marks(const std::vector<SvgPoint>& points, const MarkStyle& style, bool hollow)
@@ -168,7 +168,7 @@ PlotAxis log_axis(const std::string& title, double low, double high)
 {
     if (low > high)
         return log_axis(title, 0.0, 1.0);
-    const double room = std::max({0.13, 0.03 * (high - low), 0.5 * (least_width - (high - low))});
+    const double room = std::max({0.13, 0.03 * (high - low), 0.5 * (least_decades - (high - low))});
     PlotAxis axis{title, low - room, high + room, {}};
     const int first = static_cast<int>(std::floor(axis.low));
     const int last = static_cast<int>(std::floor(axis.high));
@@ -190,7 +190,7 @@ PlotAxis log_axis(const std::string& title, double low, double high)
 
 std::string svg_series_colour(std::size_t series)
 {
-    return colours[series % 4];
+    return series_colours[series % 4];
 }
 
 std::string svg_ramp_colour(double share)

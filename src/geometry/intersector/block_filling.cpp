@@ -178,7 +178,7 @@ bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const Filter
 
 namespace {
 
-constexpr double tolerance = 1e-5;
+constexpr double edge_tolerance = 1e-5; ///< T
 
 /// Coordinate along an edge: dot(along, q) - centre runs from -half to half.
 struct EdgeCoordinate
@@ -215,7 +215,7 @@ PlacedParallelogram placed(const SurfaceRow& row, const FilterFrame& frame)
 std::optional<double> equal_up_to_sign(Vec3 a, Vec3 b)
 {
     const double sign = dot(a, b) < 0.0 ? -1.0 : 1.0;
-    return length(a - sign * b) <= tolerance ? std::optional<double>(sign) : std::nullopt;
+    return length(a - sign * b) <= edge_tolerance ? std::optional<double>(sign) : std::nullopt;
 }
 
 using Axes = std::array<Vec3, 3>;

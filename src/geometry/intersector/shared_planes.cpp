@@ -20,7 +20,7 @@ namespace {
 
 constexpr double normal_cell = 1e-3;
 constexpr double offset_cell = 1e-4; // share of the scene's diagonal
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_plane = std::numeric_limits<std::uint32_t>::max();
 
 /// Canonical one of the two equations of a plane, the same for both orientations. The direction of comparison is
 /// arbitrary but oblique, so that no common normal is perpendicular to it.
@@ -43,7 +43,7 @@ public:
     }
 
     void prefetch(std::uint64_t key) const { multipath::prefetch(&slots_[home_slot(key)]); }
-    /// The first plane of the cell, or `none`.
+    /// The first plane of the cell, or `no_plane`.
     std::uint32_t head(std::uint64_t key) const { return slots_[find(key)].head; }
     void set_head(std::uint64_t key, std::uint32_t head) { slots_[find(key)] = {key, head}; }
 
@@ -51,14 +51,14 @@ private:
     struct Slot
     {
         std::uint64_t key = 0;
-        std::uint32_t head = none;
+        std::uint32_t head = no_plane;
     };
 
     std::size_t home_slot(std::uint64_t key) const { return key & (slots_.size() - 1); }
     std::size_t find(std::uint64_t key) const
     {
         std::size_t slot = home_slot(key);
-        while (slots_[slot].head != none && slots_[slot].key != key)
+        while (slots_[slot].head != no_plane && slots_[slot].key != key)
             slot = (slot + 1) & (slots_.size() - 1);
         return slot;
     }
@@ -97,7 +97,7 @@ public:
     std::uint32_t find_or_add(const Surface& surface, const Plane& plane, const Keys& keys)
     {
         for (std::size_t i = 0; i < keys.count; ++i)
-            for (std::uint32_t p = cells_.head(keys.key[i]); p != none; p = next_[p])
+            for (std::uint32_t p = cells_.head(keys.key[i]); p != no_plane; p = next_[p])
                 if (holds(planes_[p], surface))
                     return p;
         const auto number = static_cast<std::uint32_t>(planes_.size());

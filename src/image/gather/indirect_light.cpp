@@ -130,21 +130,21 @@ IndirectSample IndirectLight::at(const GatherPoint& receiver, const Sequence& se
 namespace {
 
 // At least 49 pixels are averaged, which hides the noise of a few dozen rays per sample.
-constexpr int near_reach = 3;      // [pixels] for samples of all pixels
-constexpr int far_reach = 7;       // [pixels] for samples of every second row and column
-constexpr double tolerance = 0.25; // estimated error at which the weight of a sample becomes 0
-constexpr double support = 0.75;   // mean weight of the far samples that makes the near ones unnecessary
-constexpr double steepness = 4.0;  // weight of the distance normal to the surface
+constexpr int near_reach = 3;            // [pixels] for samples of all pixels
+constexpr int far_reach = 7;             // [pixels] for samples of every second row and column
+constexpr double error_tolerance = 0.25; // estimated error at which the weight of a sample becomes 0
+constexpr double support = 0.75;         // mean weight of the far samples that makes the near ones unnecessary
+constexpr double steepness = 4.0;        // weight of the distance normal to the surface
 
 /// Weight of a sample at a point: falls linearly from 1 at the sample to 0 where the estimated error is the tolerance.
 double weight(const IndirectSample& sample, const GatherPoint& receiver)
 {
     const Vec3 way = receiver.point - sample.receiver.point;
     const double turn = std::sqrt(std::max(0.0, 1.0 - dot(receiver.normal, sample.receiver.normal)));
-    if (!(turn < tolerance))
+    if (!(turn < error_tolerance))
         return 0.0;
     const double step = length(way) + steepness * std::abs(dot(way, sample.receiver.normal));
-    return std::max(0.0, 1.0 - (step / sample.distance + turn) / tolerance);
+    return std::max(0.0, 1.0 - (step / sample.distance + turn) / error_tolerance);
 }
 
 } // namespace

@@ -96,13 +96,6 @@ namespace {
 
 constexpr double most_views = 32.0; // of more sources about that many are sampled per point
 
-/// Quotient channel by channel; 0 where b is 0.
-Rgb quotient(Rgb a, Rgb b)
-{
-    const auto channel = [](double x, double y) { return y > 0.0 ? x / y : 0.0; };
-    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
-}
-
 /// Projection of a convex polygon onto the unit sphere around a point, as a fan of spherical triangles.
 class SeenPolygon
 {

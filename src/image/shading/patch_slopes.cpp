@@ -44,7 +44,7 @@ struct Way
 };
 
 /// Second moments of the vectors to the neighbours.
-struct Moments
+struct SlopeMoments
 {
     double xx = 0.0;
     double xy = 0.0;
@@ -198,7 +198,7 @@ private:
             return slope;
         const Frame frame(scene_.corners(patch));
         const Rgb own = patches_.value(patch);
-        Moments moments;
+        SlopeMoments moments;
         Rgb x_value;
         Rgb y_value;
         Rgb low;
@@ -260,7 +260,7 @@ private:
             return fits[patch];
         const Frame frame(scene_.corners(patch));
         PatchSlope theirs;
-        Moments moments;
+        SlopeMoments moments;
         for (const std::uint32_t other : around) {
             const Frame its(scene_.corners(other));
             theirs.along_u += its.change(fits[other], frame.u);

@@ -25,7 +25,7 @@ namespace multipath {
 
 namespace {
 
-constexpr int trees = 4;
+constexpr int tree_count = 4;
 constexpr double price = 2.5;
 constexpr int most_degree = 2;
 constexpr std::uint32_t most_of_block = 1024; // larger blocks would not reduce the noise noticeably
@@ -301,7 +301,7 @@ public:
     void fit_tree(int number, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance)
     {
         order_ = patches_;
-        shift_ = 0.25 + 0.5 * (number + 0.5) / trees;
+        shift_ = 0.25 + 0.5 * (number + 0.5) / tree_count;
         std::vector<Block> blocks;
         for_groups([&](std::uint32_t begin, std::uint32_t end) { divide({begin, end, 0}, blocks); });
         parallel_blocks(blocks.size(), threads_, [&](std::uint64_t b) {
@@ -486,13 +486,13 @@ void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::
     Denoising denoising(scene, threads, radiosity, variance);
     std::vector<Rgb> mean_radiosity = large_vector<Rgb>(radiosity.size());
     std::vector<Rgb> mean_variance = large_vector<Rgb>(radiosity.size());
-    for (int tree = 0; tree < trees; ++tree) {
+    for (int tree = 0; tree < tree_count; ++tree) {
         std::vector<Rgb> fitted = radiosity;
         std::vector<Rgb> noise = variance;
         denoising.fit_tree(tree, fitted, noise);
         parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
-            mean_radiosity[i] += 1.0 / trees * fitted[i];
-            mean_variance[i] += 1.0 / trees * noise[i];
+            mean_radiosity[i] += 1.0 / tree_count * fitted[i];
+            mean_variance[i] += 1.0 / tree_count * noise[i];
         });
     }
     for (std::uint32_t i = 0; i < detail.size(); ++i) {

@@ -30,12 +30,6 @@ std::string lower_case(std::string text)
     return text;
 }
 
-/// The name of a material in --lamp and in results.
-std::string name_of_material(const ObjName& material)
-{
-    return material.name.empty() ? "default" : material.name;
-}
-
 /// [m^2] The total area of each material or group; `numbers` holds that of each surface.
 std::vector<double> areas_of(const SceneFile& scene, const std::vector<std::uint32_t>& numbers, std::size_t count)
 {

@@ -19,28 +19,16 @@ struct NamedFaces
     bool has(const ObjFace& face) const { return materials[face.material] || groups[face.group]; }
 };
 
-/// The name of a material in results.
-std::string name_of_material(const ObjName& material)
-{
-    return material.name.empty() ? "default" : material.name;
-}
-
 /// The first names of materials and groups, for a message.
-std::string some_names(const ObjMesh& mesh)
+std::string names_in(const ObjMesh& mesh)
 {
-    constexpr std::size_t most = 12;
     std::vector<std::string> names;
     for (const ObjName& material : mesh.materials)
         names.push_back("`" + name_of_material(material) + "`");
     for (const std::string& group : mesh.groups)
         if (!group.empty())
             names.push_back("`" + group + "`");
-    if (names.size() > most) {
-        const std::string rest = std::to_string(names.size() - most);
-        names.resize(most);
-        return join(names) + " and " + rest + " more";
-    }
-    return join(names);
+    return first_of(names, 12);
 }
 
 /// Throws SettingsError if no material or group has the name, or no face.
@@ -61,7 +49,7 @@ NamedFaces faces_named(const std::string& option, const std::string& name, const
         return found;
     }
     throw SettingsError(mesh.path + ": " + option + ": no material or object is called `" + name +
-                        "`, expected one of " + some_names(mesh));
+                        "`, expected one of " + names_in(mesh));
 }
 
 void leave_out(const std::string& name, ObjMesh& mesh)

@@ -28,6 +28,12 @@ struct ObjName
     std::uint32_t line = 0;
 };
 
+/// The name of a material in options and results.
+inline std::string name_of_material(const ObjName& material)
+{
+    return material.name.empty() ? "default" : material.name;
+}
+
 /// The contents of an OBJ file, before its polygons are cut and its materials are looked up.
 struct ObjMesh
 {

@@ -171,12 +171,9 @@ MaterialList look_up_materials(const ObjMesh& mesh, MaterialLibrary library, con
 }
 
 /// "`a`, `b` and 7 more"
-std::string list_of(const std::vector<std::string>& names)
+std::string some_names(const std::vector<std::string>& names)
 {
-    constexpr std::size_t most_names = 5;
-    const std::size_t named = std::min(names.size(), most_names);
-    const std::string list = join(quoted({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named)}));
-    return list + (names.size() > most_names ? " and " + std::to_string(names.size() - most_names) + " more" : "");
+    return first_of(quoted(names), 5);
 }
 
 template <typename Condition>
@@ -189,7 +186,7 @@ std::vector<std::string> names_where(const std::vector<MtlMaterial>& materials, 
     return names;
 }
 
-bool emits(const MtlMaterial& m)
+bool emits_light(const MtlMaterial& m)
 {
     return m.material.emittance != Rgb{};
 }
@@ -234,20 +231,20 @@ std::string explain_darkness(const UsedMaterials& materials, const ObjMesh& mesh
 {
     const std::string keyword = emission_from == EmissionFrom::ka ? "Ka" : "Ke";
     std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
-    const std::vector<std::string> idle = names_where(materials.unused, emits);
+    const std::vector<std::string> idle = names_where(materials.unused, emits_light);
     if (mesh.libraries.empty())
         problem += "; no material file is named (`mtllib`)";
     if (!missing_files.empty())
-        problem += "; no such material file: " + list_of(missing_files);
+        problem += "; no such material file: " + some_names(missing_files);
     if (!materials.unknown_names.empty())
-        problem += "; used but not defined" + (materials.files.empty() ? "" : " in " + list_of(materials.files)) +
-                   ": " + list_of(materials.unknown_names);
+        problem += "; used but not defined" + (materials.files.empty() ? "" : " in " + some_names(materials.files)) +
+                   ": " + some_names(materials.unknown_names);
     const std::vector<std::string> too_dark =
         names_where(materials.used, [](const MtlMaterial& m) { return m.emission_too_small; });
     if (!too_dark.empty())
-        problem += "; below 1e-30, which counts as 0: " + list_of(too_dark);
+        problem += "; below 1e-30, which counts as 0: " + some_names(too_dark);
     if (!idle.empty())
-        problem += "; emitting but used by no face: " + list_of(idle);
+        problem += "; emitting but used by no face: " + some_names(idle);
     return problem;
 }
 
@@ -310,13 +307,14 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
         problems.push_back(explain_darkness(materials, mesh, missing_files, emission_from));
         const std::vector<std::string> by_ambient = lamps_by_ambient(materials.used);
         if (emission_from == EmissionFrom::ke && !by_ambient.empty()) {
-            problems.push_back("to read lamps from Ka (" + list_of(by_ambient) + ")");
+            problems.push_back("to read lamps from Ka (" + some_names(by_ambient) + ")");
             options += " --emission-from Ka";
         } else {
             const LightAdvice light = advised_light(candidates, scene);
             const bool sky = light.lamp.empty();
             const std::string others =
-                light.others.empty() ? "" : (sky ? ", or make a lamp of " : ", or another: ") + list_of(light.others);
+                light.others.empty() ? ""
+                                     : (sky ? ", or make a lamp of " : ", or another: ") + some_names(light.others);
             problems.push_back(
                 (sky ? "to light it by sky and sun"
                      : "to make a lamp of material or object " + in_quotes(light.lamp) +
@@ -341,7 +339,7 @@ void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMateri
 {
     const auto first = std::find_if(used.begin(), used.end(), has_flaw);
     if (first != used.end())
-        warnings.push_back(first->material.source + ": " + flaw + ": " + list_of(names_where(used, has_flaw)));
+        warnings.push_back(first->material.source + ": " + flaw + ": " + some_names(names_where(used, has_flaw)));
 }
 
 std::vector<std::string> warnings_of_materials(const UsedMaterials& materials)
@@ -403,11 +401,6 @@ void take_textured_colours(const SceneFile& scene, std::vector<MtlMaterial>& use
 }
 
 /// "1 face", "2 faces"
-std::string counted(std::size_t count, const std::string& noun)
-{
-    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
 struct DropCounts
 {
     std::size_t merged_pairs = 0;
@@ -416,8 +409,8 @@ struct DropCounts
 
 std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMaterials& materials, DropCounts counts)
 {
-    const auto emits = [](const Material& m) { return m.emittance != Rgb{}; };
-    const auto emitter_count = std::count_if(scene.materials.begin(), scene.materials.end(), emits);
+    const auto is_emitter = [](const Material& m) { return m.emittance != Rgb{}; };
+    const auto emitter_count = std::count_if(scene.materials.begin(), scene.materials.end(), is_emitter);
     std::vector<std::string> notes;
     if (counts.merged_pairs != 0)
         notes.push_back(counted(counts.merged_pairs, "pair") + " of triangles joined");
@@ -467,7 +460,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     append(scene.warnings, std::move(list.warnings));
     if (!lowered.empty())
         scene.warnings.push_back(path +
-                                 ": reflectance lowered to the limit of --reflectance-limit: " + list_of(lowered));
+                                 ": reflectance lowered to the limit of --reflectance-limit: " + some_names(lowered));
     append(scene.warnings, std::move(cut.warnings));
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;

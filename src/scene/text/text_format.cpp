@@ -36,6 +36,18 @@ std::string join(const std::vector<std::string>& parts, std::string_view separat
     return text;
 }
 
+std::string first_of(std::vector<std::string> parts, std::size_t most)
+{
+    const std::size_t others = parts.size() - std::min(parts.size(), most);
+    parts.resize(parts.size() - others);
+    return join(parts) + (others > 0 ? " and " + std::to_string(others) + " more" : "");
+}
+
+std::string counted(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
 namespace {
 
 bool is_continuation(char c)

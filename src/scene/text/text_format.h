@@ -21,6 +21,12 @@ std::string grouped(std::uint64_t count);
 /// Joins texts with a separator: "a, b, c".
 std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
+/// The first of many texts and the number of the others: "a, b and 7 more".
+std::string first_of(std::vector<std::string> parts, std::size_t most);
+
+/// "1 surface", "14 surfaces"
+std::string counted(std::size_t count, const std::string& noun);
+
 /// Quotes a word for a POSIX shell. The result has no line ends. A word of harmless characters stays as it is; others
 /// are put in '...', or in $'...' (POSIX 2024) with octal escapes if they contain control characters.
 std::string shell_word(std::string_view text);

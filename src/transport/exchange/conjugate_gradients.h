@@ -13,17 +13,6 @@
 
 namespace multipath {
 
-/// a / b, or 0 where b is 0.
-inline double quotient(double a, double b)
-{
-    return b != 0.0 ? a / b : 0.0;
-}
-
-inline Rgb quotient(Rgb a, Rgb b)
-{
-    return {quotient(a.r, b.r), quotient(a.g, b.g), quotient(a.b, b.b)};
-}
-
 /// True if a <= b; for colours, in all channels.
 inline bool at_most(double a, double b)
 {
