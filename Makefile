@@ -41,15 +41,15 @@ test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' !
 
 # Compiled by themselves: kernels, whose lanes have the same names in each of them, and the version, which any change changes.
 alone = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
-# Folders and files that are compiled as one file: where lines fly, what runs for each surface, patch or pixel, the command
-# line, and the rest.
+# Folders and files that are compiled as one file: where lines fly, what runs for each surface, patch or pixel, the commands
+# with the studies, and the rest.
 src/lines    = src/parallel src/sampling src/geometry src/transport src/radiosity/family $(addprefix src/, \
                radiosity/local_monte_carlo.cpp radiosity/multipath.cpp radiosity/reuse/denoising.cpp scene/scene.cpp \
                scene/tessellation.cpp)
 src/surfaces = $(filter-out %/denoising.cpp,$(wildcard src/radiosity/reuse/*.cpp)) src/image/gather src/image/shading \
                src/scene/text src/scene/texture $(addprefix src/,image/image.cpp image/png.cpp image/render.cpp \
                scene/obj/mesh_pieces.cpp scene/obj/obj_mesh.cpp scene/obj/parallelogram_merge.cpp scene/vertex_weld.cpp)
-src/commands = src/cli src/commands
+src/commands = src/cli src/commands src/study
 src/rest     = $(filter-out $(alone) $(call within,$(src/lines) $(src/surfaces) $(src/commands)),$(sources))
 tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
 
@@ -66,7 +66,7 @@ folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(
 test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
 endif
 # Objects, those first that take longest to compile.
-longest_first = $(foreach unit,tests/small src/rest src/lines src/surfaces src/commands,$(filter %/$(unit).o,$1)) $1
+longest_first = $(foreach unit,tests/small src/lines src/rest src/commands src/surfaces,$(filter %/$(unit).o,$1)) $1
 objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
