@@ -1,5 +1,6 @@
 #include "cli/provenance.h"
 
+#include "cli/version.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
