@@ -117,7 +117,7 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
 {
     const bool has_name = !name.name.empty();
     Material material;
-    material.name = has_name ? name.name : "default";
+    material.name = name_of_material(name);
     material.reflectance = {default_reflectance, default_reflectance, default_reflectance};
     material.source = name_of({mesh.path, name.line});
     const std::string flaw =

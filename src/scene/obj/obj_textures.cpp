@@ -167,22 +167,19 @@ private:
         double all = 0.0;
         for (const double area : areas_)
             all += area;
-        std::vector<std::string> named;
+        std::vector<std::string> texts;
         std::vector<bool> failed(areas_.size());
-        constexpr std::size_t most_named = 5;
         for (const auto& [material, text] : failures_) {
             failed[material] = true;
-            if (named.size() < most_named)
-                named.push_back(text);
+            texts.push_back(text);
         }
         double part = 0.0;
         for (std::size_t m = 0; m < areas_.size(); ++m)
             part += failed[m] ? areas_[m] : 0.0;
-        if (failures_.size() > named.size())
-            named.push_back(std::to_string(failures_.size() - named.size()) + " more");
         scene_.warnings.push_back(scene_.path + ": " + std::to_string(failures_.size()) + " of " +
                                   std::to_string(maps_) + " textures are not read, the colours of their materials (" +
-                                  format("%.3g", 100.0 * part / all) + " % of the area) stand alone: " + join(named));
+                                  format("%.3g", 100.0 * part / all) +
+                                  " % of the area) stand alone: " + first_of(texts, 5));
     }
 
     struct Loaded
