@@ -18,7 +18,6 @@
 # file by itself, which takes four times as long from scratch and less after a change.
 
 OPTIMISE  = -O3
-gnu      := $(findstring Free Software,$(shell $(CXX) --version 2>/dev/null))
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
@@ -28,7 +27,8 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconver
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
 machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
 # g++ collects its garbage less often: less time for a fifth more memory.
-garbage  := $(if $(gnu),--param ggc-min-expand=200 --param ggc-min-heapsize=300000)
+garbage  := $(if $(findstring Free Software,$(shell $(CXX) --version 2>/dev/null)),--param ggc-min-expand=200 \
+            --param ggc-min-heapsize=300000)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
 COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) $(garbage) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
@@ -59,7 +59,7 @@ ifeq ($(UNITY),no)
 units      = $(sources:%.cpp=%)
 test_units = $(test_sources:%.cpp=%)
 else
-# The linker keeps the first of several copies of a template's function: the fastest come first.
+# The linker keeps the first of several copies of a template's function: those of -O3 come first.
 units      = src/lines src/surfaces $(alone:%.cpp=%) src/commands src/rest
 folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
 test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
@@ -128,8 +128,6 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
-# With g++, -O2 that inlines as -O3 does: as fast here (not for kernels), and compiled in less time.
-$(BUILD)/src/lines.o: OPTIMISE = $(if $(gnu),-O2 -finline-functions --param max-inline-insns-auto=30 --param inline-min-speedup=15,-O3)
 $(BUILD)/src/surfaces.o: OPTIMISE = -O1
 $(patsubst %,$(BUILD)/%.o,src/commands src/rest $(test_units)): OPTIMISE = -Og
 
