@@ -43,11 +43,12 @@ alone = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
 # Folders and files that are compiled as one file: where lines fly, what runs for each surface, patch or pixel, the commands
 # with the studies, and the rest.
 src/lines    = src/parallel src/sampling src/geometry src/transport src/radiosity/family $(addprefix src/, \
-               radiosity/local_monte_carlo.cpp radiosity/multipath.cpp radiosity/reuse/denoising.cpp scene/scene.cpp \
-               scene/tessellation.cpp)
-src/surfaces = $(filter-out %/denoising.cpp,$(wildcard src/radiosity/reuse/*.cpp)) src/image/gather src/image/shading \
-               src/scene/text src/scene/texture $(addprefix src/,image/image.cpp image/png.cpp image/render.cpp \
-               scene/obj/mesh_pieces.cpp scene/obj/obj_mesh.cpp scene/obj/parallelogram_merge.cpp scene/vertex_weld.cpp)
+               radiosity/direct_light.cpp radiosity/first_shot.cpp radiosity/local_monte_carlo.cpp \
+               radiosity/multipath.cpp radiosity/power_state.cpp radiosity/solution.cpp \
+               radiosity/reuse/denoising.cpp scene/scene.cpp scene/tessellation.cpp)
+src/surfaces = $(filter-out %/denoising.cpp,$(wildcard src/radiosity/reuse/*.cpp)) src/image \
+               src/scene/text src/scene/texture $(addprefix src/,scene/vertex_weld.cpp scene/obj/mesh_pieces.cpp \
+               scene/obj/obj_mesh.cpp scene/obj/parallelogram_merge.cpp)
 src/commands = src/cli src/commands src/study
 src/rest     = $(filter-out $(alone) $(call within,$(src/lines) $(src/surfaces) $(src/commands)),$(sources))
 tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)

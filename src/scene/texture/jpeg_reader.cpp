@@ -739,8 +739,8 @@ private:
             for (std::size_t i = 0; i < 3; ++i) {
                 // As Adobe's programs write it, CMYK holds the share of light that each ink transmits, and YCCK its
                 // complement.
-                const int ink = is_ycc ? 255 - colour[i] : colour[i];
-                rgb[i] = is_cmyk ? static_cast<std::uint8_t>((ink * rows[3][x] + 127) / 255) : colour[i];
+                const int transmitted = is_ycc ? 255 - colour[i] : colour[i];
+                rgb[i] = is_cmyk ? static_cast<std::uint8_t>((transmitted * rows[3][x] + 127) / 255) : colour[i];
             }
         }
     }
