@@ -18,7 +18,6 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t shot_rays_per_block = 4096;
 constexpr std::size_t rays_ahead = 24; // as in the global pass
 
 /// Number of rays before each shot, and the total as the last entry.
@@ -124,7 +123,7 @@ void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_ite
 {
     const std::vector<std::uint64_t> before = rays_before(shots);
     const std::uint64_t ray_count = before.back();
-    const Blocks rays = {ray_count, shot_rays_per_block};
+    const Blocks rays = {ray_count, rays_per_block};
     BlockBuffers<RayBlock> blocks(run.threads);
 
     const auto trace = [&](std::uint64_t number, int slot) {

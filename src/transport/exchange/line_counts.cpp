@@ -245,8 +245,6 @@ void LineCounts::visit(Archive& archive)
 
 namespace {
 
-constexpr std::uint64_t rays_per_block = 4096;
-
 /// A block of rays of several patches and the segments that they make, in reusable buffers.
 struct CountedRays
 {

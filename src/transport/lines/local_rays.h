@@ -44,6 +44,9 @@ std::uint32_t receiver(const Scene& scene, std::uint32_t surface, const Line& ra
 /// The patch on the side of the surface that a ray hits, or Segment::behind if that side has none.
 std::uint32_t receiving_patch(const Scene& scene, const Hit& hit);
 
+/// Number of rays in a block that a thread traces at a time.
+constexpr std::uint64_t rays_per_block = 4096;
+
 /// Many rays from patches, traced together in reusable buffers. The results are those of local_line and receiver,
 /// computed faster.
 struct RayBlock
