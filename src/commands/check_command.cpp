@@ -96,10 +96,9 @@ std::string emitters_text(const Scene& scene)
         text += format("  %-20s %.5g %s %s from %.4g m^2, faces %s\n", e.material->name.c_str(), mean(e.power()),
                        light_units(scene.file()).power, rgb_text(e.power()).c_str(), e.area, facing_text(e).c_str());
     if (const std::optional<Sun>& sun = scene.file().sun)
-        text += format("  %-20s %.5g %s %s arrive from (%.3g, %.3g, %.3g)\n", "the sun",
-                       mean(scene.source_power() - scene.lamp_power()), light_units(scene.file()).power,
-                       rgb_text(scene.source_power() - scene.lamp_power()).c_str(), sun->direction.x, sun->direction.y,
-                       sun->direction.z);
+        text += format("  %-20s %.5g %s %s arrive from (%.3g, %.3g, %.3g)\n", "the sun", mean(scene.sun_power()),
+                       light_units(scene.file()).power, rgb_text(scene.sun_power()).c_str(), sun->direction.x,
+                       sun->direction.y, sun->direction.z);
     return text;
 }
 

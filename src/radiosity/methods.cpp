@@ -12,6 +12,7 @@
 #include "radiosity/memory_estimate.h"
 #include "radiosity/multipath.h"
 #include "radiosity/reuse/balanced_reuse.h"
+#include "radiosity/reuse/gathered_light.h"
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/run.h"
 #include "scene/input_error.h"
@@ -69,11 +70,42 @@ void reuse_pairs(Run& run)
                               run.state)); // (R1)
 }
 
+bool are_few(const Run& run)
+{
+    return run.lines_left() < min_balanced_rays(run.scene);
+}
+
+/// Lets the sky light the patches along rays of theirs, half of all, if the particles are to carry its light further:
+/// of those that leave the sky themselves, most would meet nothing else.
+void rays_to_sky(Run& run)
+{
+    if (run.scene.file().sky_surfaces == 0 || !are_few(run))
+        return;
+    const std::uint64_t rays = run.lines_left() / 2;
+    const SceneLights lights(run.scene, run.options.threads);
+    const std::vector<Rgb> found =
+        gathered_skylight(run.scene, lights.patches(), *run.sequence, run.first_local_item(), rays, run.control(1, 1));
+    if (run.stopped())
+        return;
+    run.solution.local_lines += rays;
+    PowerState& state = run.state;
+    for (std::uint32_t i = 0; i < run.scene.patch_count(); ++i) {
+        if (run.scene.is_sky_patch(i)) { // the rest of its light reaches the sky again
+            state.escaped += state.unshot[i];
+            state.unshot[i] = {};
+            continue;
+        }
+        state.incident[i] += found[i];
+        state.unshot[i] += run.scene.reflectance(i) * found[i];
+        state.escaped = state.escaped - found[i];
+    }
+}
+
 /// Line reuse without a table of all pairs. Uses particles instead if there are too few rays for most patches.
 void reuse_rays(Run& run)
 {
     const std::uint64_t left = run.lines_left();
-    if (left < min_balanced_rays(run.scene)) {
+    if (are_few(run)) {
         if (run.shard.of > 1)
             throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
                                                    "expected more --lines, or no --shard");
@@ -155,7 +187,7 @@ std::vector<Stage> stages_of_gathering(const Run&)
 
 std::vector<Stage> stages_of_reuse(const Run& run)
 {
-    return {shots, run.preparation.unoccluded ? reuse_pairs : reuse_rays};
+    return {shots, rays_to_sky, run.preparation.unoccluded ? reuse_pairs : reuse_rays};
 }
 
 // Preparation
@@ -181,7 +213,8 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         emitters += mean(scene.first_light(i)) > 0.0 ? 1.0 : 0.0;
     const auto budget = static_cast<double>(lines);
-    if (!scene.levels().empty()) // the table requires equal patches on each surface
+    // The table requires equal patches on each surface, and is less exact for a sky than rays of the patches.
+    if (!scene.levels().empty() || scene.file().sky_surfaces > 0)
         return false;
     return 0.5 * n * n <= std::max(few_pairs, pairs_per_line * budget) &&
            emitters * n <= std::max(few_light_pairs, budget / lines_per_light_pair);

@@ -41,6 +41,8 @@ public:
     bool solved = false;
     std::vector<Rgb> variance; ///< [(W/m^2)^2] per patch: variance of its radiosity; empty if no stage estimates it
 
+    bool stopped() const { return checkpoint_ && checkpoint_->stopped(); }
+
     /// Number of local lines in options.lines, for the user's ratio of local to global lines, or for `usual_ratio` if
     /// the user has set none.
     std::uint64_t local_share(double usual_ratio) const;
@@ -68,7 +70,6 @@ public:
 
 private:
     void visit(Archive& archive);
-    bool stopped() const { return checkpoint_ && checkpoint_->stopped(); }
     void send_the_rest();
     Solution finish();
 

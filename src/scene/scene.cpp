@@ -151,12 +151,12 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
         cell_area_.push_back(area / static_cast<double>(tessellations_[s].cell_count()));
         total_area_ += sides_area;
         own_area_ += is_sky(s) ? 0.0 : sides_area;
-        lamp_power_ += area * material.emittance;
+        (is_sky(s) ? sky_power_ : lamp_power_) += area * material.emittance;
         reflecting_area += sides_area * material.reflectance;
     }
     average_reflectance_ = (1.0 / total_area_) * reflecting_area;
     compute_sunlight(threads);
-    if (!file_->sun && !(mean(lamp_power_) > 0.0))
+    if (!file_->sun && !(mean(lamp_power_ + sky_power_) > 0.0))
         throw InputError(file_->path + ": no emitter: the scene has no light; expected a material with Ke above 0");
 }
 

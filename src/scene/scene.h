@@ -105,6 +105,7 @@ public:
     /// Number of surfaces without those of the sky, which have the highest indices.
     std::uint32_t own_surfaces() const { return static_cast<std::uint32_t>(file_->own_surfaces()); }
     bool is_sky(std::uint32_t surface) const { return surface >= own_surfaces(); }
+    bool is_sky_patch(std::uint32_t patch) const { return is_sky(surface_of(patch)); }
     Bounds own_bounds() const; ///< of the surfaces without the sky
 
     /// The patch at (u, v) on the front or the back of a surface; no_patch for the back in a one-sided scene.
@@ -126,9 +127,11 @@ public:
 
     double own_area() const { return own_area_; }     ///< [m^2] of all sides with patches, without the sky
     double total_area() const { return total_area_; } ///< [m^2] A_T, of all sides with patches, with the sky
-    Rgb lamp_power() const { return lamp_power_; }    ///< [W] emitted by surfaces, including the sky
-    /// [W] Phi_T: lamp_power() and the sunlight that arrives.
-    Rgb source_power() const { return lamp_power_ + sun_power_; }
+    Rgb lamp_power() const { return lamp_power_; }    ///< [W] emitted by surfaces without the sky
+    Rgb sky_power() const { return sky_power_; }      ///< [W] emitted by the sky, most of it towards the sky
+    Rgb sun_power() const { return sun_power_; }      ///< [W] sunlight that arrives
+    /// [W] Phi_T: the power of lamps and sky, and the sunlight that arrives.
+    Rgb source_power() const { return lamp_power_ + sky_power_ + sun_power_; }
     /// [1] R_ave: mean over all sides with patches, weighted by area. Emitters are included, as in the paper, and so is
     /// the sky.
     Rgb average_reflectance() const { return average_reflectance_; }
@@ -156,6 +159,7 @@ private:
     std::vector<Rgb> reflectance_;   ///< [1] per cell; empty if no material is textured
     std::vector<double> sun_shares_; ///< [1] per patch: sunlight() / sun->irradiance; empty without a sun
     Rgb lamp_power_;
+    Rgb sky_power_;
     Rgb sun_power_;
     Rgb average_reflectance_;
 };

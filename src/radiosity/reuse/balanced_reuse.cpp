@@ -99,20 +99,28 @@ PatchValues distribute_rays(double budget, const PatchValues& importance, const 
     return result;
 }
 
-/// Makes received and lost power add up to the emitted power [W], in one channel. Rays of the sources have estimated
-/// the losses, which are scaled; if there were none, the received power is scaled.
-void close_balance(double emitted, double received, double& scale, double& escaped, double& behind)
+/// Makes received and lost power add up to the emitted power [W], in one channel. Shadow rays of the patches have
+/// estimated the received power, rays of the lamps the losses, with the variances [W^2] `of_received` and `of_lost`.
+/// Each changes in proportion to its variance (least squares), and neither becomes negative; without losses only the
+/// received power does.
+void close_balance(double emitted, double received, double of_received, double of_lost, double& scale, double& escaped,
+                   double& behind)
 {
     const double lost = escaped + behind;
-    const double missing = emitted - received;
-    if (lost > 0.0 && missing > 0.0) {
-        escaped *= missing / lost;
-        behind *= missing / lost;
-        scale = 1.0;
-    } else {
-        escaped = behind = 0.0;
-        scale = received > 0.0 ? emitted / received : 0.0;
-    }
+    const double share = lost > 0.0 ? of_lost / (of_lost + of_received) : 0.0;
+    const double left = lost + share * (emitted - received - lost);
+    const double closed = std::clamp(left, 0.0, emitted);
+    escaped *= quotient(closed, lost);
+    behind *= quotient(closed, lost);
+    scale = quotient(emitted - closed, received);
+}
+
+std::vector<std::uint32_t> patches_of_sky(const Scene& scene)
+{
+    std::vector<std::uint32_t> sky;
+    for (std::size_t s = scene.own_surfaces(); s < scene.surfaces().size(); ++s)
+        sky.push_back(scene.first_patch(static_cast<std::uint32_t>(s)));
+    return sky;
 }
 
 /// The rays of one kind in a round, and the part of them that this run casts.
@@ -146,6 +154,7 @@ public:
           state_(state),
           n_(scene.patch_count()),
           rho_(reflectances(scene)),
+          sky_(patches_of_sky(scene)),
           patches_(lights.patches()),
           ends_(ends_of_rounds(rays.rays, n_)),
           next_item_(rays.first_item),
@@ -259,6 +268,8 @@ private:
             constexpr double exponent = 0.35; // of the area, as long as the light is unknown
             const double worth =
                 round_ > 0 ? importance_of[i] * std::sqrt(scene_.area(i)) : elementary::pow(scene_.area(i), exponent);
+            if (scene_.is_sky_patch(i)) // the rays that reach it are enough
+                return;
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
             // A ray over the hemisphere counts for both of its ends, and denoising removes most of its noise.
             constexpr double left_of_variance = 0.35;
@@ -314,7 +325,8 @@ private:
     }
 
     /// [W/m^2] Standard deviation of the radiosity that a single ray over the hemisphere of each patch finds, by the
-    /// present estimate of the light.
+    /// present estimate of the light and the rays of the patches around. By its own rays a patch whose first rays
+    /// happened to agree would get few more, and keep what they found.
     std::vector<double> hemisphere_deviations() const
     {
         constexpr double enough = 32.0;
@@ -335,7 +347,7 @@ private:
             sums.value *= scale;
             sums.square *= scale;
         });
-        found = pooled(patches_, found, enough, run_.threads);
+        found = pooled_around(patches_, found, enough, run_.threads);
         std::vector<double> result = large_vector<double>(n_);
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) { result[i] = found[i].standard_deviation(); });
         return result;
@@ -446,14 +458,15 @@ private:
         return radiosity;
     }
 
-    /// Calls take(weight of a ray, number of rays, patch) for each patch at the other end of patch i's rays, and for
-    /// `nothing`.
+    /// Calls take(weight of a ray, number of rays, patch) for each patch at the other end of patch i's rays; for rays
+    /// that escape this is a patch of the sky, or else `nothing`.
     template <class Take>
     void for_row(std::uint32_t i, const std::vector<double>& density, const Take& take) const
     {
-        const std::uint64_t lost = counts_.escaped(i) + counts_.behind(i);
-        if (lost > 0)
-            take(1.0 / density[i], static_cast<double>(lost), nothing);
+        if (const std::uint64_t escaped = counts_.escaped(i); escaped > 0)
+            take(1.0 / density[i], static_cast<double>(escaped), sky_.empty() ? nothing : sky_.front());
+        if (const std::uint64_t behind = counts_.behind(i); behind > 0)
+            take(1.0 / density[i], static_cast<double>(behind), nothing);
         for (const std::uint32_t j : counts_.row(i))
             take(1.0 / (density[i] + density[j]), 1.0, j);
     }
@@ -470,11 +483,13 @@ private:
         if (!rays_.indirect)
             return;
         const auto solved = [&](double unseen_rays) {
-            const SparseExchange exchange(counts_, scene_.areas(), densities(), unseen_rays, run_.threads);
-            const ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
+            const SparseExchange exchange(counts_, scene_.areas(), densities(), sky_, unseen_rays, run_.threads);
+            ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
             if (solution.converged) {
-                distribute(scene_, exchange, solution.radiosity, 1.0 / static_cast<double>(parts_), run_.threads,
-                           state_);
+                const double share = 1.0 / static_cast<double>(parts_);
+                if (exchange.lost_area() > 0.0)
+                    correct_returns(exchange, share, solution.radiosity);
+                distribute(scene_, exchange, solution.radiosity, share, run_.threads, state_);
                 add_variance(solution.radiosity);
             }
             return solution.converged;
@@ -482,6 +497,32 @@ private:
         // If the rays join white patches only with each other, their light stays there for ever: no solution exists.
         if (!solved(0.0) && !solved(1.0))
             throw no_solution(scene_);
+    }
+
+    /// Corrects a solution for the light that returns along the ray that brought it (SparseExchange::Returns), and adds
+    /// the power that distribute() will not find. Closed scenes need no correction: nothing gets lost on the way back.
+    void correct_returns(const SparseExchange& exchange, double share, Field& radiosity)
+    {
+        constexpr double tolerance = 1e-3; // of a correction
+        constexpr int most_steps = 100;
+        const SparseExchange::Returns returns = exchange.returns(radiosity, rho_, run_.threads);
+        Field source = large_vector<Rgb>(n_);
+        for (std::uint32_t i = 0; i < n_; ++i)
+            source[i] = (1.0 / scene_.area(i)) * (rho_[i] * returns.incident[i]);
+        const ExchangeSolution change =
+            solve_exchange(exchange, rho_, source, source, tolerance, most_steps, run_.threads);
+        if (!change.converged)
+            return;
+        Rgb sum = returns.escaped + returns.behind;
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            radiosity[i] += change.radiosity[i];
+            state_.incident[i] += share * returns.incident[i];
+            state_.unshot[i] += share * (rho_[i] * returns.incident[i]);
+            sum += returns.incident[i];
+        }
+        state_.escaped += share * returns.escaped;
+        state_.behind += share * returns.behind;
+        state_.emitted += share * sum; // rounding errors
     }
 
     /// Adds the variance of the light reflected from the hemisphere, a mean over rays of unequal weights. The variance
@@ -546,30 +587,43 @@ private:
         }
     }
 
-    /// Moves the direct light from the sources to the patches, with a closed balance.
+    /// Moves the direct light of the lamps to the patches, with a closed balance. That of the sky is part of (R1).
     void receive_light(PowerState& state) const
     {
         if (!light_)
             return;
         Field incident = light_->incident();
+        const std::vector<double> deviation = light_->deviations();
         Rgb received;
         Rgb escaped;
         Rgb behind;
+        Rgb of_lost;              // variances [W^2]
+        double of_received = 0.0; // of the mean of the channels
         for (std::uint32_t i = 0; i < n_; ++i) {
             received += incident[i];
-            if (rays_of_counts_[i] > 0.0) {
-                const Rgb power = (scene_.area(i) / rays_of_counts_[i]) * scene_.emittance(i);
-                escaped += static_cast<double>(counts_.escaped(i)) * power;
-                behind += static_cast<double>(counts_.behind(i)) * power;
-            }
+            const double deviation_of_power = scene_.area(i) * deviation[i];
+            of_received += quotient(deviation_of_power * deviation_of_power, light_->rays(i));
+            const double rays = rays_of_counts_[i];
+            if (!(rays > 0.0) || scene_.emittance(i) == Rgb{} || scene_.is_sky_patch(i))
+                continue;
+            const Rgb power = scene_.area(i) * scene_.emittance(i);
+            const double open = static_cast<double>(counts_.escaped(i)) / rays;
+            const double back = static_cast<double>(counts_.behind(i)) / rays;
+            escaped += open * power;
+            behind += back * power;
+            const double p = ((open + back) * rays + 0.5) / (rays + 1.0);
+            of_lost += (p * (1.0 - p) / rays) * (power * power);
         }
         const Rgb source = scene_.lamp_power();
+        const Rgb colour = quotient(1.0, mean(received)) * received;
         Rgb scale;
-        close_balance(source.r, received.r, scale.r, escaped.r, behind.r);
-        close_balance(source.g, received.g, scale.g, escaped.g, behind.g);
-        close_balance(source.b, received.b, scale.b, escaped.b, behind.b);
+        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b})
+            close_balance(source.*c, received.*c, of_received * (colour.*c * colour.*c), of_lost.*c, scale.*c,
+                          escaped.*c, behind.*c);
         Rgb found = escaped + behind;
         for (std::uint32_t i = 0; i < n_; ++i) {
+            if (scene_.is_sky_patch(i))
+                continue;
             incident[i] = scale * incident[i];
             found += incident[i];
             state.incident[i] += incident[i];
@@ -588,6 +642,7 @@ private:
     PowerState& state_;
     const std::uint32_t n_; ///< patches
     const Field rho_;
+    const std::vector<std::uint32_t> sky_; ///< patches of the sky
     const SurfaceTree& patches_;
     const std::array<std::uint64_t, rounds> ends_;
     std::optional<GatheredLight> light_; ///< empty if the direct light was distributed before

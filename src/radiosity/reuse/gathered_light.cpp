@@ -12,6 +12,7 @@
 #include "parallel/memory.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
+#include "transport/exchange/line_counts.h"
 #include "transport/exchange/pair_rays.h"
 
 #include <algorithm>
@@ -278,11 +279,12 @@ std::vector<Rgb> GatheredLight::incident() const
         const ShadowRaySums& patch_sums = sums_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
         if (patch_sums.kernel > 0.0) {
-            const double error = around[i].value / around[i].weight;
+            const double error = shrinkage(error_around, around[i].rays, variance(around[i])) *
+                                 (around[i].value / around[i].weight);
             const double own = patch_sums.error / patch_sums.rays - error;
-            const double correction = 1.0 + shrinkage(error_around, around[i].rays, variance(around[i])) * error +
-                                      shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own;
-            return (unoccluded * correction / patch_sums.kernel) * patch_sums.light; // (R5)
+            const double correction =
+                1.0 + error + shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own; // never negative
+            return (unoccluded * correction / patch_sums.kernel) * patch_sums.light;              // (R5)
         }
         if (unoccluded > 0.0 && shares[i].weight > 0.0)
             return (unoccluded * shares[i].value / shares[i].weight / mean(power)) * power;
@@ -296,6 +298,55 @@ std::vector<Rgb> GatheredLight::incident() const
 void GatheredLight::visit(Archive& archive)
 {
     archive.list<double>("sights", sums_);
+}
+
+std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
+                                   std::uint64_t first_item, std::uint64_t rays, const RunControl& run)
+{
+    const std::uint32_t n = scene.patch_count();
+    std::vector<Rgb> result = large_vector<Rgb>(n);
+    std::vector<double> expected(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+        expected[i] = scene.is_sky_patch(i) ? 0.0 : static_cast<double>(rays) * scene.area(i) / scene.own_area();
+    const Allotment allotment(expected, 0.5);
+    LineCounts counts(n);
+    ShardRange range = ShardRange::of(ray_blocks(allotment).count(), {});
+    count_rays(scene, allotment, sequence, first_item, range, run, counts);
+    if (run.stopped())
+        return result;
+    struct OfMaterial
+    {
+        RaySums own;        // of its rays
+        double area = 0.0;  // [m^2]
+        double found = 0.0; // [m^2] sum of area times fraction
+    };
+    std::vector<OfMaterial> materials(scene.materials().size());
+    const auto of_patch = [&](std::uint32_t i) -> OfMaterial& {
+        return materials[scene.file().material[scene.surface_of(i)]];
+    };
+    std::vector<RaySums> own = large_vector<RaySums>(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const auto cast = static_cast<double>(allotment.rays_of(i));
+        const auto open = static_cast<double>(counts.escaped(i));
+        own[i] = {cast, cast, open, open};
+        of_patch(i).own += own[i];
+    }
+    const std::vector<RaySums> around = pooled(patches, own, enough_rays, run.threads);
+    const auto fraction = [&](std::uint32_t i) { return quotient(around[i].value, around[i].weight); };
+    for (std::uint32_t i = 0; i < n; ++i) {
+        of_patch(i).area += scene.area(i);
+        of_patch(i).found += scene.area(i) * fraction(i);
+    }
+    const Rgb sky = scene.emittance(scene.first_patch(scene.own_surfaces()));
+    for (std::uint32_t i = 0; i < n; ++i) {
+        if (scene.is_sky_patch(i))
+            continue;
+        const OfMaterial& material = of_patch(i);
+        const double right = quotient(material.own.value, material.own.weight) * material.area;
+        const double correction = material.own.weight > 0.0 ? quotient(right, material.found) : 1.0;
+        result[i] = (scene.area(i) * std::min(1.0, correction * fraction(i))) * sky;
+    }
+    return result;
 }
 
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
@@ -322,7 +373,13 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
         light.cast(allotment, *sequence, item, range, {threads});
         item += allotment.rays();
     }
-    const std::vector<Rgb> incident = light.incident();
+    std::vector<Rgb> incident = light.incident();
+    if (scene.file().sky_surfaces > 0) {
+        const std::vector<Rgb> sky =
+            gathered_skylight(scene, lights.patches(), *sequence, item, static_cast<std::uint64_t>(rays), {threads});
+        for (std::uint32_t i = 0; i < n; ++i)
+            incident[i] += sky[i];
+    }
     std::vector<Rgb> result = vector_with_capacity<Rgb>(n);
     for (std::uint32_t i = 0; i < n; ++i)
         result.push_back(scene.first_light(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]));

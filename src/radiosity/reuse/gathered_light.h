@@ -56,9 +56,9 @@ struct ShadowRaySums
 ///
 ///   H0 (1 + e) sum of g v c / sum of g        ((R5) in docs/equations.md)
 ///
-/// with g, v and c as in ShadowRaySums. The correction e of the approximate H0 estimates the mean of g - 1 by a sum of
-/// two shrinkage estimates (empirical Bayes): of this mean over the surrounding patches, and of the deviation of the
-/// patch from the surrounding ones. If typical errors have size b (0.1 for the first, 0.03 for the second), m rays get
+/// with g, v and c as in ShadowRaySums. The correction e of the approximate H0 estimates the mean of g - 1 by shrinkage
+/// in two steps (empirical Bayes): the mean over the surrounding patches is shrunk towards 0, that of the patch towards
+/// the result. If typical errors have size b (0.1 for the first, 0.03 for the second), m rays get
 /// the weight b^2 m / (b^2 m + variance of g + 0.01). There is hardly any noise where H0 is exact and all lights are
 /// hidden, or all are visible and have the same colour.
 class GatheredLight
@@ -106,8 +106,15 @@ private:
     std::vector<ShadowRaySums> sums_; ///< per patch
 };
 
+/// [W] Per patch: incident power from the sky alone, by `rays` rays from the patches, spread evenly over their area.
+/// They take the items first_item and following. The irradiance is that of the sky times the fraction of rays that
+/// reach it; with fewer than 16 rays, a patch takes this fraction from the surrounding patches too, corrected so that
+/// the mean over all patches of a material is that of its own rays. Zeros if the run is stopped.
+std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
+                                   std::uint64_t first_item, std::uint64_t rays, const RunControl& run);
+
 /// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected light of lamps, sky and sun.
-/// The light of lamps and sky is computed by GatheredLight whatever the method, with the same rays in every call.
+/// The light is gathered whatever the method, with the same rays in every call.
 std::vector<Rgb> direct_radiosity(const Scene& scene, int threads);
 
 } // namespace multipath

@@ -112,7 +112,11 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
         order_.push_back(one.surface);
 }
 
-std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)
+namespace {
+
+/// For each surface, take(sums of each node, its leaf, its number).
+template <class Take>
+std::vector<RaySums> from_nodes(const SurfaceTree& tree, const std::vector<RaySums>& own, int threads, const Take& take)
 {
     const std::vector<SurfaceTree::Node>& nodes = tree.nodes();
     const auto count = static_cast<std::uint32_t>(nodes.size());
@@ -127,14 +131,36 @@ std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>&
     for_leaves([&](std::uint32_t k, std::uint32_t surface) { sums[k] += own[surface]; });
     for (std::uint32_t k = count; k-- > 1;)
         sums[nodes[k].parent] += sums[k];
-    for (std::uint32_t k = 1; k < count; ++k)
-        if (sums[k].rays < enough)
-            sums[k] = sums[nodes[k].parent];
     std::vector<RaySums> result = large_vector<RaySums>(own.size());
-    for_leaves([&](std::uint32_t k, std::uint32_t surface) {
-        result[surface] = own[surface].rays < enough ? sums[k] : own[surface];
-    });
+    for_leaves([&](std::uint32_t k, std::uint32_t surface) { result[surface] = take(sums, k, surface); });
     return result;
+}
+
+} // namespace
+
+std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)
+{
+    return from_nodes(tree, own, threads,
+                      [&](const std::vector<RaySums>& sums, std::uint32_t k, std::uint32_t surface) {
+                          if (own[surface].rays >= enough)
+                              return own[surface];
+                          while (k > 0 && sums[k].rays < enough)
+                              k = tree.nodes()[k].parent;
+                          return sums[k];
+                      });
+}
+
+std::vector<RaySums> pooled_around(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)
+{
+    return from_nodes(tree, own, threads,
+                      [&](const std::vector<RaySums>& sums, std::uint32_t k, std::uint32_t surface) {
+                          const RaySums& left_out = own[surface];
+                          while (k > 0 && sums[k].rays - left_out.rays < enough)
+                              k = tree.nodes()[k].parent;
+                          const RaySums& all = sums[k];
+                          return RaySums{all.rays - left_out.rays, std::max(0.0, all.weight - left_out.weight),
+                                         all.value - left_out.value, all.square - left_out.square};
+                      });
 }
 
 // The cut of a patch is found by descending from the root: a cluster that is seen under a small angle is used as a
@@ -144,10 +170,10 @@ std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>&
 
 namespace {
 
-std::vector<std::uint32_t> emitting_surfaces(const Scene& scene)
+std::vector<std::uint32_t> lamps(const Scene& scene)
 {
     std::vector<std::uint32_t> result;
-    for (std::uint32_t k = 0; k < scene.surfaces().size(); ++k)
+    for (std::uint32_t k = 0; k < scene.own_surfaces(); ++k)
         if (mean(scene.emittance(scene.first_patch(k))) > 0.0)
             result.push_back(k);
     return result;
@@ -200,7 +226,7 @@ double LightTree::Cluster::projected_area(Vec3 d) const
 }
 
 LightTree::LightTree(const Scene& scene)
-    : lights_(emitting_surfaces(scene)),
+    : lights_(lamps(scene)),
       tree_(
           static_cast<std::uint32_t>(lights_.size()), [&](std::uint32_t k) { return scene.surfaces()[lights_[k]]; },
           scene.bounds().diagonal(), 1)

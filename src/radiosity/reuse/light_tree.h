@@ -61,8 +61,13 @@ struct RaySums
 /// sums of each surface alone, in the order of their indices.
 std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads);
 
-/// Binary tree over the lights, the emitting surfaces of a scene, for treating a distant group of lights as one light
-/// (lightcuts: Walter et al. 2005). Each leaf is a single light.
+/// The same without the rays of the surface itself: the sums over the smallest node that has `enough` other rays. What
+/// is decided by them is independent of what the rays of the surface have found.
+std::vector<RaySums> pooled_around(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough,
+                                   int threads);
+
+/// Binary tree over the lights, the emitting surfaces of a scene without the sky, for treating a distant group of
+/// lights as one light (lightcuts: Walter et al. 2005). Each leaf is a single light.
 class LightTree
 {
 public:
@@ -86,7 +91,7 @@ public:
         double coherence = 0.0;
     };
 
-    bool empty() const { return pieces_.empty(); }                               ///< true if no surface emits
+    bool empty() const { return pieces_.empty(); }                               ///< true without lights
     const Cluster& cluster(std::uint32_t node) const { return clusters_[node]; } ///< node 0 is the root
     bool is_leaf(std::uint32_t node) const { return tree_.nodes()[node].is_leaf(); }
     /// The first of the two children of an inner node; the other one is the next node.

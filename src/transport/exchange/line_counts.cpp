@@ -266,8 +266,12 @@ struct CountedRays
         }
         rays.trace(scene);
         segments.clear();
-        for (std::size_t k = 0; k < count; ++k)
-            segments.push_back({rays.patches[k], rays.receivers[k]});
+        const bool has_sky = scene.file().sky_surfaces > 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t end = rays.receivers[k];
+            const bool escapes = has_sky && Segment::is_patch(end) && scene.is_sky_patch(end);
+            segments.push_back({rays.patches[k], escapes ? Segment::outside : end});
+        }
     }
 };
 
