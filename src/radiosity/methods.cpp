@@ -57,9 +57,28 @@ bool gathers(const Run& run)
     return run.options.direct == Direct::gather;
 }
 
+bool are_few(const Run& run)
+{
+    return run.lines_left() < min_balanced_rays(run.scene);
+}
+
+/// Lets particles carry the light if there are too few lines per patch for line reuse. Returns whether it has.
+bool carried_by_particles(Run& run)
+{
+    if (!are_few(run))
+        return false;
+    if (run.shard.of > 1)
+        throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
+                                               "expected more --lines, or no --shard");
+    particles(run);
+    return true;
+}
+
 /// Line reuse with a table of all pairs. With Direct::gather, a part of the lines become rays between pairs.
 void reuse_pairs(Run& run)
 {
+    if (carried_by_particles(run))
+        return;
     const std::uint64_t rays = gathers(run) ? std::min(run.local_share(1.0), run.options.lines - 1) : 0;
     const std::uint64_t first_ray = run.first_local_item();
     run.solution.local_lines += rays;
@@ -68,11 +87,6 @@ void reuse_pairs(Run& run)
     run.note_cast(reuse_lines(run.scene, *run.preparation.unoccluded, run.lines, *run.sequence, plan,
                               run.control(plan.cast + rays, run.solution.global_lines + rays, run.shard),
                               run.state)); // (R1)
-}
-
-bool are_few(const Run& run)
-{
-    return run.lines_left() < min_balanced_rays(run.scene);
 }
 
 /// Lets the sky light the patches along rays of theirs, half of all, if the particles are to carry its light further:
@@ -101,18 +115,12 @@ void rays_to_sky(Run& run)
     }
 }
 
-/// Line reuse without a table of all pairs. Uses particles instead if there are too few rays for most patches.
+/// Line reuse without a table of all pairs.
 void reuse_rays(Run& run)
 {
-    const std::uint64_t left = run.lines_left();
-    if (are_few(run)) {
-        if (run.shard.of > 1)
-            throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
-                                                   "expected more --lines, or no --shard");
-        particles(run);
+    if (carried_by_particles(run))
         return;
-    }
-    const BalancedRays rays{run.first_local_item(), left, gathers(run), true, run.options.importance.get()};
+    const BalancedRays rays{run.first_local_item(), run.lines_left(), gathers(run), true, run.options.importance.get()};
     BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays, run.options.memory,
                                            run.control(1, 1, run.shard),
                                            run.state); // (R1) (R4) (R5)

@@ -503,7 +503,7 @@ private:
     /// the power that distribute() will not find. Closed scenes need no correction: nothing gets lost on the way back.
     void correct_returns(const SparseExchange& exchange, double share, Field& radiosity)
     {
-        constexpr double tolerance = 1e-3; // of a correction
+        constexpr double tolerance = 0.05; // of a correction
         constexpr int most_steps = 100;
         const SparseExchange::Returns returns = exchange.returns(radiosity, rho_, run_.threads);
         Field source = large_vector<Rgb>(n_);
@@ -600,11 +600,13 @@ private:
         Rgb of_lost;              // variances [W^2]
         double of_received = 0.0; // of the mean of the channels
         for (std::uint32_t i = 0; i < n_; ++i) {
+            if (scene_.is_sky_patch(i)) // no shadow rays leave it
+                continue;
             received += incident[i];
             const double deviation_of_power = scene_.area(i) * deviation[i];
             of_received += quotient(deviation_of_power * deviation_of_power, light_->rays(i));
             const double rays = rays_of_counts_[i];
-            if (!(rays > 0.0) || scene_.emittance(i) == Rgb{} || scene_.is_sky_patch(i))
+            if (!(rays > 0.0) || scene_.emittance(i) == Rgb{})
                 continue;
             const Rgb power = scene_.area(i) * scene_.emittance(i);
             const double open = static_cast<double>(counts_.escaped(i)) / rays;

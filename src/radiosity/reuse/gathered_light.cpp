@@ -279,8 +279,8 @@ std::vector<Rgb> GatheredLight::incident() const
         const ShadowRaySums& patch_sums = sums_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
         if (patch_sums.kernel > 0.0) {
-            const double error = shrinkage(error_around, around[i].rays, variance(around[i])) *
-                                 (around[i].value / around[i].weight);
+            const double error =
+                shrinkage(error_around, around[i].rays, variance(around[i])) * (around[i].value / around[i].weight);
             const double own = patch_sums.error / patch_sums.rays - error;
             const double correction =
                 1.0 + error + shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own; // never negative

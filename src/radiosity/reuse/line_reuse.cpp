@@ -21,12 +21,91 @@ namespace {
 
 using Field = std::vector<Rgb>;
 
-ExchangeLosses losses(const PairCounts& counts, double crossing_area)
+std::vector<double> row_sums(const PairMatrix<float>& pairs, int threads)
 {
-    ExchangeLosses result;
-    for (std::size_t i = 0; i < counts.escaped.size(); ++i) {
-        result.escaping.push_back(crossing_area * static_cast<double>(counts.escaped[i]));
-        result.behind.push_back(crossing_area * static_cast<double>(counts.behind[i]));
+    return symmetric_product(pairs, {std::vector<double>(pairs.size(), 1.0)}, threads)[0];
+}
+
+/// Lines that left the front of a patch, or of all patches on one side of a surface.
+struct LeavingLines
+{
+    double all = 0.0;
+    double escaped = 0.0;
+    double behind = 0.0;
+
+    double lost() const { return escaped + behind; }
+    LeavingLines& operator+=(const LeavingLines& other)
+    {
+        all += other.all;
+        escaped += other.escaped;
+        behind += other.behind;
+        return *this;
+    }
+};
+
+std::vector<LeavingLines> leaving_lines(const PairCounts& counts)
+{
+    std::vector<LeavingLines> result(counts.escaped.size());
+    for (std::uint32_t i = 0; i < result.size(); ++i) {
+        const auto escaped = static_cast<double>(counts.escaped[i]);
+        const auto behind = static_cast<double>(counts.behind[i]);
+        result[i] += {escaped + behind, escaped, behind};
+        const PairCount* const row = counts.pairs.row(i);
+        for (std::uint32_t j = 0; j < i; ++j) {
+            result[i].all += row[j].joined;
+            result[j].all += row[j].joined;
+        }
+    }
+    return result;
+}
+
+std::vector<LeavingLines> sums_over(const PatchBlocks& blocks, const std::vector<LeavingLines>& lines)
+{
+    std::vector<LeavingLines> sums(blocks.count);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        sums[blocks.block_of[i]] += lines[i];
+    return sums;
+}
+
+/// The losses of every patch: its area times the fraction of the lines leaving it that reach no patch. With the weight
+/// of one line each, the whole scene is the prior of the side of a surface, the side that of a block of patches, and
+/// the block that of the patch (empirical Bayes), but no less than the patches in front cannot fill without obstacles.
+/// Sets `variance` [m^4] to that of the losses, which the patches around and the estimated exchange predict: by its own
+/// lines, a loss that is too large by chance would look certain. It is 0 if the scene has lost no line. `in_sight` and
+/// `joined` [m^2] are the sums of the rows without obstacles and with them.
+ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::vector<double>& in_sight,
+                      const std::vector<double>& joined, std::vector<double>& variance)
+{
+    constexpr double inexact = 1e-3;          // of sums of exchange areas
+    constexpr std::uint32_t cells_around = 4; // along an edge of a block
+    const std::vector<LeavingLines> lines = leaving_lines(counts);
+    const PatchBlocks sides = surface_blocks(scene);
+    const PatchBlocks blocks = patch_blocks(scene, cells_around);
+    const std::vector<LeavingLines> of_sides = sums_over(sides, lines);
+    const std::vector<LeavingLines> of_blocks = sums_over(blocks, lines);
+    LeavingLines all;
+    for (const LeavingLines& patch : lines)
+        all += patch;
+    const auto lost_without = [](const LeavingLines& whole, const LeavingLines& part, double prior) {
+        return (whole.lost() - part.lost() + prior) / (whole.all - part.all + 1.0);
+    };
+    const double overall = all.all > 0.0 ? all.lost() / all.all : 1.0;
+    ExchangeLosses result{std::vector<double>(lines.size()), std::vector<double>(lines.size())};
+    variance.assign(lines.size(), 0.0);
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+        const LeavingLines& own = lines[i];
+        const LeavingLines& side = of_sides[sides.block_of[i]];
+        const double area = scene.area(i);
+        const double unfilled = 1.0 - in_sight[i] / area;
+        const double least = unfilled > inexact ? unfilled : 0.0;
+        const double around =
+            std::max(least, lost_without(of_blocks[blocks.block_of[i]], own, lost_without(side, own, overall)));
+        const double lost = lost_without(own, {}, around);
+        const double behind = quotient(own.behind + side.behind, own.lost() + side.lost());
+        result.behind[i] = area * lost * behind;
+        result.escaping[i] = area * lost - result.behind[i];
+        const double not_lost = std::max(1.0 - around, std::min(1.0, joined[i] / area));
+        variance[i] = area * area * around * not_lost / (own.all + 1.0);
     }
     return result;
 }
@@ -35,8 +114,7 @@ ExchangeLosses losses(const PairCounts& counts, double crossing_area)
 Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& losses, const Field& rho,
                       const Field& source, int threads)
 {
-    const std::vector<double> ones(pairs.size(), 1.0);
-    std::vector<double> rows = symmetric_product(pairs, {ones}, threads)[0];
+    std::vector<double> rows = row_sums(pairs, threads);
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
         rows[i] += losses.escaping[i] + losses.behind[i];
     const DenseExchange exchange(pairs, losses, rows, threads);
@@ -52,11 +130,13 @@ struct CountedExchange
     std::uint64_t lines = 0; ///< number of global lines; 0 until all are counted
     ExchangeEstimate estimate;
     ExchangeLosses losses;
-    Field first_guess; ///< [W/m^2] radiosity
+    std::vector<double> variance_of_losses; ///< [m^4]
+    Field first_guess;                      ///< [W/m^2] radiosity
 
     explicit CountedExchange(std::uint32_t patches)
         : estimate{PairMatrix<float>(patches), PairMatrix<float>(patches)},
           losses{std::vector<double>(patches), std::vector<double>(patches)},
+          variance_of_losses(patches),
           first_guess(patches)
     {
     }
@@ -70,6 +150,7 @@ struct CountedExchange
         estimate.variance.visit<float>(archive, "variance");
         archive.list<double>("escaping", losses.escaping);
         archive.list<double>("behind", losses.behind);
+        archive.list<double>("variance of losses", variance_of_losses);
         archive.list<double>("first guess", first_guess);
     }
 };
@@ -81,37 +162,46 @@ struct ClosedExchange
     ExchangeLosses losses;
 };
 
-/// Adds `change` [m^2] to the lost exchange of a patch, in proportion to its parts. If nothing is lost yet, the change
-/// escapes if the patch faces no other patch, and is ignored otherwise.
-void change_losses(double change, bool meets_nothing, double& escaping, double& behind)
+/// Sets the lost exchange of a patch to `lost` [m^2], in proportion to its parts; if nothing was lost before, it
+/// escapes.
+void set_losses(double lost, double& escaping, double& behind)
 {
-    const double lost = escaping + behind;
-    if (lost > 0.0) {
-        escaping += change * (escaping / lost);
-        behind += change * (behind / lost);
-    } else if (meets_nothing) {
-        escaping = change;
-    }
+    const double before = escaping + behind;
+    behind = before > 0.0 ? behind * (lost / before) : 0.0;
+    escaping = lost - behind;
 }
 
-ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, CountedExchange counted,
-                      double crossing_area, int threads)
+/// Closes the rows. Losses that would become negative are set to zero, and the rest is closed again (the active-set
+/// method for least squares with bounds, Lawson and Hanson 1974, chapter 23).
+ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, CountedExchange counted, int threads)
 {
+    constexpr int most_passes = 8;
     ExchangeLosses losses = std::move(counted.losses);
-    std::vector<double> row_sums = scene.areas();
-    std::vector<double> sum_variance(row_sums.size());
-    for (std::uint32_t i = 0; i < row_sums.size(); ++i) {
-        const double lost = losses.escaping[i] + losses.behind[i];
-        row_sums[i] -= lost;
-        sum_variance[i] = crossing_area * lost;
-    }
-    ClosedEstimate result = reconciled(std::move(counted.estimate), row_sums, sum_variance, threads);
-    const std::vector<double> ones(row_sums.size(), 1.0);
-    const std::vector<double> in_sight = symmetric_product(unoccluded, {ones}, threads)[0];
-    for (std::uint32_t i = 0; i < row_sums.size(); ++i) {
-        const bool meets_nothing = !(in_sight[i] > 0.0);
-        change_losses(meets_nothing ? row_sums[i] : result.sum_residual[i], meets_nothing, losses.escaping[i],
-                      losses.behind[i]);
+    ClosedEstimate result{std::move(counted.estimate), {}};
+    std::vector<double> variance = std::move(counted.variance_of_losses);
+    const std::vector<double> area = scene.areas();
+    const std::vector<double> seen = row_sums(unoccluded, threads);
+    for (std::uint32_t i = 0; i < area.size(); ++i)
+        if (!(seen[i] > 0.0)) {
+            set_losses(area[i], losses.escaping[i], losses.behind[i]);
+            variance[i] = 0.0;
+        }
+    bool negative = true;
+    for (int pass = 0; pass < most_passes && negative; ++pass) {
+        std::vector<double> wanted = area;
+        for (std::uint32_t i = 0; i < area.size(); ++i)
+            wanted[i] -= losses.escaping[i] + losses.behind[i];
+        result = reconciled(std::move(result), wanted, variance, threads);
+        negative = false;
+        for (std::uint32_t i = 0; i < area.size(); ++i) {
+            const double change = result.sum_residual[i];
+            const double lost = losses.escaping[i] + losses.behind[i] + change;
+            negative = negative || lost < 0.0;
+            if (lost < 0.0)
+                variance[i] = 0.0;
+            if (change != 0.0)
+                set_losses(std::max(0.0, lost), losses.escaping[i], losses.behind[i]);
+        }
     }
     return {std::move(result.exchange), std::move(losses)};
 }
@@ -154,7 +244,8 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
         const double area = crossing_area_of(counts.lines);
         counted.lines = counts.lines;
         counted.estimate = estimate_exchange(scene, unoccluded.table(), counts, area, run.threads);
-        counted.losses = losses(counts, area);
+        counted.losses = losses(scene, counts, row_sums(unoccluded.table(), run.threads),
+                                row_sums(counted.estimate.exchange, run.threads), counted.variance_of_losses);
         counted.first_guess = plan.rays > 0
                                   ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads)
                                   : source;
@@ -167,7 +258,7 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
     if (run.stopped() && run.is_shard())
         return lines_cast;
     const Field first_guess = counted.first_guess;
-    ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), crossing_area, run.threads);
+    ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), run.threads);
 
     const auto exchange_of_pairs = [&] {
         return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(),

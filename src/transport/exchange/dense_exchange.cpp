@@ -91,7 +91,7 @@ ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& 
                 row[j] += static_cast<float>(static_cast<double>(uncertain[j]) * (multiplier[i] + multiplier[j]));
         }
     });
-    ClosedEstimate result{std::move(exchange), sum_variance};
+    ClosedEstimate result{std::move(estimate), sum_variance};
     for (std::uint32_t i = 0; i < n; ++i)
         result.sum_residual[i] *= multiplier[i];
     return result;

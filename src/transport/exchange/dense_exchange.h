@@ -39,9 +39,8 @@ private:
 };
 
 /// Exchange areas after least-squares closure.
-struct ClosedEstimate
+struct ClosedEstimate : ExchangeEstimate
 {
-    PairMatrix<float> exchange; ///< [m^2]
     /// [m^2] per row: the wanted sum minus the sum of the changed row, which estimates the error of the wanted sum. 0
     /// for a wanted sum without variance.
     std::vector<double> sum_residual;

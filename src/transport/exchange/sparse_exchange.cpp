@@ -114,8 +114,8 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         const double sum = joined(i);
         constexpr double below_one = 1.0 - 1.5e-7; // keeps the sum below `wanted` after rounding to float
-        const double limit = std::min(1.0, below_one * wanted[i] / sum);
-        next[i] = sum > 0.0 ? static_cast<float>(static_cast<double>(factors_[i].scale) * limit) : 1.0f;
+        const double limit = sum > 0.0 ? std::min(1.0, below_one * wanted[i] / sum) : 1.0;
+        next[i] = static_cast<float>(static_cast<double>(factors_[i].scale) * limit);
     });
     parallel_numbers(size(), threads, [&](std::uint32_t i) { factors_[i].scale = next[i]; });
 }
