@@ -46,6 +46,9 @@ struct SceneFile
 {
     std::string path;
     std::vector<std::string> material_files; ///< paths of all MTL files that were read, even if no face uses them
+    /// Paths of all images that the MTL files name, read or not: where they were found, and where they are looked for
+    /// first.
+    std::vector<std::string> texture_files;
     std::vector<Material> materials;
     /// Names in `o` and `g` statements that apply to a face, in order of appearance; "" for faces before the first such
     /// statement. add_sky() appends "sky".
@@ -75,6 +78,10 @@ struct SceneFile
     std::size_t dropped_faces = 0; ///< faces that were dropped: without area, or with fewer than three vertices
     std::string counts; ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
 };
+
+/// The files that a scene consists of, and the names under which missing ones are looked for: none of them may become
+/// an output.
+std::vector<std::string> input_files(const SceneFile& file);
 
 /// Turns one surface over: its front becomes its back. The texture stays where it is in space.
 void turn_over(SceneFile& file, std::size_t surface);

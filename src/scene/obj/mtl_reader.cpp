@@ -13,16 +13,24 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <unordered_map>
 
 namespace multipath {
 
 namespace {
 
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name);
+std::string last_part(const std::string& path);
 
 // [W/m^2] Powers and their squares must stay within the range of doubles.
 constexpr double largest_emittance = 1e30;
 constexpr double smallest_emittance = 1e-30;
+
+bool names_image(std::string_view keyword)
+{
+    constexpr std::array<std::string_view, 5> others = {"bump", "disp", "decal", "refl", "norm"};
+    return keyword.substr(0, 4) == "map_" || std::find(others.begin(), others.end(), keyword) != others.end();
+}
 
 class MtlParser
 {
@@ -43,6 +51,8 @@ private:
     void note_ambient(std::string_view rest);
     void note_opacity(std::string_view keyword, std::string_view rest);
     void set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
+    TextureMap read_map(std::string_view rest);
+    const std::string& texture(const std::string& name);
     MtlMaterial& current_material(std::string_view keyword, TextLocation place);
     const std::string& name_of_current() const;
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
@@ -52,7 +62,8 @@ private:
     MaterialLibrary& library_;
     TextLines lines_;
     std::optional<std::uint32_t> current_;
-    bool has_dissolve_ = false; ///< the current material has a `d`
+    bool has_dissolve_ = false;                             ///< the current material has a `d`
+    std::unordered_map<std::string, std::string> textures_; ///< paths of the images by name; empty if not found
     IgnoredKeywords ignored_{16};
 };
 
@@ -83,6 +94,8 @@ void MtlParser::statement(const TextLine& line)
         set_map(rest, line.place, &MtlMaterial::emission_map);
     else
         ignored_.note(keyword, line.place);
+    if (names_image(keyword))
+        read_map(rest);
     if (keyword == "Ka")
         note_ambient(without_comment(rest));
     if (keyword == "d" || keyword == "Tr")
@@ -187,14 +200,21 @@ void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
     library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
 }
 
-/// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
-/// blanks.
 void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
 {
     if (!current_)
         refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
-    TextureMap result;
+    TextureMap result = read_map(rest);
     result.line = place.line;
+    if (!result.file.empty())
+        library_.materials[*current_].*map = result;
+}
+
+/// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
+/// blanks.
+TextureMap MtlParser::read_map(std::string_view rest)
+{
+    TextureMap result;
     const auto numbers = [&rest](double& first, double& second) { // up to three; the second and third are optional
         std::array<double*, 3> targets = {&first, &second, nullptr};
         for (double* const target : targets) {
@@ -232,10 +252,25 @@ void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap Mt
     result.file = std::string(name_in(rest));
     if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
         result.file = result.file.substr(1, result.file.size() - 2);
-    if (result.file.empty())
-        return;
-    result.found = find_texture(path_, result.file).value_or("");
-    library_.materials[*current_].*map = result;
+    if (!result.file.empty())
+        result.found = texture(result.file);
+    return result;
+}
+
+/// The path of an image; empty if it is not found. Each name is looked up once, which may list many folders.
+const std::string& MtlParser::texture(const std::string& name)
+{
+    const auto [entry, is_new] = textures_.try_emplace(name);
+    if (is_new) {
+        entry->second = find_texture(path_, name).value_or("");
+        const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
+        std::string path = name;
+        std::replace(path.begin(), path.end(), '\\', '/');
+        for (const std::string& place : {entry->second, (folder / path).string(), (folder / last_part(name)).string()})
+            if (!place.empty())
+                library_.texture_files.push_back(place);
+    }
+    return entry->second;
 }
 
 void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place)
@@ -274,17 +309,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_words = 32;
 
-char lower_case(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-}
-
-bool equal_but_for_case(const std::string& a, const std::string& b)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char c, char d) { return lower_case(c) == lower_case(d); });
-}
-
 /// The entry of a folder with this name, or else with this name in another case: the first of them in order of names,
 /// which does not depend on the file system.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
@@ -320,12 +344,17 @@ std::optional<std::string> find_file(const fs::path& folder, std::string name)
     return fs::is_regular_file(found, error) ? std::optional<std::string>(found.string()) : std::nullopt;
 }
 
+std::string last_part(const std::string& path)
+{
+    return path.substr(path.find_last_of("/\\") + 1);
+}
+
 /// Finds a texture by its path relative to the MTL file or, since that path may be of another machine, by its file name
 /// alone, beside the MTL file or in a folder with a usual name.
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name)
 {
     const fs::path folder = fs::path(mtl_path).parent_path();
-    const std::string last = name.substr(std::min(name.size(), name.find_last_of("/\\") + 1));
+    const std::string last = last_part(name);
     if (std::optional<std::string> file = find_file(folder, name))
         return file;
     for (const char* subfolder : {"", "textures/", "texture/", "maps/", "map/", "images/", "../textures/", "../maps/"})
@@ -367,8 +396,7 @@ std::string text_of(std::string_view names, const NamePart& first, const NamePar
 bool is_mtl_name(const std::string& name)
 {
     constexpr std::string_view ending = ".mtl";
-    return name.size() > ending.size() &&
-           equal_but_for_case(name.substr(name.size() - ending.size()), std::string(ending));
+    return name.size() > ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
 }
 
 } // namespace

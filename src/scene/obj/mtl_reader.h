@@ -45,6 +45,9 @@ struct MaterialLibrary
 {
     std::vector<MtlMaterial> materials;                            ///< in the order of their first definition
     std::unordered_map<std::string, std::uint32_t> number_of_name; ///< index into `materials`
+    /// Paths of all images that the files name, also in statements that are ignored: where they were found, and where
+    /// they are looked for first.
+    std::vector<std::string> texture_files;
     std::vector<std::string> warnings;
 };
 

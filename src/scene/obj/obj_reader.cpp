@@ -440,6 +440,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     const std::vector<LampMaterial> lamps = apply(changes, mesh);
     Libraries libraries = find_libraries(mesh);
     MaterialLibrary library = read_libraries(libraries.files, emission_from);
+    std::vector<std::string> texture_files = std::move(library.texture_files);
     const std::vector<std::string> lowered = limit_reflectances(changes.reflectance_limit, library);
     const SceneScale scale = scale_of(mesh);
     mark_textured(library, mesh);
@@ -455,6 +456,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     SceneFile scene;
     scene.path = path;
     scene.material_files = std::move(libraries.files);
+    scene.texture_files = std::move(texture_files);
     scene.warnings = std::move(mesh.warnings);
     append(scene.warnings, std::move(libraries.warnings));
     append(scene.warnings, std::move(list.warnings));

@@ -174,6 +174,13 @@ std::string_view next_word(std::string_view& rest)
     return word;
 }
 
+bool equal_but_for_case(std::string_view a, std::string_view b)
+{
+    const auto lower_case = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char c, char d) { return lower_case(c) == lower_case(d); });
+}
+
 std::string_view without_comment(std::string_view text)
 {
     return text.substr(0, text.find('#'));

@@ -21,6 +21,9 @@ std::string_view trimmed(std::string_view text);
 /// Removes the first word, and blanks before it, from `rest` and returns the word; empty if only blanks are left.
 std::string_view next_word(std::string_view& rest);
 
+/// True if two names differ at most in the case of their letters (ASCII).
+bool equal_but_for_case(std::string_view a, std::string_view b);
+
 /// The text before the first `#`, for statements whose arguments are numbers.
 std::string_view without_comment(std::string_view text);
 
