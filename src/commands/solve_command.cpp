@@ -197,7 +197,7 @@ std::vector<double> weight_of_named(const Scene& scene, const std::string& name)
     std::vector<double> weight(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const std::uint32_t surface = scene.surface_of(i);
-        if (!scene.is_sky(surface) && (file.groups[file.group[surface]] == name || scene.material_of(i).name == name))
+        if (!scene.is_sky(surface) && (file.is_named(surface, name) || scene.material_of(i).name == name))
             weight[i] = 1.0;
     }
     if (std::find(weight.begin(), weight.end(), 1.0) == weight.end())

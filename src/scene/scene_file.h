@@ -59,6 +59,11 @@ struct SceneFile
     SurfaceList surfaces;
     std::vector<std::uint32_t> material; ///< index into materials
     std::vector<std::uint32_t> group;    ///< index into groups
+    /// Names of objects that `g` divides into groups, and of groups of `g` directly before `o`. `other_name` has an
+    /// index into it per surface except the sky; both are empty if there are no such names, and in a scene from a
+    /// state.
+    std::vector<std::string> other_names;
+    std::vector<std::uint32_t> other_name;
     /// Line of the face in the file; that of the first face if several were joined into one surface; 0 for the sky.
     std::vector<std::uint32_t> line;
 
@@ -68,6 +73,13 @@ struct SceneFile
     std::uint32_t sky_surfaces = 0; ///< number of surfaces of the sky, which encloses the scene
     std::optional<Sun> sun;
     bool photometric = false; ///< true if emittances are in lm/m^2; then W stands for lm everywhere
+
+    /// True if the surface belongs to the object or group of this name.
+    bool is_named(std::size_t surface, const std::string& name) const
+    {
+        return groups[group[surface]] == name ||
+               (surface < other_name.size() && !name.empty() && other_names[other_name[surface]] == name);
+    }
 
     /// Number of surfaces without the sky.
     std::size_t own_surfaces() const { return surfaces.size() - sky_surfaces; }

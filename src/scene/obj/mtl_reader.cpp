@@ -83,7 +83,7 @@ void MtlParser::statement(const TextLine& line)
     if (keyword.empty() || keyword[0] == '#')
         return;
     if (keyword == "newmtl")
-        define(std::string(name_in(rest)), line.place);
+        define(std::string(trimmed(rest)), line.place);
     else if (keyword == "Kd")
         set_reflectance(without_comment(rest), line.place);
     else if (keyword == emission_keyword())
@@ -249,11 +249,14 @@ TextureMap MtlParser::read_map(std::string_view rest)
             rest = value;
         }
     }
-    result.file = std::string(name_in(rest));
-    if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
-        result.file = result.file.substr(1, result.file.size() - 2);
-    if (!result.file.empty())
-        result.found = texture(result.file);
+    for (const std::string_view name : {trimmed(rest), name_in(rest)}) { // with and without what may be a comment
+        result.file = std::string(name);
+        if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
+            result.file = result.file.substr(1, result.file.size() - 2);
+        result.found = result.file.empty() ? "" : texture(result.file);
+        if (!result.found.empty())
+            break;
+    }
     return result;
 }
 

@@ -24,7 +24,8 @@ struct TextureMap
     std::uint32_t line = 0; ///< line of the statement; 0 if the material has none
 };
 
-/// A material as its file defines it, with details for messages.
+/// A material as its file defines it, with details for messages. read_mtl() gives it the whole argument of `newmtl` as
+/// its name.
 struct MtlMaterial
 {
     Material material;

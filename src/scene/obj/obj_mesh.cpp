@@ -2,6 +2,9 @@
 // ones count from 1, negative ones back from the last vertex read so far. A number may refer to a later vertex, so
 // numbers are checked after the whole file is read. `vt` adds a texture point; corners refer to it in the same way, but
 // a reference to one that does not exist is ignored. Normals do not matter for diffuse light and are skipped.
+//
+// `g` divides an object into groups, so a face after `o` and `g` has both names. A new `o` ends the group, unless no
+// face came between: then both name the same faces.
 
 #include "scene/obj/obj_mesh.h"
 
@@ -14,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -57,7 +61,11 @@ private:
 class ObjParser
 {
 public:
-    explicit ObjParser(const std::string& path) : lines_(path) { mesh_.path = path; }
+    explicit ObjParser(const std::string& path) : lines_(path)
+    {
+        mesh_.path = path;
+        other_numbers_.number_of("");
+    }
     ObjMesh parse();
 
 private:
@@ -73,18 +81,24 @@ private:
     void reserve_vertices();
     void check_corners() const;
     void check_texture_points();
+    void drop_comments();
     void summarise_warnings();
     TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
     TextLines lines_;
     ObjMesh mesh_;
     std::string material_;
+    std::string object_;
     std::string group_;
+    bool object_is_last_ = true; ///< of the last `o` and `g`
+    bool group_is_used_ = false; ///< a face followed the last `g`
     bool names_changed_ = true;
     std::uint32_t material_number_ = 0;
     std::uint32_t group_number_ = 0;
+    std::uint32_t other_number_ = 0;
     NameNumbers material_numbers_;
     NameNumbers group_numbers_;
+    NameNumbers other_numbers_;
     std::uint32_t first_weight_line_ = 0;
     std::size_t weight_count_ = 0;
     IgnoredKeywords unknown_{8};
@@ -106,6 +120,7 @@ ObjMesh ObjParser::parse()
                                : "every face has fewer than three vertices");
     check_corners();
     check_texture_points();
+    drop_comments();
     summarise_warnings();
     return std::move(mesh_);
 }
@@ -127,13 +142,19 @@ void ObjParser::statement(const TextLine& line)
 void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place)
 {
     if (keyword == "usemtl") {
-        material_ = name_in(rest);
+        material_ = trimmed(rest);
         names_changed_ = true;
-    } else if (keyword == "g" || keyword == "o") {
-        group_ = name_in(rest);
+    } else if (keyword == "g") {
+        group_ = trimmed(rest);
+        object_is_last_ = group_is_used_ = false;
         names_changed_ = true;
+    } else if (keyword == "o") {
+        object_ = trimmed(rest);
+        object_is_last_ = names_changed_ = true;
+        if (group_is_used_)
+            group_.clear();
     } else if (keyword == "mtllib") {
-        library(name_in(rest), place);
+        library(trimmed(rest), place);
     } else if (contains(unsupported_keywords, keyword)) {
         refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
     } else if (!contains(harmless_keywords, keyword)) {
@@ -202,7 +223,8 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
         ++mesh_.faces_without_corners;
         return;
     }
-    mesh_.faces.push_back({static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_});
+    mesh_.faces.push_back(
+        {static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_, other_number_});
 }
 
 /// The vertex index of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A reference to a later vertex is returned unchecked.
@@ -260,18 +282,24 @@ void ObjParser::note_texture_point(std::string_view corner)
     mesh_.corner_points.back() = exists ? static_cast<std::uint32_t>(number) : ObjMesh::no_point;
 }
 
-/// Looks up the indices of the current material and group, which a face is about to use.
+/// Looks up the indices of the current material, group and object, which a face is about to use.
 void ObjParser::number_names(TextLocation place)
 {
     names_changed_ = false;
     const auto [material, material_is_new] = material_numbers_.number_of(material_);
     if (material_is_new)
         mesh_.materials.push_back({material_, place.line});
-    const auto [group, group_is_new] = group_numbers_.number_of(group_);
+    const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
+    const auto [group, group_is_new] = group_numbers_.number_of(last);
     if (group_is_new)
-        mesh_.groups.push_back(group_);
+        mesh_.groups.push_back(last);
+    const auto [other_number, other_is_new] = other_numbers_.number_of(other == last ? "" : other);
+    if (other_is_new)
+        mesh_.other_names.push_back(other);
     material_number_ = material;
     group_number_ = group;
+    other_number_ = other_number;
+    group_is_used_ = true;
 }
 
 /// Reserves memory for the vertices of the whole file when the list is full, extrapolating from the share read so far.
@@ -302,6 +330,17 @@ void ObjParser::check_texture_points()
         mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
     for (std::uint32_t& point : mesh_.corner_points)
         point = point < mesh_.texture_points.size() ? point : ObjMesh::no_point;
+}
+
+/// Drops the comments after the names of groups and objects.
+void ObjParser::drop_comments()
+{
+    std::vector<std::string> names = mesh_.groups;
+    names.insert(names.end(), mesh_.other_names.begin(), mesh_.other_names.end());
+    names = without_comments(std::move(names));
+    const auto end_of_groups = names.begin() + static_cast<std::ptrdiff_t>(mesh_.groups.size());
+    mesh_.groups.assign(names.begin(), end_of_groups);
+    mesh_.other_names.assign(end_of_groups, names.end());
 }
 
 void ObjParser::summarise_warnings()

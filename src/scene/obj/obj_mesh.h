@@ -18,6 +18,7 @@ struct ObjFace
     std::uint32_t line = 0;         ///< line of the face in the file
     std::uint32_t material = 0;     ///< index into ObjMesh::materials
     std::uint32_t group = 0;        ///< index into ObjMesh::groups
+    std::uint32_t other_name = 0;   ///< index into ObjMesh::other_names
 };
 
 /// A name of a material and the line of the first face that uses it, or the argument of a `mtllib` statement and its
@@ -46,10 +47,14 @@ struct ObjMesh
     LargeVector<std::uint32_t> corner_points;
     LargeVector<TexturePoint> texture_points;
     LargeVector<ObjFace> faces;
-    /// Names in `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first `usemtl`.
+    /// Arguments of `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first. A
+    /// comment at their end is left until the names of the MTL files are known.
     std::vector<ObjName> materials;
-    /// Names in `o` and `g` that apply to a face, dropped or not, in order of appearance; "" before the first.
+    /// Names in `o` and `g` that apply to a face, dropped or not, in order of appearance; "" before the first. Each
+    /// face has the last one.
     std::vector<std::string> groups;
+    /// The names of objects that a `g` divides, and of groups directly before an `o`; the first is "".
+    std::vector<std::string> other_names = {""};
     std::vector<ObjName> libraries;        ///< different arguments of `mtllib`, not yet split into file names
     std::size_t faces_without_corners = 0; ///< number of faces with fewer than three vertices, which were dropped
     std::vector<std::string> warnings;

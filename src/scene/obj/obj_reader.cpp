@@ -15,11 +15,13 @@
 #include "scene/obj/parallelogram_merge.h"
 #include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
+#include "scene/text/text_words.h"
 #include "scene/vertex_weld.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -48,7 +50,9 @@ Libraries find_libraries(const ObjMesh& mesh)
     Libraries result;
     std::unordered_set<std::string> known;
     for (const ObjName& names : mesh.libraries) {
-        const MtlFiles named = find_mtl_files(names.name, {mesh.path, names.line});
+        MtlFiles named = find_mtl_files(names.name, {mesh.path, names.line});
+        if (!named.missing.empty())
+            named = find_mtl_files(name_in(names.name), {mesh.path, names.line});
         for (const std::string& file : named.found)
             if (known.insert(file).second)
                 result.files.push_back(file);
@@ -69,6 +73,47 @@ MaterialLibrary read_libraries(const std::vector<std::string>& files, EmissionFr
     for (const std::string& file : files)
         read_mtl(file, emission_from, library);
     return library;
+}
+
+/// Gives the materials their names, without the comments after them. Of two materials of the mesh with one name the
+/// first remains. A ` # ` in `usemtl` is part of the name if the library has that name.
+void name_materials(MaterialLibrary& library, ObjMesh& mesh)
+{
+    std::vector<std::string> texts;
+    for (const MtlMaterial& material : library.materials)
+        texts.push_back(material.material.name);
+    const std::vector<std::string> defined = without_comments(std::move(texts));
+    const std::unordered_map<std::string, std::uint32_t> number_of_text = std::move(library.number_of_name);
+    library.number_of_name.clear();
+    for (std::uint32_t k = 0; k < defined.size(); ++k) {
+        library.materials[k].material.name = defined[k];
+        library.number_of_name.emplace(defined[k], k);
+    }
+
+    texts.clear();
+    for (const ObjName& used : mesh.materials)
+        if (name_in(used.name) != used.name)
+            texts.push_back(used.name);
+    const std::vector<std::string> used_names = without_comments(std::move(texts));
+    auto next = used_names.begin();
+    std::unordered_map<std::string, std::uint32_t> number_of_name;
+    std::vector<std::uint32_t> numbers;
+    std::vector<ObjName> materials;
+    for (ObjName& used : mesh.materials) {
+        const std::string plain(name_in(used.name));
+        const std::string name = plain != used.name ? *next++ : plain;
+        const auto same_text = number_of_text.find(used.name);
+        used.name = same_text != number_of_text.end() ? defined[same_text->second]
+                    : number_of_text.count(plain) > 0 ? plain
+                                                      : name;
+        const auto [entry, is_new] = number_of_name.emplace(used.name, static_cast<std::uint32_t>(materials.size()));
+        numbers.push_back(entry->second);
+        if (is_new)
+            materials.push_back(used);
+    }
+    mesh.materials = std::move(materials);
+    for (ObjFace& face : mesh.faces)
+        face.material = numbers[face.material];
 }
 
 /// The materials of a scene as its faces use them.
@@ -370,12 +415,16 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     scene.material.reserve(pieces.size());
     scene.group.reserve(pieces.size());
     scene.line.reserve(pieces.size());
+    if (mesh.other_names.size() > 1)
+        scene.other_names = mesh.other_names;
     for (const Piece& piece : pieces) {
         const ObjFace& face = mesh.faces[piece.face];
         scene.surfaces.push_back(surface_of(piece, mesh.vertices));
         scene.material.push_back(face.material);
         scene.group.push_back(face.group);
         scene.line.push_back(face.line);
+        if (!scene.other_names.empty())
+            scene.other_name.push_back(face.other_name);
     }
 }
 
@@ -437,9 +486,10 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     ObjMesh mesh = parse_obj(path);
     for (Vec3& vertex : mesh.vertices)
         vertex = changes.unit * vertex;
-    const std::vector<LampMaterial> lamps = apply(changes, mesh);
     Libraries libraries = find_libraries(mesh);
     MaterialLibrary library = read_libraries(libraries.files, emission_from);
+    name_materials(library, mesh);
+    const std::vector<LampMaterial> lamps = apply(changes, mesh);
     std::vector<std::string> texture_files = std::move(library.texture_files);
     const std::vector<std::string> lowered = limit_reflectances(changes.reflectance_limit, library);
     const SceneScale scale = scale_of(mesh);

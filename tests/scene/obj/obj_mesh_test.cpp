@@ -69,10 +69,33 @@ TEST_CASE("a name keeps its blanks, its number sign and its backslash, but no co
                                "usemtl C:\\\nf 1 2 3\nusemtl\nf 1 2 3\n");
     REQUIRE(mesh.materials.size() == 4);
     CHECK(mesh.materials[0].name == "Material #25");
-    CHECK(mesh.materials[1].name == "old wood");
+    CHECK(mesh.materials[1].name == "old wood # from the shop"); // until the MTL files are read
     CHECK(mesh.materials[2].name == "C:\\");
     CHECK(mesh.materials[3].name == "");
     CHECK(mesh.faces.size() == 4);
+}
+
+TEST_CASE("a face has the names of its object and its group, whichever came last")
+{
+    const ObjMesh mesh =
+        parse(triangle + "o a # first\ng b\nf 1 2 3\ng c # 1\nf 1 2 3\no d\nf 1 2 3\ng c # 2\no e\nf 1 2 3\n" +
+              "o f\ng f\nf 1 2 3\n");
+    const auto names = [&](std::size_t face) {
+        return mesh.groups[mesh.faces[face].group] + " of " + mesh.other_names[mesh.faces[face].other_name];
+    };
+    CHECK(names(0) == "b of a");
+    CHECK(names(1) == "c # 1 of a");
+    CHECK(names(2) == "d of ");      // a group ends with its object,
+    CHECK(names(3) == "e of c # 2"); // but not one without a face of its own
+    CHECK(names(4) == "f of ");
+}
+
+TEST_CASE("a vertex that is not finite is refused, however a program wrote it")
+{
+    for (const char* word : {"1.#INF", "-1.#IND", "1.#QNAN0", "nan", "-inf"}) {
+        CAPTURE(word);
+        CHECK(contains(problem("v 0 0 " + std::string(word) + "\nf 1 1 1\n"), "is not a finite number"));
+    }
 }
 
 TEST_CASE("a backslash in a comment continues nothing")
