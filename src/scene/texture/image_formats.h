@@ -40,8 +40,7 @@ Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
 
 /// Portable Network Graphics (ISO/IEC 15948): all colour types, depths and interlacing.
 Bitmap read_png(std::string_view bytes);
-/// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components. A file
-/// that breaks off in its pixels is decoded up to there; the rest is grey.
+/// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components.
 Bitmap read_jpeg(std::string_view bytes);
 /// Truevision TGA, uncompressed or run-length encoded: palette, 15 to 32 bits of colour, or grey.
 Bitmap read_tga(std::string_view bytes);
