@@ -43,6 +43,7 @@ public:
 
 private:
     void statement(const TextLine& line);
+    void ignore(std::string_view keyword, std::string_view rest, TextLocation place);
     void define(const std::string& name, TextLocation place);
     void set_reflectance(std::string_view rest, TextLocation place);
     void set_emittance(std::string_view keyword, std::string_view rest, TextLocation place);
@@ -50,8 +51,8 @@ private:
     void note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place);
     void note_ambient(std::string_view rest);
     void note_opacity(std::string_view keyword, std::string_view rest);
-    void set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
-    TextureMap read_map(std::string_view rest);
+    void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
+    TextureMap read_map(std::string_view rest, std::vector<std::string_view>& ignored_options);
     const std::string& texture(const std::string& name);
     MtlMaterial& current_material(std::string_view keyword, TextLocation place);
     const std::string& name_of_current() const;
@@ -65,6 +66,7 @@ private:
     bool has_dissolve_ = false;                             ///< the current material has a `d`
     std::unordered_map<std::string, std::string> textures_; ///< paths of the images by name; empty if not found
     IgnoredKeywords ignored_{16};
+    IgnoredKeywords ignored_options_{8};
 };
 
 void MtlParser::parse()
@@ -73,6 +75,8 @@ void MtlParser::parse()
     while (lines_.next(line))
         statement(line);
     if (const auto warning = ignored_.warning("ignored, since only Kd and " + emission_keyword() + " count"))
+        library_.warnings.push_back(*warning);
+    if (const auto warning = ignored_options_.warning("options of textures that are ignored"))
         library_.warnings.push_back(*warning);
 }
 
@@ -89,17 +93,23 @@ void MtlParser::statement(const TextLine& line)
     else if (keyword == emission_keyword())
         set_emittance(keyword, without_comment(rest), line.place);
     else if (keyword == "map_Kd" || keyword == "map_kd")
-        set_map(rest, line.place, &MtlMaterial::reflectance_map);
+        set_map(keyword, rest, line.place, &MtlMaterial::reflectance_map);
     else if (keyword == "map_Ke" || keyword == "map_ke")
-        set_map(rest, line.place, &MtlMaterial::emission_map);
+        set_map(keyword, rest, line.place, &MtlMaterial::emission_map);
     else
-        ignored_.note(keyword, line.place);
-    if (names_image(keyword))
-        read_map(rest);
+        ignore(keyword, rest, line.place);
     if (keyword == "Ka")
         note_ambient(without_comment(rest));
     if (keyword == "d" || keyword == "Tr")
         note_opacity(keyword, without_comment(rest));
+}
+
+void MtlParser::ignore(std::string_view keyword, std::string_view rest, TextLocation place)
+{
+    ignored_.note(keyword, place);
+    std::vector<std::string_view> unused;
+    if (names_image(keyword))
+        read_map(rest, unused);
 }
 
 /// Begins a material. A repeated definition replaces the earlier one, at its index.
@@ -200,19 +210,23 @@ void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
     library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
 }
 
-void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
+void MtlParser::set_map(std::string_view keyword, std::string_view rest, TextLocation place,
+                        TextureMap MtlMaterial::*map)
 {
     if (!current_)
         refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
-    TextureMap result = read_map(rest);
+    std::vector<std::string_view> ignored_options;
+    TextureMap result = read_map(rest, ignored_options);
     result.line = place.line;
+    for (const std::string_view option : ignored_options)
+        ignored_options_.note(std::string(keyword) + ' ' + std::string(option), place);
     if (!result.file.empty())
         library_.materials[*current_].*map = result;
 }
 
 /// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
-/// blanks.
-TextureMap MtlParser::read_map(std::string_view rest)
+/// blanks. `ignored_options`: those that would change the colours.
+TextureMap MtlParser::read_map(std::string_view rest, std::vector<std::string_view>& ignored_options)
 {
     TextureMap result;
     const auto numbers = [&rest](double& first, double& second) { // up to three; the second and third are optional
@@ -231,7 +245,6 @@ TextureMap MtlParser::read_map(std::string_view rest)
         const std::string_view option = next_word(after);
         if (option.size() < 2 || option[0] != '-')
             break;
-        double unused = 0.0;
         std::string_view value = after;
         const std::string_view word = next_word(value);
         if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
@@ -240,12 +253,20 @@ TextureMap MtlParser::read_map(std::string_view rest)
                 numbers(result.scale_s, result.scale_t);
             else if (option == "-o")
                 numbers(result.offset_s, result.offset_t);
-            else
-                numbers(unused, unused);
+            else {
+                const bool adds_and_multiplies = option == "-mm";
+                double first = 0.0;
+                double second = adds_and_multiplies ? 1.0 : 0.0;
+                numbers(first, second);
+                if (first != 0.0 || second != (adds_and_multiplies ? 1.0 : 0.0))
+                    ignored_options.push_back(option);
+            }
         } else if (word.empty() || word[0] == '-' || value.empty()) {
             break; // a file name that looks like an option
         } else {
             result.repeats = option == "-clamp" ? word != "on" : result.repeats;
+            if (option == "-imfchan" || (option == "-cc" && word != "off"))
+                ignored_options.push_back(option);
             rest = value;
         }
     }

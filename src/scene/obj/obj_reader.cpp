@@ -168,7 +168,8 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
     const std::string flaw =
         has_name ? "material " + in_quotes(name.name) + " is not defined" + in_files(list.by_origin.files)
                  : "faces without a material";
-    list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in");
+    list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in" +
+                            (mesh.colours.empty() ? "" : " where vertices have no colours"));
     list.definitions.emplace_back();
     list.materials.push_back(std::move(material));
     list.by_origin.default_used = true;
@@ -329,8 +330,8 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const 
 /// Throws InputError for a scene that would give no result, or a wrong one; the message ends with a command that avoids
 /// all the problems found.
 void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SceneFile& scene,
-                     const std::vector<std::string>& missing_files, EmissionFrom emission_from,
-                     const ObjChanges& changes)
+                     const std::vector<std::string>& missing_files, const std::vector<std::string>& unread_textures,
+                     EmissionFrom emission_from, const ObjChanges& changes)
 {
     std::vector<std::string> problems;
     std::string options;
@@ -343,6 +344,8 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
         problems.push_back(
             "nothing absorbs light: the surfaces are closed and every material has Kd = 1 in the same colour, "
             "expected Kd below 1 in one of them");
+    if (!unread_textures.empty() && !(problems.empty() && lit))
+        problems.push_back("textures that are not read: " + first_of(unread_textures, 5));
     // Before there is a lamp it is unknown which surfaces it would light; those with Kd = 1 may trap its light.
     const bool may_trap = !names_where(materials.used, reflects_everything).empty();
     if (!problems.empty() || (!lit && may_trap))
@@ -438,14 +441,14 @@ void mark_textured(const MaterialLibrary& library, ObjMesh& mesh)
     }
 }
 
-/// Replaces Kd by the mean reflectance of textured materials.
-void take_textured_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
+/// Replaces Kd by the mean reflectance of materials with textures or coloured vertices.
+void take_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
 {
     for (MtlMaterial& definition : used)
         for (const Material& material : scene.materials)
-            if (material.texture != Material::no_texture && material.name == definition.material.name) {
+            if (material.name == definition.material.name && material.reflectance != definition.material.reflectance) {
                 definition.material.reflectance = material.reflectance;
-                definition.kd_line = std::max(definition.kd_line, definition.reflectance_map.line);
+                definition.kd_line = std::max(definition.kd_line, std::uint32_t{1});
             }
 }
 
@@ -518,13 +521,18 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
     add_surfaces(cut.pieces, mesh, scene);
-    add_textures(list.definitions, cut.pieces, mesh, changes.reflectance_limit, scene);
-    take_textured_colours(scene, list.by_origin.used);
+    const std::vector<std::string> unread = add_textures(list.definitions, cut, mesh, changes.reflectance_limit, scene);
+    take_colours(scene, list.by_origin.used);
     make_lamps(lamps, scene.materials);
     append(scene.warnings, warnings_of_materials(list.by_origin));
     require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, has_pieces), mesh, scene,
-                    libraries.missing, emission_from, changes);
-    scene.unknown_materials = list.by_origin.unknown_names;
+                    libraries.missing, unread, emission_from, changes);
+    for (const std::string& name : list.by_origin.unknown_names)
+        if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
+                return material.name == name && material.texture == Material::no_texture &&
+                       material.reflectance == Rgb{default_reflectance, default_reflectance, default_reflectance};
+            })) // not coloured by its vertices
+            scene.unknown_materials.push_back(name);
     for (const MtlMaterial& unused : list.by_origin.unused)
         scene.unused_materials.push_back(unused.material.source + ": " + unused.material.name);
     scene.dropped_faces = cut.zero_area_faces + mesh.faces_without_corners;
