@@ -96,6 +96,8 @@ void MtlParser::statement(const TextLine& line)
         set_map(keyword, rest, line.place, &MtlMaterial::reflectance_map);
     else if (keyword == "map_Ke" || keyword == "map_ke")
         set_map(keyword, rest, line.place, &MtlMaterial::emission_map);
+    else if (keyword == "map_d" || keyword == "map_D")
+        set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
     else
         ignore(keyword, rest, line.place);
     if (keyword == "Ka")

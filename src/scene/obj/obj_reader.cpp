@@ -1,12 +1,13 @@
 // From text to surfaces: parse_obj() parses the file, and apply() makes the changes of the user. cut_into_pieces() cuts
-// polygons into triangles and parallelograms, and merge_triangles() rejoins rectangles that the exporter cut. The MTL
-// files give the materials, and add_textures() reads their images. In the end require_physics() refuses a scene that
-// has no meaningful result, and suggests a command that works.
+// polygons into triangles and parallelograms, merge_triangles() rejoins rectangles that the exporter cut, and cut_out()
+// removes what is transparent. The MTL files give the materials, and add_textures() reads their images. In the end
+// require_physics() refuses a scene that has no meaningful result, and suggests a command that works.
 
 #include "scene/obj/obj_reader.h"
 
 #include "geometry/intersector/surface_sizes.h"
 #include "scene/input_error.h"
+#include "scene/obj/cutouts.h"
 #include "scene/obj/light_advice.h"
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
@@ -436,8 +437,10 @@ void mark_textured(const MaterialLibrary& library, ObjMesh& mesh)
 {
     for (const ObjName& material : mesh.materials) {
         const auto entry = library.number_of_name.find(material.name);
-        mesh.textured.push_back(entry != library.number_of_name.end() &&
-                                !library.materials[entry->second].reflectance_map.found.empty());
+        const MtlMaterial* const definition =
+            entry != library.number_of_name.end() ? &library.materials[entry->second] : nullptr;
+        mesh.textured.push_back(definition &&
+                                !(definition->reflectance_map.found.empty() && definition->opacity_map.found.empty()));
     }
 }
 
@@ -520,13 +523,18 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
+    TextureFiles textures;
+    append(scene.warnings, cut_out(list.definitions, scale, textures, mesh, cut.pieces));
+    if (cut.pieces.empty())
+        refuse({path, 0}, "every face is transparent, expected textures with opaque pixels");
     add_surfaces(cut.pieces, mesh, scene);
-    const std::vector<std::string> unread = add_textures(list.definitions, cut, mesh, changes.reflectance_limit, scene);
+    const std::vector<std::string> unread =
+        add_textures(list.definitions, cut, mesh, textures, changes.reflectance_limit, scene);
     take_colours(scene, list.by_origin.used);
     make_lamps(lamps, scene.materials);
     append(scene.warnings, warnings_of_materials(list.by_origin));
-    require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, has_pieces), mesh, scene,
-                    libraries.missing, unread, emission_from, changes);
+    require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, materials_of(cut.pieces, mesh)),
+                    mesh, scene, libraries.missing, unread, emission_from, changes);
     for (const std::string& name : list.by_origin.unknown_names)
         if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
                 return material.name == name && material.texture == Material::no_texture &&

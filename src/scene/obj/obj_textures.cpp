@@ -36,13 +36,34 @@ std::string bytes_of_image(const std::string& path)
     return bytes;
 }
 
-/// Adds textures to a scene; each file is read once.
+} // namespace
+
+const TextureFiles::Loaded& TextureFiles::load(const TextureMap& map)
+{
+    const auto [entry, is_new] = known_.try_emplace({map.found, map.repeats});
+    Loaded& loaded = entry->second;
+    if (!is_new)
+        return loaded;
+    try {
+        if (map.found.empty())
+            throw ImageError("not found");
+        loaded.texture = std::make_shared<const Texture>(std::filesystem::path(map.found).filename().string(),
+                                                         bytes_of_image(map.found), map.repeats);
+    } catch (const ImageError& error) {
+        loaded.problem = error.what();
+    }
+    return loaded;
+}
+
+namespace {
+
+/// Adds textures to a scene.
 class ObjTextures
 {
 public:
     ObjTextures(const std::vector<MtlMaterial>& definitions, const MeshPieces& cut, const ObjMesh& mesh,
-                SceneFile& scene)
-        : definitions_(definitions), cut_(cut), mesh_(mesh), scene_(scene), areas_(definitions.size())
+                TextureFiles& files, SceneFile& scene)
+        : definitions_(definitions), cut_(cut), mesh_(mesh), files_(files), scene_(scene), areas_(definitions.size())
     {
         for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
             areas_[scene.material[s]] += scene.surfaces[s].area();
@@ -57,6 +78,7 @@ public:
                 apply_reflectance_map(m, texture, limit);
             if (const auto texture = load(m, definitions_[m].emission_map))
                 apply_emission_map(m, *texture);
+            load(m, definitions_[m].opacity_map);
         }
         if (!cut_.colours.empty())
             apply_colours(limit);
@@ -76,34 +98,14 @@ private:
         if (map.line == 0)
             return nullptr;
         ++maps_;
-        std::string problem = "not found";
-        if (!map.found.empty()) {
-            const auto [entry, is_new] = known_.try_emplace({map.found, map.repeats});
-            Loaded& loaded = entry->second;
-            try {
-                if (is_new)
-                    loaded.texture = std::make_shared<const Texture>(
-                        std::filesystem::path(map.found).filename().string(), bytes_of_image(map.found), map.repeats);
-            } catch (const ImageError& error) {
-                loaded.problem = error.what();
-            }
-            if (loaded.texture)
-                return loaded.texture;
-            problem = loaded.problem;
-        }
-        failures_.push_back(
-            {material, in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + problem + ")"});
-        return nullptr;
+        const TextureFiles::Loaded& loaded = files_.load(map);
+        if (!loaded.texture)
+            failures_.push_back(
+                {material, in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + loaded.problem + ")"});
+        return loaded.texture;
     }
 
     static std::string in_quotes(const std::string& name) { return "`" + name + "`"; }
-
-    /// A texture point of the mesh after the scale and offset of a map.
-    TexturePoint mapped(std::uint32_t point, const TextureMap& map) const
-    {
-        const TexturePoint p = mesh_.texture_points[point];
-        return {map.scale_s * p.s + map.offset_s, map.scale_t * p.t + map.offset_t};
-    }
 
     /// The frame of a surface; unknown if a corner has no texture point.
     TextureFrame frame(std::size_t surface, const TextureMap& map) const
@@ -113,9 +115,9 @@ private:
         for (std::size_t k = 0; k <= last; ++k)
             if (mesh_.corner_points.empty() || piece.points[k] == ObjMesh::no_point)
                 return {};
-        const TexturePoint origin = mapped(piece.points[0], map);
-        const TexturePoint u = mapped(piece.points[1], map);
-        const TexturePoint v = mapped(piece.points[last], map);
+        const TexturePoint origin = map.at(mesh_.texture_points[piece.points[0]]);
+        const TexturePoint u = map.at(mesh_.texture_points[piece.points[1]]);
+        const TexturePoint v = map.at(mesh_.texture_points[piece.points[last]]);
         return {origin, {u.s - origin.s, u.t - origin.t}, {v.s - origin.s, v.t - origin.t}, true};
     }
 
@@ -267,18 +269,12 @@ private:
                                   " % of the area) stand alone: " + first_of(texts, 5));
     }
 
-    struct Loaded
-    {
-        std::shared_ptr<const Texture> texture;
-        std::string problem;
-    };
-
     const std::vector<MtlMaterial>& definitions_;
     const MeshPieces& cut_;
     const ObjMesh& mesh_;
+    TextureFiles& files_;
     SceneFile& scene_;
     std::vector<double> areas_; ///< [m^2] per material
-    std::map<std::pair<std::string, bool>, Loaded> known_;
     std::size_t maps_ = 0;
     std::vector<std::pair<std::uint32_t, std::string>> failures_; ///< material and what is wrong
     std::vector<std::string> black_;
@@ -289,9 +285,9 @@ private:
 } // namespace
 
 std::vector<std::string> add_textures(const std::vector<MtlMaterial>& definitions, const MeshPieces& cut,
-                                      const ObjMesh& mesh, double limit, SceneFile& scene)
+                                      const ObjMesh& mesh, TextureFiles& files, double limit, SceneFile& scene)
 {
-    return ObjTextures(definitions, cut, mesh, scene).add(limit);
+    return ObjTextures(definitions, cut, mesh, files, scene).add(limit);
 }
 
 } // namespace multipath
