@@ -28,6 +28,7 @@ struct Mask
     std::int64_t height = 0;
     bool repeats = true;
     std::vector<char> opaque;
+    bool is_uniform = false;
 
     bool at(std::int64_t x, std::int64_t y) const
     {
@@ -36,14 +37,18 @@ struct Mask
         };
         return opaque[static_cast<std::size_t>(within(y, height) * width + within(x, width))] != 0;
     }
-    bool is_uniform() const { return std::count(opaque.begin(), opaque.end(), opaque[0]) == width * height; }
 };
+
+void note_uniformity(Mask& mask)
+{
+    mask.is_uniform = std::count(mask.opaque.begin(), mask.opaque.end(), mask.opaque[0]) == mask.width * mask.height;
+}
 
 /// The mask of an image; `of_opacity`: if it has no transparent pixel, its brightness is the opacity (`map_d`).
 Mask mask_of(const Texture& texture, bool of_opacity)
 {
     const Bitmap& bitmap = texture.bitmap();
-    Mask mask{bitmap.width, bitmap.height, texture.repeats(), {}};
+    Mask mask{bitmap.width, bitmap.height, texture.repeats(), {}, true};
     const auto is_transparent = [](std::uint8_t alpha) { return alpha < 128; };
     const bool by_alpha = std::any_of(bitmap.alpha.begin(), bitmap.alpha.end(), is_transparent);
     mask.opaque.assign(std::size_t{bitmap.width} * bitmap.height, 1);
@@ -56,6 +61,7 @@ Mask mask_of(const Texture& texture, bool of_opacity)
             const std::uint8_t* rgb = bitmap.rgb.data() + 3 * pixel;
             *opaque = by_alpha ? !is_transparent(bitmap.alpha[pixel]) : rgb[0] + rgb[1] + rgb[2] >= 3 * 128;
         }
+    note_uniformity(mask);
     return mask;
 }
 
@@ -65,7 +71,8 @@ Mask coarser(const Mask& fine, unsigned level)
     Mask mask{std::max<std::int64_t>(1, fine.width >> level),
               std::max<std::int64_t>(1, fine.height >> level),
               fine.repeats,
-              {}};
+              {},
+              false};
     std::vector<std::int64_t> balance(static_cast<std::size_t>(mask.width * mask.height)); // opaque minus others
     for (std::int64_t y = 0; y < fine.height; ++y)
         for (std::int64_t x = 0; x < fine.width; ++x)
@@ -73,6 +80,7 @@ Mask coarser(const Mask& fine, unsigned level)
                                              x * mask.width / fine.width)] += fine.at(x, y) ? 1 : -1;
     for (const std::int64_t sum : balance)
         mask.opaque.push_back(sum >= 0);
+    note_uniformity(mask);
     return mask;
 }
 
@@ -189,7 +197,7 @@ public:
             const TexturePolygon whole = footprint(pieces_[number], mask);
             if (whole.empty())
                 continue;
-            visited += mask.is_uniform() ? 0.0 : around(whole).pixels();
+            visited += mask.is_uniform ? 0.0 : around(whole).pixels();
             if (visited > most_pixels_visited)
                 return std::nullopt;
             const double area = std::abs(area_of(whole));
@@ -265,7 +273,7 @@ private:
     {
         constexpr double no_area = 1e-9; // [pixels], as for the mean of a texture
         const bool is_point = std::abs(area_of(whole)) < no_area;
-        if (is_point || mask.is_uniform()) {
+        if (is_point || mask.is_uniform) {
             TexturePoint middle;
             for (const TexturePoint p : whole)
                 middle = {middle.s + p.s / static_cast<double>(whole.size()),
@@ -348,7 +356,7 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
         if (!texture || of_material[m].empty())
             continue;
         const Mask fine = mask_of(*texture, of_opacity);
-        if (fine.is_uniform() && fine.at(0, 0))
+        if (fine.is_uniform && fine.at(0, 0))
             continue;
         MaterialCutter cutter(map, scale, pieces, mesh);
         Mask mask = fine;
