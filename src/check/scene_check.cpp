@@ -210,11 +210,14 @@ private:
 
     std::string place_of(std::uint32_t surface) const { return file_.path + ":" + std::to_string(file_.line[surface]); }
 
-    /// "table_top (line 12)"
+    /// "table_top (line 12)", or "table_top of table (line 12)" if objects are divided into groups
     std::string name_of(std::uint32_t surface) const
     {
         const std::string& group = file_.groups[file_.group[surface]];
-        return (group.empty() ? "a face" : group) + " (line " + std::to_string(file_.line[surface]) + ")";
+        const std::string& other =
+            surface < file_.other_name.size() ? file_.other_names[file_.other_name[surface]] : "";
+        return (group.empty() ? "a face" : group) + (other.empty() ? "" : " of " + other) + " (line " +
+               std::to_string(file_.line[surface]) + ")";
     }
 
     /// The names of the surfaces with the largest counts, with their percentages of the sum.

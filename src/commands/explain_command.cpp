@@ -197,7 +197,7 @@ int run_explain(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(paths, {scene_path(line)}, {".svg"});
 
     const Scene scene = read_scene(line);
-    require_no_input(outputs, scene.file().material_files);
+    require_no_input(outputs, input_files(scene.file()));
     for (const std::string& warning : scene.file().warnings)
         print_note(warning + "\n");
     const TracedRun run{scene, options, line.text("method"), sequence};

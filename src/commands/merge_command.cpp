@@ -120,8 +120,9 @@ int run_merge(const CommandLine& line)
                          ": the state of a whole run, not of a shard; 'multipath render' makes outputs from it");
     require_all_shards(runs);
     const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
-    std::vector<std::string> inputs = line.operands();
-    inputs.push_back(runs[0].description.scene.file->path);
+    std::vector<std::string> inputs = input_files(*runs[0].description.scene.file);
+    for (const std::vector<std::string>& more : {line.operands(), line.all("camera")})
+        inputs.insert(inputs.end(), more.begin(), more.end());
     const std::vector<std::string> paths =
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path);
     std::vector<PlannedOutput> outputs = open_solution_outputs(paths, inputs, job.pictures.views);

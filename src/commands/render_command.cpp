@@ -30,9 +30,12 @@ int run_render(const CommandLine& line)
                              quoted_argument(name));
     const SavedRun saved = read_saved_run(line.operands()[0]);
     const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
-    std::vector<PlannedOutput> outputs =
-        open_solution_outputs(line.has("output") ? line.all("output") : default_outputs(line.operands()[0]),
-                              {line.operands()[0], saved.description.scene.file->path}, job.pictures.views);
+    std::vector<std::string> inputs = input_files(*saved.description.scene.file);
+    inputs.push_back(line.operands()[0]);
+    const std::vector<std::string> cameras = line.all("camera");
+    inputs.insert(inputs.end(), cameras.begin(), cameras.end());
+    std::vector<PlannedOutput> outputs = open_solution_outputs(
+        line.has("output") ? line.all("output") : default_outputs(line.operands()[0]), inputs, job.pictures.views);
     const Scene scene = restored(saved.description.scene);
     require_results_possible(job, scene, outputs);
     const Solution solution = finished_solution(saved, scene);

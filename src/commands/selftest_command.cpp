@@ -87,7 +87,7 @@ int run_selftest(const CommandLine& line)
     std::vector<std::string> comments = provenance(selftest_table(), line);
     if (own_scene) {
         scene.emplace(read_scene(line, settings.threads));
-        require_no_input(outputs, scene->file().material_files);
+        require_no_input(outputs, input_files(scene->file()));
         comments = provenance(selftest_table(), line, *scene);
         settings = settings_for(*scene, settings);
     }

@@ -197,7 +197,7 @@ std::vector<double> weight_of_named(const Scene& scene, const std::string& name)
     std::vector<double> weight(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const std::uint32_t surface = scene.surface_of(i);
-        if (!scene.is_sky(surface) && (file.groups[file.group[surface]] == name || scene.material_of(i).name == name))
+        if (!scene.is_sky(surface) && (file.is_named(surface, name) || scene.material_of(i).name == name))
             weight[i] = 1.0;
     }
     if (std::find(weight.begin(), weight.end(), 1.0) == weight.end())
@@ -237,14 +237,16 @@ int run_solve(const CommandLine& line)
     for (const std::string& path : {state.path, state.from})
         if (!path.empty())
             inputs.push_back(path);
+    const std::vector<std::string> cameras = line.all("camera");
+    inputs.insert(inputs.end(), cameras.begin(), cameras.end());
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs, job.pictures.views);
 
-    const Scene scene =
-        with_patches_for_tolerance(job, with_adaptive_patches(job, read_scene(line, thread_count(line))));
+    Scene coarse = read_scene(line, thread_count(line));
+    require_no_input(outputs, input_files(coarse.file()));
+    const Scene scene = with_patches_for_tolerance(job, with_adaptive_patches(job, std::move(coarse)));
     settle_lines(scene, job.line, job.options);
     if (line.has("important"))
         job.options.importance = important_patches(scene, line.text("important"), job.pictures);
-    require_no_input(outputs, scene.file().material_files);
     require_results_possible(job, scene, outputs);
     require_memory_for_reuse(job.line, job.options, scene);
     if (!job.quiet) {

@@ -456,7 +456,7 @@ int run_study_command(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {".csv", ".svg"});
 
     const Scene scene = read_scene(line, threads);
-    require_no_input(outputs, scene.file().material_files);
+    require_no_input(outputs, input_files(scene.file()));
     const std::vector<std::string> comments = provenance(study_table(), line, scene);
     const std::string cache = cache_folder(line, paths);
     always_end_at_interrupts(cache.empty() ? "" : "the same command resumes from the finished runs");

@@ -123,6 +123,15 @@ public:
         }
     }
 
+    /// Like texts(), but an empty list is not written, and a missing array is read as an empty list.
+    void optional_texts(std::string_view name, std::vector<std::string>& list)
+    {
+        if (reads_ ? holds(full_name(name)) : !list.empty())
+            texts(name, list);
+        else
+            list.clear();
+    }
+
     /// Writes or reads any number of records, stored as one list per field (texts() for strings). Reading resizes
     /// `records` to the length of the first list, and throws ArchiveError if another list has a different length.
     template <class Record, class First, class... Others>

@@ -110,6 +110,16 @@ Surface turned_over(const Surface& s)
 
 } // namespace
 
+std::vector<std::string> input_files(const SceneFile& file)
+{
+    std::vector<std::string> files = {file.path};
+    files.insert(files.end(), file.material_files.begin(), file.material_files.end());
+    files.insert(files.end(), file.texture_files.begin(), file.texture_files.end());
+    for (const Material& material : file.materials) // "file:line"; states do not hold material_files
+        files.push_back(material.source.substr(0, material.source.rfind(':')));
+    return files;
+}
+
 void turn_over(SceneFile& file, std::size_t surface)
 {
     file.surfaces[surface] = turned_over(file.surfaces[surface]);

@@ -46,6 +46,9 @@ struct SceneFile
 {
     std::string path;
     std::vector<std::string> material_files; ///< paths of all MTL files that were read, even if no face uses them
+    /// Paths of all images that the MTL files name, read or not: where they were found, and where they are looked for
+    /// first.
+    std::vector<std::string> texture_files;
     std::vector<Material> materials;
     /// Names in `o` and `g` statements that apply to a face, in order of appearance; "" for faces before the first such
     /// statement. add_sky() appends "sky".
@@ -56,6 +59,11 @@ struct SceneFile
     SurfaceList surfaces;
     std::vector<std::uint32_t> material; ///< index into materials
     std::vector<std::uint32_t> group;    ///< index into groups
+    /// Names of objects that `g` divides into groups, and of groups of `g` directly before `o`. `other_name` has an
+    /// index into it per surface except the sky; both are empty if there are no such names, and in a scene from a
+    /// state.
+    std::vector<std::string> other_names;
+    std::vector<std::uint32_t> other_name;
     /// Line of the face in the file; that of the first face if several were joined into one surface; 0 for the sky.
     std::vector<std::uint32_t> line;
 
@@ -66,6 +74,13 @@ struct SceneFile
     std::optional<Sun> sun;
     bool photometric = false; ///< true if emittances are in lm/m^2; then W stands for lm everywhere
 
+    /// True if the surface belongs to the object or group of this name.
+    bool is_named(std::size_t surface, const std::string& name) const
+    {
+        return groups[group[surface]] == name ||
+               (surface < other_name.size() && !name.empty() && other_names[other_name[surface]] == name);
+    }
+
     /// Number of surfaces without the sky.
     std::size_t own_surfaces() const { return surfaces.size() - sky_surfaces; }
 
@@ -75,6 +90,10 @@ struct SceneFile
     std::size_t dropped_faces = 0; ///< faces that were dropped: without area, or with fewer than three vertices
     std::string counts; ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
 };
+
+/// The files that a scene consists of, and the names under which missing ones are looked for: none of them may become
+/// an output.
+std::vector<std::string> input_files(const SceneFile& file);
 
 /// Turns one surface over: its front becomes its back. The texture stays where it is in space.
 void turn_over(SceneFile& file, std::size_t surface);

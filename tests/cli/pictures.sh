@@ -83,7 +83,7 @@ views() {
         tail -c 14400 $file.ppm >$file.pixels
     done
     cmp one.pixels options.pixels && cmp one.pixels both-door.pixels && cmp two.pixels both-corner.pixels && ! cmp -s one.pixels two.pixels &&
-        grep -aq '"name": "corner"' both.glb && ends 2 render views.state --size 80x60 --camera door.json --camera door.json -o x.ppm &&
+        grep -aq '"name": "corner"' both.glb && ends 2 render views.state --size 80x60 --camera door.json --camera ./door.json -o x.ppm &&
         says err "two views are called" && ends 2 render views.state --size 80x60 --camera door.json --fov 40 -o x.ppm && says err "exclude each other" &&
         ends 2 render views.state --size 80x60 --camera door.json --camera corner.json -o - && says err "standard output takes one picture" &&
         ends 1 render views.state --size 80x60 --camera none.json -o x.ppm && says err "none.json: cannot be read"

@@ -128,6 +128,8 @@ lamps() {
     grep -v '^#' lit.csv >lit && grep -v '^#' file.csv >file && cmp lit file && grep -q "^# command: .* --lamp lamp=27,25,23 " lit.csv &&
         ends 0 solve "$scene" $quick -q --ignore cube_middle -o less.csv && [ "$(wc -l <less.csv)" -lt "$(wc -l <file.csv)" ] &&
         ends 2 solve "$scene" $quick --lamp nothing=1 && says err "no material or object is called" &&
+        ends 2 solve "$scene" $quick --lamp lamp=1 --lamp lamp=2,2,2 && says err "--lamp: 'lamp' is named twice" &&
+        ends 2 solve "$scene" $quick --ignore lamp --ignore lamp && says err "--ignore: 'lamp' is named twice" &&
         ends 2 solve "$scene" $quick --lamp lamp && says err "expected a name and a power" &&
         ends 2 solve "$scene" $quick --lamp lamp=1,-1,0 && says err "from 0 to 1e30" &&
         ends 2 solve "$scene" $quick --lamp lamp=0,0,0 && says err "above 1e-30"

@@ -1,6 +1,7 @@
 #include "cli/files/output_file.h"
 
 #include "cli/options/usage_error.h"
+#include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <array>
@@ -363,10 +364,19 @@ void OutputFile::discard() noexcept
 
 namespace {
 
+/// True if writing the output would replace the input, or would be found as the input next time: scenes name files
+/// regardless of case.
+bool takes_place_of(const std::string& output, const std::string& input)
+{
+    const std::string name = output.substr(folder_of(output).size());
+    return same_file(output, input) || (equal_but_for_case(name, input.substr(folder_of(input).size())) &&
+                                        same_file(output, folder_of(input) + name));
+}
+
 void refuse_input(const std::string& path, const std::vector<std::string>& inputs)
 {
     for (const std::string& input : inputs)
-        if (same_file(path, input))
+        if (takes_place_of(path, input))
             throw UsageError("--output: '" + path + "' is an input; expected another file");
 }
 

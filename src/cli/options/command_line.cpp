@@ -120,6 +120,8 @@ private:
         std::vector<std::string>& values = given[std::string(option.name)];
         if (!values.empty() && !option.repeatable)
             throw UsageError(dashed(option) + " is given twice");
+        if (std::find(values.begin(), values.end(), value) != values.end())
+            throw UsageError(dashed(option) + ": " + quoted_argument(value) + " is named twice");
         values.push_back(value);
     }
 

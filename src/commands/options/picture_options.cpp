@@ -157,6 +157,8 @@ Camera read_camera_file(const std::string& path)
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (text.size() > most)
         multipath::refuse({path, 0}, "longer than 65,536 bytes, expected a view such as the page saves");
+    if (text.compare(0, 3, "\xef\xbb\xbf") == 0) // byte order mark
+        text.erase(0, 3);
     return CameraParser(path, text).parse();
 }
 

@@ -143,8 +143,14 @@ ObjChanges::Lamp read_lamp(const std::string& text)
 ObjChanges read_changes(const CommandLine& line)
 {
     ObjChanges changes;
-    for (const std::string& lamp : line.all("lamp"))
-        changes.lamps.push_back(read_lamp(lamp));
+    for (const std::string& text : line.all("lamp")) {
+        const ObjChanges::Lamp lamp = read_lamp(text);
+        for (const ObjChanges::Lamp& other : changes.lamps)
+            if (other.name == lamp.name)
+                throw UsageError("--lamp: " + quoted_argument(lamp.name) +
+                                 " is named twice; expected one power for it");
+        changes.lamps.push_back(lamp);
+    }
     changes.ignored = line.all("ignore");
     changes.lit_from_outside = line.has("sky") || line.has("sun");
     changes.unit = line.choice("unit", unit_choices).value;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -239,19 +240,6 @@ double diameter_of(const std::vector<Vec3>& points)
     return box.diagonal();
 }
 
-/// Counts the faces with the same flaw, for a single warning.
-struct FlawCount
-{
-    std::uint32_t first_line = 0;
-    std::size_t count = 0;
-
-    void add(std::uint32_t line)
-    {
-        first_line = count == 0 ? line : first_line;
-        ++count;
-    }
-};
-
 class FaceCutter
 {
 public:
@@ -453,9 +441,50 @@ bool is_parallelogram(const std::array<std::uint32_t, 4>& points, const ObjMesh&
     return gap <= 1e-6 * side;
 }
 
+namespace {
+
+/// Linear light half way between each sRGB value from 0 to 254 and the next.
+std::array<double, 255> borders_of_levels()
+{
+    std::array<double, 255> borders = {};
+    for (std::size_t level = 0; level < borders.size(); ++level)
+        borders[level] = srgb_decoded((static_cast<double>(level) + 0.5) / 255.0);
+    return borders;
+}
+
+void colour_pieces(const ObjMesh& mesh, MeshPieces& cut)
+{
+    const std::array<double, 255> borders = borders_of_levels();
+    const auto level = [&](double linear) {
+        return static_cast<std::uint8_t>(std::upper_bound(borders.begin(), borders.end(), linear) - borders.begin());
+    };
+    std::map<std::array<std::uint8_t, 3>, std::uint32_t> numbers;
+    for (Piece& piece : cut.pieces) {
+        Rgb sum;
+        double count = 0.0;
+        for (const std::uint32_t corner : piece.corners)
+            if (corner != Piece::no_vertex && mesh.colours[corner].r >= 0.0) {
+                sum += mesh.colours[corner];
+                count += 1.0;
+            }
+        if (count == 0.0 || mesh.is_textured(mesh.faces[piece.face]))
+            continue;
+        const std::array levels = {level(sum.r / count), level(sum.g / count), level(sum.b / count)};
+        const auto [entry, is_new] = numbers.emplace(levels, static_cast<std::uint32_t>(cut.colours.size()));
+        if (is_new)
+            cut.colours.push_back(levels);
+        piece.colour = entry->second;
+    }
+}
+
+} // namespace
+
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale)
 {
-    return FaceCutter(mesh, scale).cut();
+    MeshPieces cut = FaceCutter(mesh, scale).cut();
+    if (!mesh.colours.empty())
+        colour_pieces(mesh, cut);
+    return cut;
 }
 
 } // namespace multipath

@@ -58,6 +58,8 @@ struct Piece
     std::uint32_t face = 0;               ///< index of the face that the piece is part of
     /// Indices of the texture points of the corners (see ObjMesh::corner_points), or ObjMesh::no_point.
     std::array<std::uint32_t, 4> points = {};
+    static constexpr std::uint32_t no_colour = 0xffffffffu;
+    std::uint32_t colour = no_colour; ///< index into MeshPieces::colours
 
     bool is_triangle() const { return corners[3] == no_vertex; }
 };
@@ -73,17 +75,19 @@ bool is_parallelogram(const std::array<std::uint32_t, 4>& points, const ObjMesh&
 /// The faces of a mesh, cut into triangles and parallelograms.
 struct MeshPieces
 {
-    LargeVector<Piece> pieces;       ///< in the order of the faces
+    LargeVector<Piece> pieces; ///< in the order of the faces
+    /// Different colours of pieces by their vertices, rounded to 8 bits per channel in sRGB.
+    std::vector<std::array<std::uint8_t, 3>> colours;
     std::size_t zero_area_faces = 0; ///< number of faces without area, which were dropped
     std::vector<std::string> warnings;
 };
 
 /// Cuts the faces of a mesh. Corners on a straight side are skipped. A parallelogram stays whole; a textured one is cut
 /// unless its texture points form a parallelogram, too. Any other convex quad is cut along the diagonal from its first
-/// to its third corner, any other polygon by ear clipping. Polygons that are not planar (off their mean plane by more
-/// than 1e-4 of their size and more than widest_crack()) or intersect themselves are cut with a warning. Throws
-/// InputError for a concave polygon that would take too long: the number of its corners times the number of its reflex
-/// corners exceeds 10^8.
+/// to its third corner, any other polygon by ear clipping. A piece without a texture has the mean colour of those of
+/// its vertices that have one. Polygons that are not planar (off their mean plane by more than 1e-4 of their size and
+/// more than widest_crack()) or intersect themselves are cut with a warning. Throws InputError for a concave polygon
+/// that would take too long: the number of its corners times the number of its reflex corners exceeds 10^8.
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

@@ -13,16 +13,24 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <unordered_map>
 
 namespace multipath {
 
 namespace {
 
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name);
+std::string last_part(const std::string& path);
 
 // [W/m^2] Powers and their squares must stay within the range of doubles.
 constexpr double largest_emittance = 1e30;
 constexpr double smallest_emittance = 1e-30;
+
+bool names_image(std::string_view keyword)
+{
+    constexpr std::array<std::string_view, 5> others = {"bump", "disp", "decal", "refl", "norm"};
+    return keyword.substr(0, 4) == "map_" || std::find(others.begin(), others.end(), keyword) != others.end();
+}
 
 class MtlParser
 {
@@ -35,6 +43,7 @@ public:
 
 private:
     void statement(const TextLine& line);
+    void ignore(std::string_view keyword, std::string_view rest, TextLocation place);
     void define(const std::string& name, TextLocation place);
     void set_reflectance(std::string_view rest, TextLocation place);
     void set_emittance(std::string_view keyword, std::string_view rest, TextLocation place);
@@ -42,7 +51,9 @@ private:
     void note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place);
     void note_ambient(std::string_view rest);
     void note_opacity(std::string_view keyword, std::string_view rest);
-    void set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
+    void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
+    TextureMap read_map(std::string_view rest, std::vector<std::string_view>& ignored_options);
+    const std::string& texture(const std::string& name);
     MtlMaterial& current_material(std::string_view keyword, TextLocation place);
     const std::string& name_of_current() const;
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
@@ -52,8 +63,10 @@ private:
     MaterialLibrary& library_;
     TextLines lines_;
     std::optional<std::uint32_t> current_;
-    bool has_dissolve_ = false; ///< the current material has a `d`
+    bool has_dissolve_ = false;                             ///< the current material has a `d`
+    std::unordered_map<std::string, std::string> textures_; ///< paths of the images by name; empty if not found
     IgnoredKeywords ignored_{16};
+    IgnoredKeywords ignored_options_{8};
 };
 
 void MtlParser::parse()
@@ -62,6 +75,8 @@ void MtlParser::parse()
     while (lines_.next(line))
         statement(line);
     if (const auto warning = ignored_.warning("ignored, since only Kd and " + emission_keyword() + " count"))
+        library_.warnings.push_back(*warning);
+    if (const auto warning = ignored_options_.warning("options of textures that are ignored"))
         library_.warnings.push_back(*warning);
 }
 
@@ -72,21 +87,31 @@ void MtlParser::statement(const TextLine& line)
     if (keyword.empty() || keyword[0] == '#')
         return;
     if (keyword == "newmtl")
-        define(std::string(name_in(rest)), line.place);
+        define(std::string(trimmed(rest)), line.place);
     else if (keyword == "Kd")
         set_reflectance(without_comment(rest), line.place);
     else if (keyword == emission_keyword())
         set_emittance(keyword, without_comment(rest), line.place);
     else if (keyword == "map_Kd" || keyword == "map_kd")
-        set_map(rest, line.place, &MtlMaterial::reflectance_map);
+        set_map(keyword, rest, line.place, &MtlMaterial::reflectance_map);
     else if (keyword == "map_Ke" || keyword == "map_ke")
-        set_map(rest, line.place, &MtlMaterial::emission_map);
+        set_map(keyword, rest, line.place, &MtlMaterial::emission_map);
+    else if (keyword == "map_d" || keyword == "map_D")
+        set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
     else
-        ignored_.note(keyword, line.place);
+        ignore(keyword, rest, line.place);
     if (keyword == "Ka")
         note_ambient(without_comment(rest));
     if (keyword == "d" || keyword == "Tr")
         note_opacity(keyword, without_comment(rest));
+}
+
+void MtlParser::ignore(std::string_view keyword, std::string_view rest, TextLocation place)
+{
+    ignored_.note(keyword, place);
+    std::vector<std::string_view> unused;
+    if (names_image(keyword))
+        read_map(rest, unused);
 }
 
 /// Begins a material. A repeated definition replaces the earlier one, at its index.
@@ -187,14 +212,25 @@ void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
     library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
 }
 
-/// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
-/// blanks.
-void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
+void MtlParser::set_map(std::string_view keyword, std::string_view rest, TextLocation place,
+                        TextureMap MtlMaterial::*map)
 {
     if (!current_)
         refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
-    TextureMap result;
+    std::vector<std::string_view> ignored_options;
+    TextureMap result = read_map(rest, ignored_options);
     result.line = place.line;
+    for (const std::string_view option : ignored_options)
+        ignored_options_.note(std::string(keyword) + ' ' + std::string(option), place);
+    if (!result.file.empty())
+        library_.materials[*current_].*map = result;
+}
+
+/// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
+/// blanks. `ignored_options`: those that would change the colours.
+TextureMap MtlParser::read_map(std::string_view rest, std::vector<std::string_view>& ignored_options)
+{
+    TextureMap result;
     const auto numbers = [&rest](double& first, double& second) { // up to three; the second and third are optional
         std::array<double*, 3> targets = {&first, &second, nullptr};
         for (double* const target : targets) {
@@ -211,7 +247,6 @@ void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap Mt
         const std::string_view option = next_word(after);
         if (option.size() < 2 || option[0] != '-')
             break;
-        double unused = 0.0;
         std::string_view value = after;
         const std::string_view word = next_word(value);
         if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
@@ -220,22 +255,48 @@ void MtlParser::set_map(std::string_view rest, TextLocation place, TextureMap Mt
                 numbers(result.scale_s, result.scale_t);
             else if (option == "-o")
                 numbers(result.offset_s, result.offset_t);
-            else
-                numbers(unused, unused);
+            else {
+                const bool adds_and_multiplies = option == "-mm";
+                double first = 0.0;
+                double second = adds_and_multiplies ? 1.0 : 0.0;
+                numbers(first, second);
+                if (first != 0.0 || second != (adds_and_multiplies ? 1.0 : 0.0))
+                    ignored_options.push_back(option);
+            }
         } else if (word.empty() || word[0] == '-' || value.empty()) {
             break; // a file name that looks like an option
         } else {
             result.repeats = option == "-clamp" ? word != "on" : result.repeats;
+            if (option == "-imfchan" || (option == "-cc" && word != "off"))
+                ignored_options.push_back(option);
             rest = value;
         }
     }
-    result.file = std::string(name_in(rest));
-    if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
-        result.file = result.file.substr(1, result.file.size() - 2);
-    if (result.file.empty())
-        return;
-    result.found = find_texture(path_, result.file).value_or("");
-    library_.materials[*current_].*map = result;
+    for (const std::string_view name : {trimmed(rest), name_in(rest)}) { // with and without what may be a comment
+        result.file = std::string(name);
+        if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
+            result.file = result.file.substr(1, result.file.size() - 2);
+        result.found = result.file.empty() ? "" : texture(result.file);
+        if (!result.found.empty())
+            break;
+    }
+    return result;
+}
+
+/// The path of an image; empty if it is not found. Each name is looked up once, which may list many folders.
+const std::string& MtlParser::texture(const std::string& name)
+{
+    const auto [entry, is_new] = textures_.try_emplace(name);
+    if (is_new) {
+        entry->second = find_texture(path_, name).value_or("");
+        const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
+        std::string path = name;
+        std::replace(path.begin(), path.end(), '\\', '/');
+        for (const std::string& place : {entry->second, (folder / path).string(), (folder / last_part(name)).string()})
+            if (!place.empty())
+                library_.texture_files.push_back(place);
+    }
+    return entry->second;
 }
 
 void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place)
@@ -274,17 +335,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_words = 32;
 
-char lower_case(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-}
-
-bool equal_but_for_case(const std::string& a, const std::string& b)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char c, char d) { return lower_case(c) == lower_case(d); });
-}
-
 /// The entry of a folder with this name, or else with this name in another case: the first of them in order of names,
 /// which does not depend on the file system.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
@@ -320,12 +370,17 @@ std::optional<std::string> find_file(const fs::path& folder, std::string name)
     return fs::is_regular_file(found, error) ? std::optional<std::string>(found.string()) : std::nullopt;
 }
 
+std::string last_part(const std::string& path)
+{
+    return path.substr(path.find_last_of("/\\") + 1);
+}
+
 /// Finds a texture by its path relative to the MTL file or, since that path may be of another machine, by its file name
 /// alone, beside the MTL file or in a folder with a usual name.
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name)
 {
     const fs::path folder = fs::path(mtl_path).parent_path();
-    const std::string last = name.substr(std::min(name.size(), name.find_last_of("/\\") + 1));
+    const std::string last = last_part(name);
     if (std::optional<std::string> file = find_file(folder, name))
         return file;
     for (const char* subfolder : {"", "textures/", "texture/", "maps/", "map/", "images/", "../textures/", "../maps/"})
@@ -367,8 +422,7 @@ std::string text_of(std::string_view names, const NamePart& first, const NamePar
 bool is_mtl_name(const std::string& name)
 {
     constexpr std::string_view ending = ".mtl";
-    return name.size() > ending.size() &&
-           equal_but_for_case(name.substr(name.size() - ending.size()), std::string(ending));
+    return name.size() > ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
 }
 
 } // namespace

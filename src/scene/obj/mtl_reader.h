@@ -11,7 +11,7 @@
 
 namespace multipath {
 
-/// A `map_Kd` or `map_Ke` statement. The texture is read at scale * (s, t) + offset.
+/// A `map_Kd`, `map_Ke` or `map_d` statement. The texture is read at scale * (s, t) + offset.
 struct TextureMap
 {
     std::string file;     ///< name in the statement, without blanks or quotes around it
@@ -22,9 +22,12 @@ struct TextureMap
     double offset_t = 0.0;
     bool repeats = true;    ///< false after `-clamp on`
     std::uint32_t line = 0; ///< line of the statement; 0 if the material has none
+
+    TexturePoint at(TexturePoint p) const { return {scale_s * p.s + offset_s, scale_t * p.t + offset_t}; }
 };
 
-/// A material as its file defines it, with details for messages.
+/// A material as its file defines it, with details for messages. read_mtl() gives it the whole argument of `newmtl` as
+/// its name.
 struct MtlMaterial
 {
     Material material;
@@ -37,6 +40,7 @@ struct MtlMaterial
     std::uint32_t emission_line = 0; ///< line of the `Ke` or `Ka` that gives the emittance; 0 if missing
     TextureMap reflectance_map;      ///< `map_Kd`
     TextureMap emission_map;         ///< `map_Ke`
+    TextureMap opacity_map;          ///< `map_d`
     bool emission_too_small = false; ///< true if a channel was positive but below 1e-30, which counts as 0
 };
 
@@ -45,6 +49,9 @@ struct MaterialLibrary
 {
     std::vector<MtlMaterial> materials;                            ///< in the order of their first definition
     std::unordered_map<std::string, std::uint32_t> number_of_name; ///< index into `materials`
+    /// Paths of all images that the files name, also in statements that are ignored: where they were found, and where
+    /// they are looked for first.
+    std::vector<std::string> texture_files;
     std::vector<std::string> warnings;
 };
 

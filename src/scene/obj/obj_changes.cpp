@@ -2,6 +2,7 @@
 
 #include "scene/input_error.h"
 #include "scene/text/text_format.h"
+#include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <map>
@@ -10,13 +11,15 @@ namespace multipath {
 
 namespace {
 
-/// The faces with some name, by their material or group.
+/// The faces with some name, by their material, or by their group or object.
 struct NamedFaces
 {
     std::vector<bool> materials; ///< per material of the mesh
     std::vector<bool> groups;
+    std::vector<bool> other_names;
 
-    bool has(const ObjFace& face) const { return materials[face.material] || groups[face.group]; }
+    bool has_object(const ObjFace& face) const { return groups[face.group] || other_names[face.other_name]; }
+    bool has(const ObjFace& face) const { return materials[face.material] || has_object(face); }
 };
 
 /// The first names of materials and groups, for a message.
@@ -25,29 +28,41 @@ std::string names_in(const ObjMesh& mesh)
     std::vector<std::string> names;
     for (const ObjName& material : mesh.materials)
         names.push_back("`" + name_of_material(material) + "`");
-    for (const std::string& group : mesh.groups)
-        if (!group.empty())
-            names.push_back("`" + group + "`");
+    for (const std::vector<std::string>& list : {mesh.other_names, mesh.groups})
+        for (const std::string& name : list)
+            if (const std::string quoted = "`" + name + "`";
+                !name.empty() && std::find(names.begin(), names.end(), quoted) == names.end())
+                names.push_back(quoted);
     return first_of(names, 12);
 }
 
 /// Throws SettingsError if no material or group has the name, or no face.
 NamedFaces faces_named(const std::string& option, const std::string& name, const ObjMesh& mesh)
 {
-    NamedFaces found = {std::vector<bool>(mesh.materials.size()), std::vector<bool>(mesh.groups.size())};
     bool any = false;
-    for (std::size_t k = 0; k < mesh.materials.size(); ++k)
-        if (name_of_material(mesh.materials[k]) == name)
-            any = found.materials[k] = true;
-    for (std::size_t k = 0; k < mesh.groups.size() && !any; ++k)
-        found.groups[k] = !name.empty() && mesh.groups[k] == name;
-    if (any || std::find(found.groups.begin(), found.groups.end(), true) != found.groups.end()) {
+    const auto are_named = [&](const auto& list, const auto& name_of) {
+        std::vector<bool> result(list.size());
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (name_of(list[k]) == name)
+                any = result[k] = true;
+        return result;
+    };
+    const auto itself = [](const std::string& text) { return text; };
+    NamedFaces found = {are_named(mesh.materials, name_of_material), std::vector<bool>(mesh.groups.size()),
+                        std::vector<bool>(mesh.other_names.size())};
+    if (!any && !name.empty()) {
+        found.groups = are_named(mesh.groups, itself);
+        found.other_names = are_named(mesh.other_names, itself);
+    }
+    if (any) {
         if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); }))
             throw SettingsError(mesh.path + ": " + option + ": `" + name +
                                 "` has no faces, or all of them are ignored; "
                                 "expected a name that has faces");
         return found;
     }
+    if (const std::string plain(name_in(name)); plain != name)
+        return faces_named(option, plain, mesh);
     throw SettingsError(mesh.path + ": " + option + ": no material or object is called `" + name +
                         "`, expected one of " + names_in(mesh));
 }
@@ -86,7 +101,7 @@ void add_lamp(const ObjChanges::Lamp& lamp, ObjMesh& mesh, std::vector<LampMater
             lamps.push_back({k, lamp.emittance, ""});
     std::map<std::uint32_t, std::uint32_t> own; // copy of each material of the object
     for (ObjFace& face : mesh.faces) {
-        if (!lit.groups[face.group])
+        if (!lit.has_object(face))
             continue;
         const auto [entry, is_new] = own.try_emplace(face.material, static_cast<std::uint32_t>(mesh.materials.size()));
         if (is_new) {

@@ -2,9 +2,13 @@
 // ones count from 1, negative ones back from the last vertex read so far. A number may refer to a later vertex, so
 // numbers are checked after the whole file is read. `vt` adds a texture point; corners refer to it in the same way, but
 // a reference to one that does not exist is ignored. Normals do not matter for diffuse light and are skipped.
+//
+// `g` divides an object into groups, so a face after `o` and `g` has both names. A new `o` ends the group, unless no
+// face came between: then both name the same faces.
 
 #include "scene/obj/obj_mesh.h"
 
+#include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 
@@ -13,7 +17,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <system_error>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -39,6 +45,12 @@ bool contains(const std::array<std::string_view, size>& words, std::string_view 
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Reference to a texture point that is no number, 0 or counts back too far.
+constexpr std::uint32_t no_such_point = ObjMesh::no_point - 1;
+
+/// [1] Colour of a vertex without one.
+constexpr Rgb no_colour = {-1.0, -1.0, -1.0};
+
 /// Numbers names in order of appearance.
 class NameNumbers
 {
@@ -57,7 +69,11 @@ private:
 class ObjParser
 {
 public:
-    explicit ObjParser(const std::string& path) : lines_(path) { mesh_.path = path; }
+    explicit ObjParser(const std::string& path) : lines_(path)
+    {
+        mesh_.path = path;
+        other_numbers_.number_of("");
+    }
     ObjMesh parse();
 
 private:
@@ -66,27 +82,34 @@ private:
     void vertex(std::string_view rest, const TextLocation& place);
     void face(std::string_view rest, const TextLine& line);
     std::uint32_t corner(std::string_view word, const TextLocation& place) const;
-    void texture_point(std::string_view rest);
+    void colour(double red, double green, double blue, std::uint32_t line);
+    void texture_point(std::string_view rest, std::uint32_t line);
     void note_texture_point(std::string_view corner);
     void number_names(TextLocation place);
     void library(std::string_view names, const TextLocation& place);
     void reserve_vertices();
     void check_corners() const;
     void check_texture_points();
+    void complete_colours();
+    void drop_comments();
     void summarise_warnings();
     TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
     TextLines lines_;
     ObjMesh mesh_;
     std::string material_;
+    std::string object_;
     std::string group_;
+    bool object_is_last_ = true; ///< of the last `o` and `g`
+    bool group_is_used_ = false; ///< a face followed the last `g`
     bool names_changed_ = true;
     std::uint32_t material_number_ = 0;
     std::uint32_t group_number_ = 0;
+    std::uint32_t other_number_ = 0;
     NameNumbers material_numbers_;
     NameNumbers group_numbers_;
-    std::uint32_t first_weight_line_ = 0;
-    std::size_t weight_count_ = 0;
+    NameNumbers other_numbers_;
+    FlawCount weights_, numbers_after_vertices_, texture_coordinates_, missing_points_;
     IgnoredKeywords unknown_{8};
 };
 
@@ -106,6 +129,8 @@ ObjMesh ObjParser::parse()
                                : "every face has fewer than three vertices");
     check_corners();
     check_texture_points();
+    complete_colours();
+    drop_comments();
     summarise_warnings();
     return std::move(mesh_);
 }
@@ -119,7 +144,7 @@ void ObjParser::statement(const TextLine& line)
     else if (keyword == "f" || keyword == "fo")
         face(without_comment(rest), line);
     else if (keyword == "vt")
-        texture_point(without_comment(rest));
+        texture_point(without_comment(rest), line.place.line);
     else if (!keyword.empty() && keyword[0] != '#' && keyword != "vn")
         named_statement(keyword, rest, line.place);
 }
@@ -127,13 +152,19 @@ void ObjParser::statement(const TextLine& line)
 void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place)
 {
     if (keyword == "usemtl") {
-        material_ = name_in(rest);
+        material_ = trimmed(rest);
         names_changed_ = true;
-    } else if (keyword == "g" || keyword == "o") {
-        group_ = name_in(rest);
+    } else if (keyword == "g") {
+        group_ = trimmed(rest);
+        object_is_last_ = group_is_used_ = false;
         names_changed_ = true;
+    } else if (keyword == "o") {
+        object_ = trimmed(rest);
+        object_is_last_ = names_changed_ = true;
+        if (group_is_used_)
+            group_.clear();
     } else if (keyword == "mtllib") {
-        library(name_in(rest), place);
+        library(trimmed(rest), place);
     } else if (contains(unsupported_keywords, keyword)) {
         refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
     } else if (!contains(harmless_keywords, keyword)) {
@@ -167,16 +198,30 @@ void ObjParser::vertex(std::string_view rest, const TextLocation& place)
     reserve_vertices();
     mesh_.vertices.push_back({x[0], x[1], x[2]});
 
-    double fourth = 1.0;
-    std::size_t extra_count = 0;
-    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
-        const double value = read_number(word, place, "vertex");
-        fourth = extra_count++ == 0 ? value : fourth;
+    std::array<double, 3> more = {};
+    std::size_t count = 0;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest), ++count)
+        (count < more.size() ? more[count] : x[0]) = read_number(word, place, "vertex");
+    if (count == 1 && more[0] != 1.0)
+        weights_.add(place.line);
+    if (count == 3)
+        colour(more[0], more[1], more[2], place.line);
+    else if (count > 1)
+        numbers_after_vertices_.add(place.line);
+}
+
+/// Sets the colour of the vertex added last.
+void ObjParser::colour(double red, double green, double blue, std::uint32_t line)
+{
+    const auto [least, largest] = std::minmax({red, green, blue});
+    if (least < 0.0 || largest > 1.0) {
+        numbers_after_vertices_.add(line);
+        return;
     }
-    if (extra_count == 1 && fourth != 1.0) {
-        first_weight_line_ = weight_count_ == 0 ? place.line : first_weight_line_;
-        ++weight_count_;
-    }
+    if (mesh_.colours.capacity() < mesh_.vertices.size())
+        mesh_.colours.reserve(mesh_.vertices.capacity());
+    mesh_.colours.resize(mesh_.vertices.size(), no_colour);
+    mesh_.colours.back() = {srgb_decoded(red), srgb_decoded(green), srgb_decoded(blue)};
 }
 
 void ObjParser::face(std::string_view rest, const TextLine& line)
@@ -202,7 +247,8 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
         ++mesh_.faces_without_corners;
         return;
     }
-    mesh_.faces.push_back({static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_});
+    mesh_.faces.push_back(
+        {static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_, other_number_});
 }
 
 /// The vertex index of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A reference to a later vertex is returned unchecked.
@@ -232,14 +278,19 @@ std::uint32_t ObjParser::corner(std::string_view word, const TextLocation& place
 
 /// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e6, counts as 0: it
 /// is no reason to refuse a scene.
-void ObjParser::texture_point(std::string_view rest)
+void ObjParser::texture_point(std::string_view rest, std::uint32_t line)
 {
     constexpr double far = 1e6;
     std::array<double, 2> st = {};
+    bool sound = true;
     for (double& x : st) {
-        x = to_number(next_word(rest)).value_or(0.0);
-        x = std::abs(x) <= far ? x : 0.0;
+        const std::string_view word = next_word(rest);
+        const std::optional<double> value = word.empty() ? 0.0 : to_number(word);
+        sound = sound && value && std::abs(*value) <= far;
+        x = sound ? *value : 0.0;
     }
+    if (!sound)
+        texture_coordinates_.add(line);
     mesh_.texture_points.push_back({st[0], st[1]});
 }
 
@@ -252,26 +303,33 @@ void ObjParser::note_texture_point(std::string_view corner)
     std::int64_t number = 0;
     const bool is_number = std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc();
     const auto count = static_cast<std::int64_t>(mesh_.texture_points.size());
-    if (!is_number && mesh_.corner_points.empty())
+    if (text.empty() && mesh_.corner_points.empty())
         return;
     number = number < 0 ? count + number : number - 1;
-    const bool exists = is_number && number >= 0 && number < ObjMesh::no_point;
+    const bool may_exist = is_number && number >= 0 && number < no_such_point;
     mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
-    mesh_.corner_points.back() = exists ? static_cast<std::uint32_t>(number) : ObjMesh::no_point;
+    if (!text.empty())
+        mesh_.corner_points.back() = may_exist ? static_cast<std::uint32_t>(number) : no_such_point;
 }
 
-/// Looks up the indices of the current material and group, which a face is about to use.
+/// Looks up the indices of the current material, group and object, which a face is about to use.
 void ObjParser::number_names(TextLocation place)
 {
     names_changed_ = false;
     const auto [material, material_is_new] = material_numbers_.number_of(material_);
     if (material_is_new)
         mesh_.materials.push_back({material_, place.line});
-    const auto [group, group_is_new] = group_numbers_.number_of(group_);
+    const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
+    const auto [group, group_is_new] = group_numbers_.number_of(last);
     if (group_is_new)
-        mesh_.groups.push_back(group_);
+        mesh_.groups.push_back(last);
+    const auto [other_number, other_is_new] = other_numbers_.number_of(other == last ? "" : other);
+    if (other_is_new)
+        mesh_.other_names.push_back(other);
     material_number_ = material;
     group_number_ = group;
+    other_number_ = other_number;
+    group_is_used_ = true;
 }
 
 /// Reserves memory for the vertices of the whole file when the list is full, extrapolating from the share read so far.
@@ -298,17 +356,58 @@ void ObjParser::check_corners() const
 
 void ObjParser::check_texture_points()
 {
-    if (!mesh_.corner_points.empty())
-        mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
-    for (std::uint32_t& point : mesh_.corner_points)
-        point = point < mesh_.texture_points.size() ? point : ObjMesh::no_point;
+    if (mesh_.corner_points.empty())
+        return;
+    mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
+    auto point = mesh_.corner_points.begin();
+    for (const ObjFace& face : mesh_.faces) {
+        bool sound = true;
+        for (const auto end = point + face.corner_count; point != end; ++point)
+            if (*point >= mesh_.texture_points.size()) {
+                sound = sound && *point == ObjMesh::no_point;
+                *point = ObjMesh::no_point;
+            }
+        if (!sound)
+            missing_points_.add(face.line);
+    }
+}
+
+/// Completes the list of colours. White alone changes nothing, and many programs write it.
+void ObjParser::complete_colours()
+{
+    const auto is_plain = [](Rgb colour) { return colour == no_colour || colour == Rgb{1.0, 1.0, 1.0}; };
+    if (std::all_of(mesh_.colours.begin(), mesh_.colours.end(), is_plain))
+        mesh_.colours.clear();
+    else
+        mesh_.colours.resize(mesh_.vertices.size(), no_colour);
+}
+
+/// Drops the comments after the names of groups and objects.
+void ObjParser::drop_comments()
+{
+    std::vector<std::string> names = mesh_.groups;
+    names.insert(names.end(), mesh_.other_names.begin(), mesh_.other_names.end());
+    names = without_comments(std::move(names));
+    const auto end_of_groups = names.begin() + static_cast<std::ptrdiff_t>(mesh_.groups.size());
+    mesh_.groups.assign(names.begin(), end_of_groups);
+    mesh_.other_names.assign(end_of_groups, names.end());
 }
 
 void ObjParser::summarise_warnings()
 {
-    if (weight_count_ != 0)
-        mesh_.warnings.push_back(name_of(at_line(first_weight_line_)) + ": the weight of a vertex (fourth number) is " +
-                                 "ignored, polygons have none (" + std::to_string(weight_count_) + " in the file)");
+    const auto warn = [&](const FlawCount& lines, const std::string& flaw) {
+        if (lines.count != 0)
+            mesh_.warnings.push_back(name_of(at_line(lines.first_line)) + ": " + flaw + " (" +
+                                     std::to_string(lines.count) + " in the file)");
+    };
+    warn(weights_, "the weight of a vertex (fourth number) is ignored, polygons have none");
+    warn(numbers_after_vertices_,
+         "the numbers after the coordinates of a vertex are ignored, expected a weight, or red, "
+         "green and blue from 0 to 1");
+    warn(texture_coordinates_, "a texture coordinate is not a number up to 1e6 and counts as 0");
+    warn(missing_points_, "a face refers to a texture point that does not exist, so it has the mean colour of its "
+                          "texture; the file has " +
+                              counted(mesh_.texture_points.size(), "texture point"));
     if (const auto warning = unknown_.warning("unknown statements ignored"))
         mesh_.warnings.push_back(*warning);
 }

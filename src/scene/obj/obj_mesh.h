@@ -2,6 +2,7 @@
 
 #include "geometry/vec3.h"
 #include "parallel/memory.h"
+#include "scene/rgb.h"
 #include "scene/texture/texture.h"
 
 #include <cstddef>
@@ -18,6 +19,20 @@ struct ObjFace
     std::uint32_t line = 0;         ///< line of the face in the file
     std::uint32_t material = 0;     ///< index into ObjMesh::materials
     std::uint32_t group = 0;        ///< index into ObjMesh::groups
+    std::uint32_t other_name = 0;   ///< index into ObjMesh::other_names
+};
+
+/// Counts the lines with the same flaw, for a single warning.
+struct FlawCount
+{
+    std::uint32_t first_line = 0;
+    std::size_t count = 0;
+
+    void add(std::uint32_t line)
+    {
+        first_line = count == 0 ? line : first_line;
+        ++count;
+    }
 };
 
 /// A name of a material and the line of the first face that uses it, or the argument of a `mtllib` statement and its
@@ -41,15 +56,22 @@ struct ObjMesh
 
     std::string path;
     LargeVector<Vec3> vertices;
+    /// [1] Linear light of the colour of each vertex; negative if it has none. Empty if no vertex has another than
+    /// white.
+    LargeVector<Rgb> colours;
     LargeVector<std::uint32_t> corners; ///< vertex indices, all valid, face after face
     /// The index of the texture point of each corner, or no_point. Empty if no corner refers to one.
     LargeVector<std::uint32_t> corner_points;
     LargeVector<TexturePoint> texture_points;
     LargeVector<ObjFace> faces;
-    /// Names in `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first `usemtl`.
+    /// Arguments of `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first. A
+    /// comment at their end is left until the names of the MTL files are known.
     std::vector<ObjName> materials;
-    /// Names in `o` and `g` that apply to a face, dropped or not, in order of appearance; "" before the first.
+    /// Names in `o` and `g` that apply to a face, dropped or not, in order of appearance; "" before the first. Each
+    /// face has the last one.
     std::vector<std::string> groups;
+    /// The names of objects that a `g` divides, and of groups directly before an `o`; the first is "".
+    std::vector<std::string> other_names = {""};
     std::vector<ObjName> libraries;        ///< different arguments of `mtllib`, not yet split into file names
     std::size_t faces_without_corners = 0; ///< number of faces with fewer than three vertices, which were dropped
     std::vector<std::string> warnings;
@@ -61,9 +83,9 @@ struct ObjMesh
 
 /// Parses an OBJ file. Throws InputError for a file that cannot be read, malformed vertices and faces, coordinates
 /// beyond 1e9, free-form surfaces and included files, a file without faces, 2^31 or more vertices or corners, and
-/// more than 256 different `mtllib` statements. Unknown statements, and weights of vertices other than 1, cause a
-/// warning. A texture coordinate that is malformed or beyond 1e6 counts as 0, and a reference to a missing texture
-/// point is ignored.
+/// more than 256 different `mtllib` statements. These cause a warning: unknown statements; weights of vertices other
+/// than 1, and colours that are not red, green and blue from 0 to 1; a texture coordinate that is malformed or beyond
+/// 1e6, which counts as 0; and a reference to a missing texture point, which is ignored.
 ObjMesh parse_obj(const std::string& path);
 
 } // namespace multipath

@@ -1,12 +1,13 @@
 // From text to surfaces: parse_obj() parses the file, and apply() makes the changes of the user. cut_into_pieces() cuts
-// polygons into triangles and parallelograms, and merge_triangles() rejoins rectangles that the exporter cut. The MTL
-// files give the materials, and add_textures() reads their images. In the end require_physics() refuses a scene that
-// has no meaningful result, and suggests a command that works.
+// polygons into triangles and parallelograms, merge_triangles() rejoins rectangles that the exporter cut, and cut_out()
+// removes what is transparent. The MTL files give the materials, and add_textures() reads their images. In the end
+// require_physics() refuses a scene that has no meaningful result, and suggests a command that works.
 
 #include "scene/obj/obj_reader.h"
 
 #include "geometry/intersector/surface_sizes.h"
 #include "scene/input_error.h"
+#include "scene/obj/cutouts.h"
 #include "scene/obj/light_advice.h"
 #include "scene/obj/mesh_pieces.h"
 #include "scene/obj/mtl_reader.h"
@@ -15,11 +16,13 @@
 #include "scene/obj/parallelogram_merge.h"
 #include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
+#include "scene/text/text_words.h"
 #include "scene/vertex_weld.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -48,7 +51,9 @@ Libraries find_libraries(const ObjMesh& mesh)
     Libraries result;
     std::unordered_set<std::string> known;
     for (const ObjName& names : mesh.libraries) {
-        const MtlFiles named = find_mtl_files(names.name, {mesh.path, names.line});
+        MtlFiles named = find_mtl_files(names.name, {mesh.path, names.line});
+        if (!named.missing.empty())
+            named = find_mtl_files(name_in(names.name), {mesh.path, names.line});
         for (const std::string& file : named.found)
             if (known.insert(file).second)
                 result.files.push_back(file);
@@ -69,6 +74,47 @@ MaterialLibrary read_libraries(const std::vector<std::string>& files, EmissionFr
     for (const std::string& file : files)
         read_mtl(file, emission_from, library);
     return library;
+}
+
+/// Gives the materials their names, without the comments after them. Of two materials of the mesh with one name the
+/// first remains. A ` # ` in `usemtl` is part of the name if the library has that name.
+void name_materials(MaterialLibrary& library, ObjMesh& mesh)
+{
+    std::vector<std::string> texts;
+    for (const MtlMaterial& material : library.materials)
+        texts.push_back(material.material.name);
+    const std::vector<std::string> defined = without_comments(std::move(texts));
+    const std::unordered_map<std::string, std::uint32_t> number_of_text = std::move(library.number_of_name);
+    library.number_of_name.clear();
+    for (std::uint32_t k = 0; k < defined.size(); ++k) {
+        library.materials[k].material.name = defined[k];
+        library.number_of_name.emplace(defined[k], k);
+    }
+
+    texts.clear();
+    for (const ObjName& used : mesh.materials)
+        if (name_in(used.name) != used.name)
+            texts.push_back(used.name);
+    const std::vector<std::string> used_names = without_comments(std::move(texts));
+    auto next = used_names.begin();
+    std::unordered_map<std::string, std::uint32_t> number_of_name;
+    std::vector<std::uint32_t> numbers;
+    std::vector<ObjName> materials;
+    for (ObjName& used : mesh.materials) {
+        const std::string plain(name_in(used.name));
+        const std::string name = plain != used.name ? *next++ : plain;
+        const auto same_text = number_of_text.find(used.name);
+        used.name = same_text != number_of_text.end() ? defined[same_text->second]
+                    : number_of_text.count(plain) > 0 ? plain
+                                                      : name;
+        const auto [entry, is_new] = number_of_name.emplace(used.name, static_cast<std::uint32_t>(materials.size()));
+        numbers.push_back(entry->second);
+        if (is_new)
+            materials.push_back(used);
+    }
+    mesh.materials = std::move(materials);
+    for (ObjFace& face : mesh.faces)
+        face.material = numbers[face.material];
 }
 
 /// The materials of a scene as its faces use them.
@@ -123,7 +169,8 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
     const std::string flaw =
         has_name ? "material " + in_quotes(name.name) + " is not defined" + in_files(list.by_origin.files)
                  : "faces without a material";
-    list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in");
+    list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in" +
+                            (mesh.colours.empty() ? "" : " where vertices have no colours"));
     list.definitions.emplace_back();
     list.materials.push_back(std::move(material));
     list.by_origin.default_used = true;
@@ -284,8 +331,8 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const 
 /// Throws InputError for a scene that would give no result, or a wrong one; the message ends with a command that avoids
 /// all the problems found.
 void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SceneFile& scene,
-                     const std::vector<std::string>& missing_files, EmissionFrom emission_from,
-                     const ObjChanges& changes)
+                     const std::vector<std::string>& missing_files, const std::vector<std::string>& unread_textures,
+                     EmissionFrom emission_from, const ObjChanges& changes)
 {
     std::vector<std::string> problems;
     std::string options;
@@ -298,6 +345,8 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
         problems.push_back(
             "nothing absorbs light: the surfaces are closed and every material has Kd = 1 in the same colour, "
             "expected Kd below 1 in one of them");
+    if (!unread_textures.empty() && !(problems.empty() && lit))
+        problems.push_back("textures that are not read: " + first_of(unread_textures, 5));
     // Before there is a lamp it is unknown which surfaces it would light; those with Kd = 1 may trap its light.
     const bool may_trap = !names_where(materials.used, reflects_everything).empty();
     if (!problems.empty() || (!lit && may_trap))
@@ -370,12 +419,16 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     scene.material.reserve(pieces.size());
     scene.group.reserve(pieces.size());
     scene.line.reserve(pieces.size());
+    if (mesh.other_names.size() > 1)
+        scene.other_names = mesh.other_names;
     for (const Piece& piece : pieces) {
         const ObjFace& face = mesh.faces[piece.face];
         scene.surfaces.push_back(surface_of(piece, mesh.vertices));
         scene.material.push_back(face.material);
         scene.group.push_back(face.group);
         scene.line.push_back(face.line);
+        if (!scene.other_names.empty())
+            scene.other_name.push_back(face.other_name);
     }
 }
 
@@ -384,19 +437,21 @@ void mark_textured(const MaterialLibrary& library, ObjMesh& mesh)
 {
     for (const ObjName& material : mesh.materials) {
         const auto entry = library.number_of_name.find(material.name);
-        mesh.textured.push_back(entry != library.number_of_name.end() &&
-                                !library.materials[entry->second].reflectance_map.found.empty());
+        const MtlMaterial* const definition =
+            entry != library.number_of_name.end() ? &library.materials[entry->second] : nullptr;
+        mesh.textured.push_back(definition &&
+                                !(definition->reflectance_map.found.empty() && definition->opacity_map.found.empty()));
     }
 }
 
-/// Replaces Kd by the mean reflectance of textured materials.
-void take_textured_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
+/// Replaces Kd by the mean reflectance of materials with textures or coloured vertices.
+void take_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
 {
     for (MtlMaterial& definition : used)
         for (const Material& material : scene.materials)
-            if (material.texture != Material::no_texture && material.name == definition.material.name) {
+            if (material.name == definition.material.name && material.reflectance != definition.material.reflectance) {
                 definition.material.reflectance = material.reflectance;
-                definition.kd_line = std::max(definition.kd_line, definition.reflectance_map.line);
+                definition.kd_line = std::max(definition.kd_line, std::uint32_t{1});
             }
 }
 
@@ -437,9 +492,11 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     ObjMesh mesh = parse_obj(path);
     for (Vec3& vertex : mesh.vertices)
         vertex = changes.unit * vertex;
-    const std::vector<LampMaterial> lamps = apply(changes, mesh);
     Libraries libraries = find_libraries(mesh);
     MaterialLibrary library = read_libraries(libraries.files, emission_from);
+    name_materials(library, mesh);
+    const std::vector<LampMaterial> lamps = apply(changes, mesh);
+    std::vector<std::string> texture_files = std::move(library.texture_files);
     const std::vector<std::string> lowered = limit_reflectances(changes.reflectance_limit, library);
     const SceneScale scale = scale_of(mesh);
     mark_textured(library, mesh);
@@ -455,6 +512,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     SceneFile scene;
     scene.path = path;
     scene.material_files = std::move(libraries.files);
+    scene.texture_files = std::move(texture_files);
     scene.warnings = std::move(mesh.warnings);
     append(scene.warnings, std::move(libraries.warnings));
     append(scene.warnings, std::move(list.warnings));
@@ -465,14 +523,24 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
     const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
+    TextureFiles textures;
+    append(scene.warnings, cut_out(list.definitions, scale, textures, mesh, cut.pieces));
+    if (cut.pieces.empty())
+        refuse({path, 0}, "every face is transparent, expected textures with opaque pixels");
     add_surfaces(cut.pieces, mesh, scene);
-    add_textures(list.definitions, cut.pieces, mesh, changes.reflectance_limit, scene);
-    take_textured_colours(scene, list.by_origin.used);
+    const std::vector<std::string> unread =
+        add_textures(list.definitions, cut, mesh, textures, changes.reflectance_limit, scene);
+    take_colours(scene, list.by_origin.used);
     make_lamps(lamps, scene.materials);
     append(scene.warnings, warnings_of_materials(list.by_origin));
-    require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, has_pieces), mesh, scene,
-                    libraries.missing, emission_from, changes);
-    scene.unknown_materials = list.by_origin.unknown_names;
+    require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, materials_of(cut.pieces, mesh)),
+                    mesh, scene, libraries.missing, unread, emission_from, changes);
+    for (const std::string& name : list.by_origin.unknown_names)
+        if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
+                return material.name == name && material.texture == Material::no_texture &&
+                       material.reflectance == Rgb{default_reflectance, default_reflectance, default_reflectance};
+            })) // not coloured by its vertices
+            scene.unknown_materials.push_back(name);
     for (const MtlMaterial& unused : list.by_origin.unused)
         scene.unused_materials.push_back(unused.material.source + ": " + unused.material.name);
     scene.dropped_faces = cut.zero_area_faces + mesh.faces_without_corners;

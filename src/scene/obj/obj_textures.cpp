@@ -1,11 +1,13 @@
 // A reflectance map is kept, with a frame for each of its surfaces, so that every patch can have its own mean. An
-// emission map is averaged at once over all surfaces of its material, which has a single emittance.
+// emission map is averaged at once over all surfaces of its material, which has a single emittance. Colours of vertices
+// become a texture with a pixel for each colour, unless a material has only one.
 
 #include "scene/obj/obj_textures.h"
 
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -34,19 +36,40 @@ std::string bytes_of_image(const std::string& path)
     return bytes;
 }
 
-/// Adds textures to a scene; each file is read once.
+} // namespace
+
+const TextureFiles::Loaded& TextureFiles::load(const TextureMap& map)
+{
+    const auto [entry, is_new] = known_.try_emplace({map.found, map.repeats});
+    Loaded& loaded = entry->second;
+    if (!is_new)
+        return loaded;
+    try {
+        if (map.found.empty())
+            throw ImageError("not found");
+        loaded.texture = std::make_shared<const Texture>(std::filesystem::path(map.found).filename().string(),
+                                                         bytes_of_image(map.found), map.repeats);
+    } catch (const ImageError& error) {
+        loaded.problem = error.what();
+    }
+    return loaded;
+}
+
+namespace {
+
+/// Adds textures to a scene.
 class ObjTextures
 {
 public:
-    ObjTextures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
-                SceneFile& scene)
-        : definitions_(definitions), pieces_(pieces), mesh_(mesh), scene_(scene), areas_(definitions.size())
+    ObjTextures(const std::vector<MtlMaterial>& definitions, const MeshPieces& cut, const ObjMesh& mesh,
+                TextureFiles& files, SceneFile& scene)
+        : definitions_(definitions), cut_(cut), mesh_(mesh), files_(files), scene_(scene), areas_(definitions.size())
     {
         for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
             areas_[scene.material[s]] += scene.surfaces[s].area();
     }
 
-    void add(double limit)
+    std::vector<std::string> add(double limit)
     {
         for (std::uint32_t m = 0; m < definitions_.size(); ++m) {
             if (!(areas_[m] > 0.0))
@@ -55,10 +78,17 @@ public:
                 apply_reflectance_map(m, texture, limit);
             if (const auto texture = load(m, definitions_[m].emission_map))
                 apply_emission_map(m, *texture);
+            load(m, definitions_[m].opacity_map);
         }
+        if (!cut_.colours.empty())
+            apply_colours(limit);
         if (!scene_.textures.empty())
             fill_frames();
         report_failures();
+        std::vector<std::string> texts;
+        for (const auto& [material, text] : failures_)
+            texts.push_back(text);
+        return texts;
     }
 
 private:
@@ -68,46 +98,26 @@ private:
         if (map.line == 0)
             return nullptr;
         ++maps_;
-        std::string problem = "not found";
-        if (!map.found.empty()) {
-            const auto [entry, is_new] = known_.try_emplace({map.found, map.repeats});
-            Loaded& loaded = entry->second;
-            try {
-                if (is_new)
-                    loaded.texture = std::make_shared<const Texture>(
-                        std::filesystem::path(map.found).filename().string(), bytes_of_image(map.found), map.repeats);
-            } catch (const ImageError& error) {
-                loaded.problem = error.what();
-            }
-            if (loaded.texture)
-                return loaded.texture;
-            problem = loaded.problem;
-        }
-        failures_.push_back(
-            {material, in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + problem + ")"});
-        return nullptr;
+        const TextureFiles::Loaded& loaded = files_.load(map);
+        if (!loaded.texture)
+            failures_.push_back(
+                {material, in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + loaded.problem + ")"});
+        return loaded.texture;
     }
 
     static std::string in_quotes(const std::string& name) { return "`" + name + "`"; }
 
-    /// A texture point of the mesh after the scale and offset of a map.
-    TexturePoint mapped(std::uint32_t point, const TextureMap& map) const
-    {
-        const TexturePoint p = mesh_.texture_points[point];
-        return {map.scale_s * p.s + map.offset_s, map.scale_t * p.t + map.offset_t};
-    }
-
     /// The frame of a surface; unknown if a corner has no texture point.
     TextureFrame frame(std::size_t surface, const TextureMap& map) const
     {
-        const Piece& piece = pieces_[surface];
+        const Piece& piece = cut_.pieces[surface];
         const std::size_t last = piece.is_triangle() ? 2 : 3;
         for (std::size_t k = 0; k <= last; ++k)
             if (mesh_.corner_points.empty() || piece.points[k] == ObjMesh::no_point)
                 return {};
-        const TexturePoint origin = mapped(piece.points[0], map);
-        const TexturePoint u = mapped(piece.points[1], map);
-        const TexturePoint v = mapped(piece.points[last], map);
+        const TexturePoint origin = map.at(mesh_.texture_points[piece.points[0]]);
+        const TexturePoint u = map.at(mesh_.texture_points[piece.points[1]]);
+        const TexturePoint v = map.at(mesh_.texture_points[piece.points[last]]);
         return {origin, {u.s - origin.s, u.t - origin.t}, {v.s - origin.s, v.t - origin.t}, true};
     }
 
@@ -137,16 +147,88 @@ private:
             black_.push_back(in_quotes(material.name));
         material.texture_scale = {std::min(kd.r, limit), std::min(kd.g, limit), std::min(kd.b, limit)};
         material.reflectance = material.texture_scale * mean_of(m, definitions_[m].reflectance_map, *texture);
+        material.texture = index_of(texture);
+    }
+
+    std::uint32_t index_of(const std::shared_ptr<const Texture>& texture)
+    {
         const auto known = std::find(scene_.textures.begin(), scene_.textures.end(), texture);
-        material.texture = static_cast<std::uint32_t>(known - scene_.textures.begin());
+        const auto index = static_cast<std::uint32_t>(known - scene_.textures.begin());
         if (known == scene_.textures.end())
             scene_.textures.push_back(texture);
+        return index;
+    }
+
+    /// A texture with the colours of pieces, then white and grey 0.5 for pieces without a colour.
+    std::shared_ptr<const Texture> palette() const
+    {
+        constexpr std::size_t width = 1024;
+        const std::size_t count = cut_.colours.size() + 2;
+        const std::size_t height = (count + width - 1) / width;
+        std::string bytes = "P6 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+        for (const std::array<std::uint8_t, 3>& colour : cut_.colours)
+            bytes.append(colour.begin(), colour.end());
+        bytes.append(3, '\xff');
+        bytes.append(3, '\xbc');
+        bytes.resize(bytes.size() + 3 * (width * height - count));
+        return std::make_shared<const Texture>("vertex_colours.ppm", std::move(bytes), false);
+    }
+
+    /// The frame of a surface whose material has the palette as its texture: a single point.
+    TextureFrame frame_of_colour(std::size_t surface) const
+    {
+        const Bitmap& bitmap = palette_->bitmap();
+        const std::uint32_t colour = cut_.pieces[surface].colour;
+        const bool has_kd = definitions_[scene_.material[surface]].kd_line != 0;
+        const std::size_t pixel = colour != Piece::no_colour ? colour : cut_.colours.size() + (has_kd ? 0 : 1);
+        return {{(static_cast<double>(pixel % bitmap.width) + 0.5) / bitmap.width,
+                 1.0 - (static_cast<double>(pixel / bitmap.width) + 0.5) / bitmap.height},
+                {},
+                {},
+                true};
+    }
+
+    /// Multiplies Kd by the colours of the pieces of materials without a texture.
+    void apply_colours(double limit)
+    {
+        palette_ = palette();
+        const std::size_t count = definitions_.size();
+        std::vector<Rgb> sums(count); // of area times colour
+        std::vector<std::uint32_t> first(count, Piece::no_colour);
+        std::vector<bool> has_several(count), is_coloured(count);
+        std::vector<std::size_t> number(count);
+        std::size_t pieces = 0;
+        for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
+            const std::uint32_t m = scene_.material[s];
+            const std::uint32_t colour = cut_.pieces[s].colour;
+            sums[m] += scene_.surfaces[s].area() * palette_->mean({{frame_of_colour(s).origin}, 1});
+            has_several[m] = has_several[m] || (number[m]++ > 0 && colour != first[m]);
+            first[m] = colour;
+            is_coloured[m] = is_coloured[m] || colour != Piece::no_colour;
+            pieces += colour != Piece::no_colour ? 1 : 0;
+        }
+        for (std::size_t m = 0; m < count; ++m) {
+            Material& material = scene_.materials[m];
+            if (!is_coloured[m] || material.texture != Material::no_texture)
+                continue;
+            const Rgb kd = definitions_[m].kd_line == 0 ? Rgb{limit, limit, limit} : material.reflectance;
+            material.reflectance = kd * (1.0 / areas_[m] * sums[m]);
+            if (has_several[m]) {
+                material.texture = index_of(palette_);
+                material.texture_scale = kd;
+            }
+        }
+        scene_.warnings.push_back(scene_.path + ": the colours of vertices, decoded from sRGB, multiply Kd; " +
+                                  counted(pieces, "surface") + " with the mean of the corners");
     }
 
     void apply_emission_map(std::uint32_t m, const Texture& texture)
     {
         Material& material = scene_.materials[m];
-        const Rgb ke = definitions_[m].emission_line == 0 ? Rgb{1.0, 1.0, 1.0} : material.emittance;
+        const bool is_dark = material.emittance == Rgb{};
+        if (is_dark && definitions_[m].emission_line != 0)
+            dark_.push_back(in_quotes(material.name));
+        const Rgb ke = is_dark ? Rgb{1.0, 1.0, 1.0} : material.emittance;
         material.emittance = ke * mean_of(m, definitions_[m].emission_map, texture);
     }
 
@@ -154,14 +236,19 @@ private:
     {
         scene_.texture_frames.resize(scene_.surfaces.size());
         for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
-            if (scene_.materials[scene_.material[s]].texture != Material::no_texture)
-                scene_.texture_frames[s] = frame(s, definitions_[scene_.material[s]].reflectance_map);
+            if (const std::uint32_t texture = scene_.materials[scene_.material[s]].texture;
+                texture != Material::no_texture)
+                scene_.texture_frames[s] = scene_.textures[texture] == palette_
+                                               ? frame_of_colour(s)
+                                               : frame(s, definitions_[scene_.material[s]].reflectance_map);
     }
 
     void report_failures()
     {
         if (!black_.empty())
             scene_.warnings.push_back(scene_.path + ": Kd = 0 beside a texture, which counts alone: " + join(black_));
+        if (!dark_.empty())
+            scene_.warnings.push_back(scene_.path + ": Ke = 0 beside a texture, which counts alone: " + join(dark_));
         if (failures_.empty())
             return;
         double all = 0.0;
@@ -182,29 +269,25 @@ private:
                                   " % of the area) stand alone: " + first_of(texts, 5));
     }
 
-    struct Loaded
-    {
-        std::shared_ptr<const Texture> texture;
-        std::string problem;
-    };
-
     const std::vector<MtlMaterial>& definitions_;
-    const LargeVector<Piece>& pieces_;
+    const MeshPieces& cut_;
     const ObjMesh& mesh_;
+    TextureFiles& files_;
     SceneFile& scene_;
     std::vector<double> areas_; ///< [m^2] per material
-    std::map<std::pair<std::string, bool>, Loaded> known_;
     std::size_t maps_ = 0;
     std::vector<std::pair<std::uint32_t, std::string>> failures_; ///< material and what is wrong
     std::vector<std::string> black_;
+    std::vector<std::string> dark_;
+    std::shared_ptr<const Texture> palette_; ///< null if no piece has a colour
 };
 
 } // namespace
 
-void add_textures(const std::vector<MtlMaterial>& definitions, const LargeVector<Piece>& pieces, const ObjMesh& mesh,
-                  double limit, SceneFile& scene)
+std::vector<std::string> add_textures(const std::vector<MtlMaterial>& definitions, const MeshPieces& cut,
+                                      const ObjMesh& mesh, TextureFiles& files, double limit, SceneFile& scene)
 {
-    ObjTextures(definitions, pieces, mesh, scene).add(limit);
+    return ObjTextures(definitions, cut, mesh, files, scene).add(limit);
 }
 
 } // namespace multipath

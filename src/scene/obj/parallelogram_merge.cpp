@@ -127,7 +127,8 @@ bool TriangleMerger::merge_pair(std::uint32_t first, std::size_t edge, std::uint
         ++opposite;
     const ObjFace& face = mesh_.faces[pieces_[first].face];
     const ObjFace& other_face = mesh_.faces[pieces_[second].face];
-    if (opposite == 3 || face.material != other_face.material || face.group != other_face.group)
+    if (opposite == 3 || face.material != other_face.material || face.group != other_face.group ||
+        pieces_[first].colour != pieces_[second].colour)
         return false;
 
     const auto join = [&](const Corners& a, const Corners& b) {

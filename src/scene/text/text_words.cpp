@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <set>
 
 namespace multipath {
 
@@ -133,7 +135,7 @@ bool names_infinity_or_nan(std::string_view word)
     std::string lower;
     for (const char c : start)
         lower += static_cast<char>(c | 0x20);
-    return lower == "nan" || lower == "inf";
+    return lower == "nan" || lower == "inf" || word.find(".#") != std::string_view::npos;
 }
 
 /// Why a word is not a finite decimal number.
@@ -174,9 +176,19 @@ std::string_view next_word(std::string_view& rest)
     return word;
 }
 
+bool equal_but_for_case(std::string_view a, std::string_view b)
+{
+    const auto lower_case = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char c, char d) { return lower_case(c) == lower_case(d); });
+}
+
 std::string_view without_comment(std::string_view text)
 {
-    return text.substr(0, text.find('#'));
+    std::size_t i = text.find('#');
+    while (i != std::string_view::npos && i > 0 && text[i - 1] == '.')
+        i = text.find('#', i + 1);
+    return text.substr(0, i);
 }
 
 std::string_view name_in(std::string_view rest)
@@ -188,6 +200,18 @@ std::string_view name_in(std::string_view rest)
             return trimmed(rest.substr(0, i));
     }
     return trimmed(rest);
+}
+
+std::vector<std::string> without_comments(std::vector<std::string> texts)
+{
+    const std::set<std::string> different(texts.begin(), texts.end());
+    std::map<std::string, std::size_t> uses;
+    for (const std::string& text : different)
+        ++uses[std::string(name_in(text))];
+    for (std::string& text : texts)
+        if (const std::string name(name_in(text)); uses[name] == 1)
+            text = name;
+    return texts;
 }
 
 std::optional<double> to_number(std::string_view word)

@@ -15,6 +15,8 @@ struct Bitmap
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint8_t> rgb; ///< 3 * width * height bytes, row by row from the top, in each row from the left
+    std::vector<std::uint8_t> alpha =
+        {}; ///< opacity of each pixel, from 0 to 255, in the same order; empty: all opaque
 
     /// The first pixel of row y; row 0 is at the top.
     std::uint8_t* row(std::uint32_t y) { return &rgb[std::size_t{3} * width * y]; }
@@ -36,12 +38,11 @@ void require_bitmap_size(std::uint32_t width, std::uint32_t height);
 Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
 
 // Decoders of image files. `bytes` is the whole contents of a file. Each decoder throws ImageError if the file is
-// damaged or not supported. Transparency and colour profiles are ignored.
+// damaged or not supported. Colour profiles are ignored. PNG and TGA have opacity, other formats do not.
 
 /// Portable Network Graphics (ISO/IEC 15948): all colour types, depths and interlacing.
 Bitmap read_png(std::string_view bytes);
-/// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components. A file
-/// that breaks off in its pixels is decoded up to there; the rest is grey.
+/// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components.
 Bitmap read_jpeg(std::string_view bytes);
 /// Truevision TGA, uncompressed or run-length encoded: palette, 15 to 32 bits of colour, or grey.
 Bitmap read_tga(std::string_view bytes);

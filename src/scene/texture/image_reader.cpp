@@ -1,5 +1,6 @@
 #include "scene/texture/image_formats.h"
 
+#include "scene/text/text_words.h"
 #include "scene/texture/byte_reader.h"
 
 namespace multipath {
@@ -21,13 +22,7 @@ bool begins_like_pnm(std::string_view bytes)
 bool is_named_tga(std::string_view name)
 {
     constexpr std::string_view ending = ".tga";
-    if (name.size() < ending.size())
-        return false;
-    name.remove_prefix(name.size() - ending.size());
-    for (std::size_t i = 0; i < ending.size(); ++i)
-        if (name[i] != ending[i] && !(name[i] >= 'A' && name[i] <= 'Z' && name[i] - 'A' + 'a' == ending[i]))
-            return false;
-    return true;
+    return name.size() >= ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
 }
 
 } // namespace

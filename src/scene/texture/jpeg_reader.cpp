@@ -10,9 +10,8 @@
 // with 13 fractional bits in the constants and 2 in the intermediate result. Transform, interpolation and colours round
 // like libjpeg's default ("islow", "fancy upsampling"), so both decoders agree in every pixel of a sound file.
 //
-// If the file, or the data before a marker, ends too early, the blocks decoded so far are kept and the rest is grey.
-// Bytes between segments and the numbers of restart markers are ignored. Any other violation of the standard is an
-// error.
+// Bytes between segments, the numbers of restart markers and a missing end marker are ignored, the last unless the file
+// is progressive and may lack scans. Any other violation of the standard is an error.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
@@ -317,8 +316,10 @@ public:
         if (bytes_.substr(0, 2) != "\xFF\xD8")
             throw ImageError("does not begin like a JPEG file");
         std::size_t position = 2;
+        bool ended = false;
         while (const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes_, position)) {
-            if (*marker == 0xD9)
+            ended = *marker == 0xD9;
+            if (ended)
                 break;
             if (*marker == 0x01 || *marker == 0xD8 || is_jpeg_restart(*marker))
                 continue; // these have no contents
@@ -337,7 +338,9 @@ public:
             else
                 read_segment(*marker, segment);
         }
-        if (scans_ == 0)
+        const auto lacks_scan = [](const JpegComponent& component) { return !component.quantization; };
+        if (components_.empty() || std::any_of(components_.begin(), components_.end(), lacks_scan) ||
+            (progressive_ && !ended))
             throw ImageError("ends too early");
         return convert();
     }
@@ -509,11 +512,9 @@ private:
         for (std::size_t mcu = 0; mcu < mcus_x * mcus_y; ++mcu) {
             if (restart_interval_ != 0 && mcu != 0 && mcu % restart_interval_ == 0) {
                 if (!bits_.restart())
-                    break;
+                    throw ImageError("ends too early");
                 reset_predictions();
             }
-            if (bits_.exhausted())
-                continue; // the next restart interval may be intact
             const std::size_t mcu_x = mcu % mcus_x;
             const std::size_t mcu_y = mcu / mcus_x;
             for (JpegComponent* component : scan_.components) {
@@ -522,6 +523,8 @@ private:
                 for (std::size_t i = 0; i < h * v; ++i)
                     decode_block(*component, mcu_x * h + i % h, mcu_y * v + i / h);
             }
+            if (bits_.exhausted())
+                throw ImageError("ends too early");
         }
         return bits_.position();
     }
@@ -712,7 +715,7 @@ private:
             if (!progressive_)
                 break; // the samples exist already
             component.samples.assign(64 * component.block_count(), 128);
-            for (std::size_t i = 0; i < component.block_count() && component.quantization; ++i)
+            for (std::size_t i = 0; i < component.block_count(); ++i)
                 transform(component, component.coefficients[i], i % component.blocks_x, i / component.blocks_x);
             component.coefficients = {};
         }

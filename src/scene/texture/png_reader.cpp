@@ -31,6 +31,8 @@ public:
                 stream += chunk.data;
             else if (chunk.type == "PLTE")
                 read_palette(chunk.data);
+            else if (chunk.type == "tRNS")
+                transparency_ = chunk.data;
             else if (const bool is_critical = (chunk.type[0] & 0x20) == 0; is_critical)
                 throw ImageError("has a chunk of an unknown type");
         }
@@ -130,6 +132,8 @@ private:
                 size += pass.rows(height_) * (1 + row_bytes(columns));
         std::vector<std::uint8_t> data = inflate(stream, size);
         Bitmap bitmap = blank_bitmap(width_, height_);
+        if (colour_type_ == grey_alpha || colour_type_ == rgb_alpha || !transparency_.empty())
+            bitmap.alpha.resize(std::size_t{width_} * height_);
         std::uint8_t* next = data.data();
         for (const Pass& pass : passes())
             if (pass.columns(width_) > 0)
@@ -151,8 +155,10 @@ private:
             above = row;
             next = row + size;
             unpack(row, samples);
-            paint(samples, bitmap.row(pass.y + j * pass.dy) + std::size_t{3} * pass.x, columns,
-                  std::size_t{3} * pass.dx);
+            const std::uint32_t y = pass.y + j * pass.dy;
+            paint(samples, bitmap.row(y) + std::size_t{3} * pass.x, columns, std::size_t{3} * pass.dx);
+            if (!bitmap.alpha.empty())
+                set_alpha(row, samples, &bitmap.alpha[std::size_t{width_} * y + pass.x], columns, pass.dx);
         }
         return next;
     }
@@ -238,7 +244,33 @@ private:
         }
     }
 
+    /// Sets the opacity of the pixels of a row: their last sample, or that of their colour in the palette, or 0 for the
+    /// one colour that the file declares transparent, with samples of two bytes (ISO/IEC 15948, 11.3.2).
+    void set_alpha(const std::uint8_t* row, const std::vector<std::uint8_t>& samples, std::uint8_t* alpha,
+                   std::uint32_t columns, std::size_t step) const
+    {
+        const auto is_transparent = [&](std::size_t i) {
+            for (std::size_t c = 0; c < samples_; ++c) {
+                const std::size_t at = i * samples_ + c;
+                const unsigned high = depth_ == 16 ? row[2 * at] : 0;
+                const unsigned low = depth_ == 16 ? row[2 * at + 1] : samples[at];
+                if (static_cast<std::uint8_t>(transparency_[2 * c]) != high ||
+                    static_cast<std::uint8_t>(transparency_[2 * c + 1]) != low)
+                    return false;
+            }
+            return true;
+        };
+        for (std::size_t i = 0; i < columns; ++i, alpha += step)
+            if (colour_type_ == grey_alpha || colour_type_ == rgb_alpha)
+                *alpha = samples[(i + 1) * samples_ - 1];
+            else if (colour_type_ == indexed)
+                *alpha = samples[i] < transparency_.size() ? static_cast<std::uint8_t>(transparency_[samples[i]]) : 255;
+            else
+                *alpha = transparency_.size() >= 2 * samples_ && is_transparent(i) ? 0 : 255;
+    }
+
     ByteReader file_;
+    std::string_view transparency_; ///< contents of tRNS
     std::uint32_t width_ = 0;
     std::uint32_t height_ = 0;
     unsigned depth_ = 0; ///< bits of a sample

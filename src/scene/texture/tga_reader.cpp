@@ -25,14 +25,22 @@ public:
         if (is_packed_ ? pixels > most_per_byte * file_.left() : pixels * pixel_bytes_ > file_.left())
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_);
+        if (has_alpha_)
+            bitmap.alpha.resize(std::size_t{width_} * height_);
         for (std::uint32_t j = 0; j < height_; ++j) {
-            std::uint8_t* const row = bitmap.row(is_from_top_ ? j : height_ - 1 - j);
+            const std::uint32_t y = is_from_top_ ? j : height_ - 1 - j;
             for (std::uint32_t i = 0; i < width_; ++i) {
-                const Colour colour = colour_of(next_pixel());
+                const std::uint8_t* const pixel = next_pixel();
+                const Colour colour = colour_of(pixel);
                 const std::uint32_t x = is_from_right_ ? width_ - 1 - i : i;
-                std::copy(colour.begin(), colour.end(), row + std::size_t{3} * x);
+                std::copy(colour.begin(), colour.end(), bitmap.row(y) + std::size_t{3} * x);
+                if (has_alpha_)
+                    bitmap.alpha[std::size_t{width_} * y + x] = pixel[pixel_bytes_ - 1];
             }
         }
+        const auto is_zero = [](std::uint8_t alpha) { return alpha == 0; };
+        if (std::all_of(bitmap.alpha.begin(), bitmap.alpha.end(), is_zero)) // an unused byte
+            bitmap.alpha.clear();
         return bitmap;
     }
 
@@ -62,6 +70,7 @@ private:
         if (!is_known)
             throw ImageError(std::to_string(bits) + " bits per pixel are not supported");
         pixel_bytes_ = (bits + 7) / 8;
+        has_alpha_ = (descriptor & 15) == 8 && (kind_ == rgb ? bits == 32 : kind_ == grey && bits == 16);
         is_from_right_ = (descriptor & 0x10) != 0;
         is_from_top_ = (descriptor & 0x20) != 0;
         if ((descriptor & 0xc0) != 0)
@@ -139,6 +148,7 @@ private:
     unsigned kind_ = 0;
     std::size_t pixel_bytes_ = 0;
     bool is_packed_ = false;
+    bool has_alpha_ = false; ///< the last byte of a pixel is its opacity
     bool is_from_right_ = false;
     bool is_from_top_ = false;
 

@@ -116,6 +116,7 @@ TEST_CASE("wrong usage is refused with one plain line")
         {{"room.obj", "--quiet=yes"}, "--quiet takes no value, got 'yes'"},
         {{"room.obj", "--lines", "5", "--lines=6"}, "--lines is given twice"},
         {{"room.obj", "-q", "--quiet"}, "--quiet is given twice"},
+        {{"room.obj", "-o", "a.png", "--output=b.png", "-oa.png"}, "--output: 'a.png' is named twice"},
         {{"room.obj", "-mlocl"}, "--method: expected one of local, reuse, got 'locl'; did you mean local?"},
         {{"--quiet"}, "missing SCENE.obj"},
         {{"a.obj", "b.obj"}, "unexpected argument 'b.obj': 'solve' takes SCENE.obj"},

@@ -38,6 +38,7 @@ TEST_CASE("a view is read in any order and spacing, and what it leaves out has d
     const Camera bare = camera_of("{\"eye\":[1,0,0],\"target\":[0,0,0]}");
     CHECK(bare.up == Vec3{0, 1, 0});
     CHECK(bare.field_of_view == 60.0);
+    CHECK(camera_of("\xef\xbb\xbf{\"eye\":[1,0,0],\"target\":[0,0,0]}").eye == Vec3{1, 0, 0});
 }
 
 TEST_CASE("what is no view is refused with its line")

@@ -69,10 +69,59 @@ TEST_CASE("a name keeps its blanks, its number sign and its backslash, but no co
                                "usemtl C:\\\nf 1 2 3\nusemtl\nf 1 2 3\n");
     REQUIRE(mesh.materials.size() == 4);
     CHECK(mesh.materials[0].name == "Material #25");
-    CHECK(mesh.materials[1].name == "old wood");
+    CHECK(mesh.materials[1].name == "old wood # from the shop"); // until the MTL files are read
     CHECK(mesh.materials[2].name == "C:\\");
     CHECK(mesh.materials[3].name == "");
     CHECK(mesh.faces.size() == 4);
+}
+
+TEST_CASE("a face has the names of its object and its group, whichever came last")
+{
+    const ObjMesh mesh =
+        parse(triangle + "o a # first\ng b\nf 1 2 3\ng c # 1\nf 1 2 3\no d\nf 1 2 3\ng c # 2\no e\nf 1 2 3\n" +
+              "o f\ng f\nf 1 2 3\n");
+    const auto names = [&](std::size_t face) {
+        return mesh.groups[mesh.faces[face].group] + " of " + mesh.other_names[mesh.faces[face].other_name];
+    };
+    CHECK(names(0) == "b of a");
+    CHECK(names(1) == "c # 1 of a");
+    CHECK(names(2) == "d of ");      // a group ends with its object,
+    CHECK(names(3) == "e of c # 2"); // but not one without a face of its own
+    CHECK(names(4) == "f of ");
+}
+
+TEST_CASE("numbers after coordinates, texture coordinates and texture points without meaning are told")
+{
+    const auto warning = [](const std::string& text) {
+        const ObjMesh mesh = parse(text);
+        REQUIRE(mesh.warnings.size() <= 1);
+        return mesh.warnings.empty() ? "" : mesh.warnings[0].substr(mesh.warnings[0].find("a.obj"));
+    };
+    const std::string after = ": the numbers after the coordinates of a vertex are ignored";
+    CHECK(warning(triangle + "v 0 0 1 0.5 0.5 0\nf 1 2 4\n") == "");
+    CHECK(contains(warning(triangle + "v 0 0 1 200 10 0\nf 1 2 4\n"), "a.obj:4" + after));
+    CHECK(contains(warning(triangle + "v 0 0 1 1 1\nv 0 0 1 1 1 0 1\nf 1 2 4\n"), "a.obj:4" + after));
+    CHECK(contains(warning(triangle + "v 0 0 1 -0.1 0 0\nf 1 2 4\n"), "(1 in the file)"));
+    const std::string coordinate = ": a texture coordinate is not a number up to 1e6";
+    CHECK(warning(triangle + "vt 0.5\nvt 1 1 0\nf 1/1 2/2 3/1\n") == "");
+    CHECK(contains(warning(triangle + "vt 0 0\nvt 1.#IND 0\nvt x 0\nf 1 2 3\n"), "a.obj:5" + coordinate));
+    CHECK(contains(warning(triangle + "vt 0 2e6\nf 1 2 3\n"), "a.obj:4" + coordinate));
+    const std::string missing = ": a face refers to a texture point that does not exist";
+    for (const char* point : {"2", "99", "0", "-2", "4294967295", "99999999999"}) {
+        CAPTURE(point);
+        CHECK(
+            contains(warning(triangle + "vt 0 0\nf 1/1 2/1 3/1\nf 1/1 2/" + point + "/1 3/1\n"), "a.obj:6" + missing));
+    }
+    CHECK(warning(triangle + "f 1/1 2/1 3/-1\nvt 0 0\n") != ""); // none is defined before the line
+    CHECK(warning(triangle + "f 1/1 2/1 3/1\nf 1//1 2//1 3\nvt 0 0\n") == "");
+}
+
+TEST_CASE("a vertex that is not finite is refused, however a program wrote it")
+{
+    for (const char* word : {"1.#INF", "-1.#IND", "1.#QNAN0", "nan", "-inf"}) {
+        CAPTURE(word);
+        CHECK(contains(problem("v 0 0 " + std::string(word) + "\nf 1 1 1\n"), "is not a finite number"));
+    }
 }
 
 TEST_CASE("a backslash in a comment continues nothing")

@@ -337,6 +337,54 @@ TEST_CASE("a material without Kd reflects nothing, with a warning")
     CHECK(any_contains(scene.warnings, "room.mtl:1: no Kd"));
 }
 
+TEST_CASE("materials whose names differ after a number sign are different, and a comment after a name changes nothing")
+{
+    const auto reflectances = [](const std::string& first, const std::string& second, const std::string& mtl) {
+        const SceneFile scene =
+            SceneText{"mtllib room.mtl # the room\n" + square + above + "usemtl " + first + "\nf 1 2 3 4\nusemtl " +
+                          second + "\nf 5 6 7 8\nusemtl lamp # on\nf 8 7 6 5\n",
+                      mtl + "newmtl lamp # 60 W\nKd 0\nKe 1\n"}
+                .read();
+        std::string text;
+        for (std::size_t s = 0; s < 2; ++s)
+            text += scene.materials[scene.material[s]].name + " " +
+                    std::to_string(scene.materials[scene.material[s]].reflectance.r).substr(0, 3) +
+                    (s == 0 ? ", " : "");
+        return text;
+    };
+    const std::string paints = "newmtl Paint # 2\nKd 0.1\nnewmtl Paint # 3\nKd 0.9\n";
+    CHECK(reflectances("Paint # 2", "Paint # 3", paints) == "Paint # 2 0.1, Paint # 3 0.9");
+    CHECK(reflectances("Paint # 2", "Paint", paints) == "Paint # 2 0.1, Paint 0.5"); // not defined
+    CHECK(reflectances("Paint # 2", "Paint # 3", "newmtl Paint # 2\nKd 0.1\n") == "Paint 0.1, Paint # 3 0.5");
+    CHECK(reflectances("wood # floor", "wood # table", "newmtl wood\nKd 0.1\n") == "wood 0.1, wood 0.1");
+    CHECK(reflectances("wood", "old # table", "newmtl wood # oak\nKd 0.1\nnewmtl old\nKd 0.9\n") ==
+          "wood 0.1, old 0.9");
+    CHECK(reflectances("wood # oak", "wood", "newmtl wood # oak\nKd 0.1\n") == "wood 0.1, wood 0.1");
+    CHECK(reflectances("a # b", "a # b", "") == "a 0.5, a 0.5");
+}
+
+TEST_CASE("objects and the groups that divide them can both be named")
+{
+    const std::string faces = square + above + "o table\ng top\nf 1 2 3 4\ng leg\nf 5 6 7 8\no chair\nf 8 7 6 5\n";
+    const auto lamps = [&](const char* name) {
+        const SceneFile scene = SceneText{faces, ""}.read(EmissionFrom::ke, {{{name, {1, 1, 1}}}, {}});
+        std::string lit;
+        for (const std::uint32_t material : scene.material)
+            lit += scene.materials[material].emittance.r > 0.0 ? '1' : '0';
+        return lit;
+    };
+    CHECK(lamps("table") == "110");
+    CHECK(lamps("top") == "100");
+    CHECK(lamps("leg") == "010");
+    CHECK(lamps("chair") == "001");
+    ObjChanges changes = {{{"top # as in the file", {1, 1, 1}}}, {"chair"}};
+    CHECK(SceneText{faces, ""}.read(EmissionFrom::ke, changes).surfaces.size() == 2);
+    const SceneFile scene = SceneText{faces, ""}.read(EmissionFrom::ke, changes);
+    CHECK(scene.is_named(0, "table"));
+    CHECK(scene.is_named(1, "leg"));
+    CHECK_FALSE(scene.is_named(1, "top"));
+}
+
 TEST_CASE("groups come in order of appearance, and the same name is the same group")
 {
     const SceneFile scene =

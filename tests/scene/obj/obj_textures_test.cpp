@@ -1,6 +1,7 @@
 #include "scene/obj/obj_textures.h"
 
 #include "scene/input_error.h"
+#include "scene/input_problem.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scene.h"
 #include "scene/scratch_folder.h"
@@ -115,6 +116,97 @@ TEST_CASE("what is not read is told with its weight, and Kd stands alone")
     CHECK(Scene(flat, 0.5).reflectance(0).g == doctest::Approx(0.4));
 }
 
+TEST_CASE("options that would change the colours of a texture are told, unless they change nothing")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    const auto told = [&](const std::string& options) {
+        const SceneFile file =
+            files.read(square + "f 1/1 2/2 3/3 4/4\n", "newmtl m\nKe 1\nmap_Kd " + options + " a.ppm\n");
+        CHECK(file.materials[0].reflectance.r == doctest::Approx(0.5));
+        for (const std::string& warning : file.warnings)
+            if (const std::size_t colon = warning.find("ignored: "); colon != std::string::npos)
+                return warning.substr(colon + 9);
+        return std::string();
+    };
+    CHECK(told("-mm 0.1 0.5") == "`map_Kd -mm`");
+    CHECK(told("-mm 0 1 -cc off -t 0 0 0 -bm 2 -blendu on") == "");
+    CHECK(told("-imfchan r -cc on -t 0.1") == "`map_Kd -imfchan`, `map_Kd -cc`, `map_Kd -t`");
+}
+
+TEST_CASE("a refusal names textures that are not read")
+{
+    Files files;
+    const std::string cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                             "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+    const auto problem = [&](const std::string& mtl) { return problem_of([&] { files.read(cube, mtl); }); };
+    const std::string names = "textures that are not read: `m` (my%20wood.png: not found)";
+    CHECK(contains(problem("newmtl m\nKe 1\nKd 1\nmap_Kd my%20wood.png\n"), names));
+    CHECK(contains(problem("newmtl m\nKd 0.5\nmap_Ke my%20wood.png\n"), names));
+    CHECK_FALSE(contains(problem("newmtl m\nKe 1\nKd 1\n"), "textures"));
+}
+
+// Of sRGB 0.5 the nearest of 256 levels is 128, whose linear light is 0.2159 (IEC 61966-2-1).
+TEST_CASE("colours of vertices multiply Kd where a material has no texture")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    const std::string corners =
+        "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\n"
+        "v 1 0 1 1 1 1\nv 2 0 1 1 1 1\nv 2 1 1 0 0 0.5\nv 1 1 1 0 0 0.5\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+    const std::string faces = "f 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n";
+    const auto reflectances = [](const SceneFile& file) {
+        const Scene scene(file, 2.0);
+        return std::vector<Rgb>{scene.reflectance(0), scene.reflectance(1)};
+    };
+    const SceneFile file = files.read(corners + faces, "newmtl m\nKe 1\nKd 0.5\n");
+    CHECK(any_contains(file.warnings, "the colours of vertices, decoded from sRGB, multiply Kd; 2 surfaces"));
+    const std::vector<Rgb> both = reflectances(file);
+    CHECK(both[0] == Rgb{0.5, 0, 0});
+    // Half a step of sRGB at linear light 0.5 is 0.0025.
+    CHECK(both[1].r == doctest::Approx(0.5 * 0.5).epsilon(0.01));
+    CHECK(both[1].b == doctest::Approx(0.5 * (1.0 + 0.214) / 2).epsilon(0.01));
+    CHECK(file.materials[0].reflectance.r == doctest::Approx(0.5 * (both[0].r + both[1].r)));
+    CHECK(reflectances(flipped(file))[1] == both[1]);
+
+    // One colour needs no texture, and white changes nothing.
+    const SceneFile red = files.read(corners + "f 1 2 3 4\n", "newmtl m\nKe 1\nKd 0.5\n");
+    CHECK(red.textures.empty());
+    CHECK(red.materials[0].reflectance == Rgb{0.5, 0, 0});
+    const SceneFile white =
+        files.read("v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nf 1 2 3\n", "newmtl m\nKe 1\nKd 0.5\n");
+    CHECK(white.materials[0].reflectance == Rgb{0.5, 0.5, 0.5});
+    CHECK(white.warnings.empty());
+
+    // A texture takes precedence; a missing Kd or material counts as 1.
+    CHECK(reflectances(files.read(corners + faces, "newmtl m\nKe 1\nKd 0.5\nmap_Kd a.ppm\n"))[0].g ==
+          doctest::Approx(0.25));
+    CHECK(reflectances(files.read(corners + faces, "newmtl m\nKe 1\n"))[0] == Rgb{1, 0, 0});
+    ObjChanges sky;
+    sky.lit_from_outside = true;
+    const SceneFile unknown = files.read(corners + "v 0 0 2\nv 1 0 2\nv 0 1 2\n" + faces + "f -3 -2 -1\n", "", sky);
+    CHECK(unknown.unknown_materials.empty());
+    CHECK(unknown.textures.size() == 1);
+    SceneFile lit = unknown;
+    lit.sun = Sun{{0, 0, 1}, {1, 1, 1}};
+    const Scene scene(lit, 2.0);
+    CHECK(scene.reflectance(0) == Rgb{1, 0, 0});
+    CHECK(scene.reflectance(2).r == doctest::Approx(0.5).epsilon(0.01)); // no colours: grey
+}
+
+TEST_CASE("triangles are joined only if their vertices give them the same colour")
+{
+    Files files;
+    const auto surfaces = [&](const std::string& colour) {
+        const SceneFile file =
+            files.read("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 " + colour + "\nf 1 2 3\nf 1 3 4\n",
+                       "newmtl m\nKe 1\nKd 0.5\n");
+        return file.surfaces.size();
+    };
+    CHECK(surfaces("1 0 0") == 1);
+    CHECK(surfaces("0 1 0") == 2);
+}
+
 TEST_CASE("map_Ke times Ke is the mean of a lamp")
 {
     Files files;
@@ -123,6 +215,9 @@ TEST_CASE("map_Ke times Ke is the mean of a lamp")
     CHECK(files.read(face, "newmtl m\nKd 0\nKe 6 4 2\nmap_Ke a.ppm\n").materials[0].emittance.r ==
           doctest::Approx(3.0));
     CHECK(files.read(face, "newmtl m\nKd 0\nmap_Ke a.ppm\n").materials[0].emittance.r == doctest::Approx(0.5));
+    const SceneFile dark = files.read(face, "newmtl m\nKd 0\nKe 0 0 0\nmap_Ke a.ppm\n");
+    CHECK(dark.materials[0].emittance.r == doctest::Approx(0.5));
+    CHECK(any_contains(dark.warnings, "Ke = 0 beside a texture, which counts alone: `m`"));
     ObjChanges lamp;
     lamp.lamps = {{"m", {7, 7, 7}}};
     CHECK(files.read(face, "newmtl m\nKd 0\nKe 1\nmap_Ke a.ppm\n", lamp).materials[0].emittance.r == 7.0);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace text_words_test {
 
@@ -65,8 +66,27 @@ TEST_CASE("the message about a bad number says what it is instead")
     CHECK(problem("") == "a.mtl:7: Kd: a number is missing");
     CHECK(problem("-Inf") == "a.mtl:7: Kd: `-Inf` is not a finite number");
     CHECK(problem("1e400") == "a.mtl:7: Kd: `1e400` is out of range, expected at most 1.8e308 in magnitude");
+    CHECK(problem("-1.#IND") == "a.mtl:7: Kd: `-1.#IND` is not a finite number");
+    CHECK(problem("1.#INF00") == "a.mtl:7: Kd: `1.#INF00` is not a finite number");
     CHECK(problem("1,5") == "a.mtl:7: Kd: `1,5` has a decimal comma, expected a decimal point");
     CHECK(problem("1x") == "a.mtl:7: Kd: `1x` is not a number");
+}
+
+TEST_CASE("a number sign ends the numbers of a statement, but not within a number that is not finite")
+{
+    CHECK(without_comment(" 1 2#a") == " 1 2");
+    CHECK(without_comment("1.#QNAN 2 # 1.#INF") == "1.#QNAN 2 ");
+    CHECK(without_comment("1.#J") == "1.#J");
+    CHECK(without_comment("# a") == "");
+}
+
+TEST_CASE("a comment after a name is not part of it, unless two names differ only there")
+{
+    using Texts = std::vector<std::string>;
+    CHECK(without_comments({"wood # oak", "Material #25", "wood # oak", "a"}) ==
+          Texts{"wood", "Material #25", "wood", "a"});
+    CHECK(without_comments({"Paint # 2", "wood # oak", "Paint # 3"}) == Texts{"Paint # 2", "wood", "Paint # 3"});
+    CHECK(without_comments({"Paint", "Paint # 2"}) == Texts{"Paint", "Paint # 2"});
 }
 
 } // namespace text_words_test

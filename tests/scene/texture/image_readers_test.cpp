@@ -337,6 +337,36 @@ TEST_CASE("PNG: a small file of a huge image is refused by its size")
     CHECK(png_picture(0, 1, "08 02 000000", "00") == "has no pixels");
 }
 
+TEST_CASE("PNG and TGA: opacity, per pixel, of a palette and of a single colour")
+{
+    const auto opacity = [](const std::string& name, const std::string& bytes) {
+        std::string digits;
+        for (const std::uint8_t alpha : read_image(name, bytes).alpha)
+            digits += std::to_string(alpha) + " ";
+        return digits;
+    };
+    CHECK(opacity("a", png(2, 1, "08 06 000000", "00 01020300 a0b0c0ff")) == "0 255 ");
+    CHECK(opacity("a", png(2, 1, "10 06 000000", "00 000000000000 80ff 000000000000 7fff")) == "128 127 ");
+    CHECK(opacity("a", png(2, 1, "08 04 000000", "00 0110 80ff")) == "16 255 ");
+    CHECK(opacity("a", png(2, 1, "08 02 000000", "00 010203 a0b0c0")) == "");
+    const auto transparent = [](const std::string& data) { return chunk("tRNS", hex(data)); };
+    const std::string palette = chunk("PLTE", hex("ff0000 00ff00 0000ff")) + transparent("00 80");
+    CHECK(opacity("a", png(3, 1, "02 03 000000", "00 18", palette)) == "0 128 255 ");
+    CHECK(opacity("a", png(2, 1, "08 02 000000", "00 010203 010204", transparent("0001 0002 0003"))) == "0 255 ");
+    CHECK(opacity("a", png(2, 1, "10 00 000000", "00 0102 0103", transparent("0103"))) == "255 0 ");
+    CHECK(opacity("a", png(4, 1, "02 00 000000", "00 1b", transparent("0002"))) == "255 255 0 255 ");
+    CHECK(opacity("a", png(1, 1, "08 02 000000", "00 010203", transparent("00"))) == "255 ");
+    // Adam7: the pixels (0, 0), then (1, 0)
+    CHECK(opacity("a", png(2, 1, "08 04 000001", "00 0110 00 0220")) == "16 32 ");
+    const auto tga = [](const char* bits, const char* descriptor, const char* pixels) {
+        return hex(std::string("00 00 02 0000 0000 00 0000 0000 0200 0100") + bits + descriptor + pixels);
+    };
+    CHECK(opacity("a.tga", tga("20", "28", "01020380 a0b0c0ff")) == "128 255 ");
+    CHECK(opacity("a.tga", tga("20", "38", "01020380 a0b0c0ff")) == "255 128 "); // from the right
+    CHECK(opacity("a.tga", tga("20", "20", "01020380 a0b0c0ff")) == "");         // no such bits
+    CHECK(opacity("a.tga", tga("20", "28", "01020300 a0b0c000")) == "");         // not used
+}
+
 TEST_CASE("TGA: colours of 15 to 32 bits, greys and colour maps")
 {
     const std::string_view rgb_23 = "0000 0000 00 0000 0000 0200 0100";
