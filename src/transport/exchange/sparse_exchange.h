@@ -3,6 +3,7 @@
 #include "transport/exchange/exchange.h"
 #include "transport/exchange/line_counts.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -43,7 +44,7 @@ public:
     void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
     double self_exchange(std::uint32_t patch) const override;
     double escaping(std::uint32_t patch) const override { return sky_.empty() ? open(patch) : 0.0; }
-    double behind(std::uint32_t patch) const override { return lost(patch, counts_.behind(patch)); }
+    double behind(std::uint32_t patch) const override { return lost_[patch] - open(patch); }
     double row_area(std::uint32_t patch) const override { return area_[patch]; }
 
     /// [1] Fraction of the total area that step 2 adds: exchange that no ray has sampled.
@@ -77,24 +78,30 @@ private:
         float scale;   ///< x [1]
     };
 
-    double lost(std::uint32_t patch, std::uint64_t rays) const;
-    double open(std::uint32_t patch) const { return lost(patch, counts_.escaped(patch)); }
+    double lost_rays(std::uint32_t patch) const
+    {
+        return static_cast<double>(counts_.escaped(patch) + counts_.behind(patch));
+    }
+    bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
+    double part_lost(std::uint32_t i, double cast) const;
+    double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
     void multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const;
-    void balance(const std::vector<double>& wanted, int threads);
+    void balance(const std::vector<double>& wanted, const std::vector<double>& most, int threads);
 
     const LineCounts& counts_;
     std::vector<double> area_;
     double unit_ = 0.0; ///< [m^2] total area, the unit of areas that keeps numbers within the range of floats
     std::vector<Factors> factors_;
     std::vector<std::uint32_t> sky_;
-    double sky_area_ = 0.0;        ///< [m^2]
-    std::vector<double> ray_area_; ///< [m^2] lost area per lost ray of each patch
-    std::vector<double> own_;      ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
-    std::vector<double> unseen_;   ///< [m^2] the part of the other deficits that is spread over the patches
-    double unseen_sum_ = 0.0;      ///< [m^2] sum of unseen_
+    double sky_area_ = 0.0;       ///< [m^2]
+    std::vector<double> lost_;    ///< [m^2] exchange area with no patch
+    double escaping_share_ = 1.0; ///< [1] part of all lost rays that escaped
+    std::vector<double> own_;     ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
+    std::vector<double> unseen_;  ///< [m^2] the part of the other deficits that is spread over the patches
+    double unseen_sum_ = 0.0;     ///< [m^2] sum of unseen_
 };
 
 } // namespace multipath
