@@ -122,12 +122,13 @@ std::string light_grid_summary(const Scene& scene, const LightGrid& grid)
                   light_units(scene.file()).per_area, grid.least, grid.most, grid.uniformity(), grid.points.size());
 }
 
-std::string light_grid_table(const LightGrid& grid)
+std::string light_grid_table(const Scene& scene, const LightGrid& grid)
 {
+    const int digits = coordinate_digits(scene.own_bounds(), 9);
     std::string text = "x,y,z,irradiance_r,irradiance_g,irradiance_b,irradiance\n";
     for (const GridPointLight& p : grid.points)
-        text += format("%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", p.point.x, p.point.y, p.point.z, p.irradiance.r,
-                       p.irradiance.g, p.irradiance.b, mean(p.irradiance));
+        text += format("%.*g,%.*g,%.*g,%.9g,%.9g,%.9g,%.9g\n", digits, p.point.x, digits, p.point.y, digits, p.point.z,
+                       p.irradiance.r, p.irradiance.g, p.irradiance.b, mean(p.irradiance));
     return text;
 }
 

@@ -45,7 +45,7 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
 
 /// The grid as CSV, a header and one row per point: x, y, z [m], irradiance [W/m^2] per channel, and the mean of the
 /// channels.
-std::string light_grid_table(const LightGrid& grid);
+std::string light_grid_table(const Scene& scene, const LightGrid& grid);
 
 /// One line of statistics in the scene's light unit: "512 lx on average, least 301, most 820, uniformity 0.588, of 96
 /// points".

@@ -488,6 +488,32 @@ TEST_CASE("cameras of a lightmap GLB stand at their eyes and look along their vi
     CHECK(matrix == std::vector<double>{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 1, 2, 3, 1});
 }
 
+TEST_CASE("lightmap meshes are exact to a millionth of the scene's size however far away and large that is")
+{
+    const SurfaceLight dark = [](std::uint32_t, bool, double, double) { return Rgb{}; };
+    const auto glb_of = [&](const Scene& scene, Vec3 up) {
+        return GlbFile(lightmap_glb(scene, lightmap(scene, 256, dark, 1), "png", 1.0, {}, {}, {}, up));
+    };
+    const auto obj_of = [&](const Scene& scene) {
+        return obj_positions(lightmap_obj(scene, lightmap(scene, 256, dark, 1), "a.mtl", {}));
+    };
+    const Scene unmoved = walls_that_do_not_match().scene(1.0);
+    const std::vector<Vec3> expected = glb_of(unmoved, {0, 1, 0}).corners();
+    for (const Placement& placement : far_and_other_sizes()) {
+        CAPTURE(placement.scale);
+        const Scene scene(placement.moved(walls_that_do_not_match().file()), placement.scale);
+        const std::vector<Vec3> corners = glb_of(scene, {0, 1, 0}).corners();
+        CHECK(largest_miss(corners, placement, expected, unmoved) < 1e-6);
+        for (std::size_t n = 0; n < corners.size(); n += 3)
+            REQUIRE(length(cross(corners[n + 1] - corners[n], corners[n + 2] - corners[n])) > 0.0);
+        CHECK(largest_miss(obj_of(scene), placement, obj_of(unmoved), unmoved) < 1e-6);
+        std::vector<Vec3> turned = glb_of(scene, {0, 0, 1}).corners();
+        for (Vec3& p : turned)
+            p = {p.x, -p.z, p.y}; // z upwards again
+        CHECK(largest_miss(turned, placement, expected, unmoved) < 1e-6);
+    }
+}
+
 // Names and numbers are read from files, so that the reader of such files is the judge.
 TEST_CASE("the reader of scenes reads the lightmap's OBJ back, and its texture coordinates find the light")
 {

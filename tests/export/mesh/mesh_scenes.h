@@ -2,6 +2,10 @@
 
 #include "test_scenes.h"
 
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace multipath {
@@ -18,6 +22,59 @@ inline SceneBuilder walls_that_do_not_match()
     builder.triangle({0, 3, 0}, {4, 3, 0}, {2, 3, 5}, paint);
     builder.triangle({4, 3, 0}, {6, 3, 1}, {3.1, 3, 2.25}, paint);
     return builder.rectangle({0, 50, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.5, 1.0));
+}
+
+/// A scene that is made larger and then moved.
+struct Placement
+{
+    double scale = 1.0;
+    Vec3 shift;
+
+    SceneFile moved(SceneFile file) const
+    {
+        for (Surface& surface : file.surfaces)
+            surface = {surface.shape, scale * surface.origin + shift, scale * surface.edge_u, scale * surface.edge_v};
+        return file;
+    }
+    Vec3 back(Vec3 p) const { return (1.0 / scale) * (p - shift); }
+};
+
+/// In the coordinates of maps, in all directions, and very small and large ones.
+inline std::vector<Placement> far_and_other_sizes()
+{
+    return {{1.0, {500000, 120, 4649776}},
+            {1.0, {-9e6, 8.0123e6, -1e7}},
+            {1.0, {0, 0, 1e9}},
+            {1.0, {160, -170, 40}},
+            {1e-4, {}},
+            {1e-4, {-3.3, 2, 1e3}},
+            {1e7, {3e7, 0, -1e7}},
+            {1e5, {1e8, -1e8, 3e7}}};
+}
+
+/// How far points are from those of the unmoved scene [share of its size], which are given in the same order.
+inline double largest_miss(const std::vector<Vec3>& moved, const Placement& placement,
+                           const std::vector<Vec3>& expected, const Scene& unmoved)
+{
+    REQUIRE(moved.size() == expected.size());
+    double largest = 0.0;
+    for (std::size_t n = 0; n < moved.size(); ++n)
+        largest = std::max(largest, length(placement.back(moved[n]) - expected[n]));
+    return largest / unmoved.own_bounds().diagonal();
+}
+
+/// The positions in an OBJ.
+inline std::vector<Vec3> obj_positions(const std::string& text)
+{
+    std::vector<Vec3> points;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (std::istringstream words(line.compare(0, 2, "v ") == 0 ? line.substr(2) : ""); !words.str().empty()) {
+            Vec3 p;
+            words >> p.x >> p.y >> p.z;
+            points.push_back(p);
+        }
+    return points;
 }
 
 /// Different values on all patches.
