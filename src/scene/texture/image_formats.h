@@ -43,6 +43,8 @@ Bitmap read_png(std::string_view bytes);
 /// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components. A file
 /// that breaks off in its pixels is decoded up to there; the rest is grey.
 Bitmap read_jpeg(std::string_view bytes);
+/// True for a JPEG file of four components. Such files hold inks (CMYK), which glTF does not allow.
+bool is_jpeg_of_inks(std::string_view bytes);
 /// Truevision TGA, uncompressed or run-length encoded: palette, 15 to 32 bits of colour, or grey.
 Bitmap read_tga(std::string_view bytes);
 /// Windows bitmap of 1 to 32 bits per pixel, uncompressed or run-length encoded.
