@@ -115,8 +115,8 @@ struct MaterialPart
     std::size_t triangle_count = 0; ///< a quadrilateral counts as two
 };
 
-/// The parts of all used materials, in the order of the scene's materials. A textured material has a separate part for
-/// surfaces without texture coordinates.
+/// The parts of all materials that are seen, in the order of the scene's materials. A textured material has a separate
+/// part for surfaces without texture coordinates.
 std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& scene)
 {
     const std::size_t materials = scene.materials().size();
@@ -132,8 +132,8 @@ std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& sce
         for (std::size_t n = side.first_face; n < side.first_face + side.face_count; ++n)
             part.triangle_count += mesh.faces[n].corner_count - 2;
     }
-    const auto unused = [](const MaterialPart& part) { return part.sides.empty(); };
-    parts.erase(std::remove_if(parts.begin(), parts.end(), unused), parts.end());
+    const auto unseen = [](const MaterialPart& part) { return part.triangle_count == 0; }; // glTF has no empty lists
+    parts.erase(std::remove_if(parts.begin(), parts.end(), unseen), parts.end());
     return parts;
 }
 

@@ -53,6 +53,23 @@ TEST_CASE("a GLB has one unlit mesh per material, with the names and physics of 
     CHECK(glb.json["materials"][1]["name"].text == "\\\"red\\\" caf\xc3\xa9");
 }
 
+TEST_CASE("a material that lies wholly under others in its planes has no mesh in a GLB")
+{
+    SceneBuilder builder;
+    const std::uint32_t under = builder.grey(0.5, 0.0);
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {4, 0, 0}, under);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, paint).rectangle({2, 0, 0}, {0, 0, 2}, {2, 0, 0}, paint);
+    const Scene scene = builder.scene(1.0);
+    const GlbFile glb(glb_bytes(patch_mesh(scene, flat_corners(some_values(scene)), {}), scene, 0.5, {}, {}));
+    REQUIRE(glb.json["meshes"].list.size() == 1);
+    CHECK(glb.json["materials"].list.size() == 1);
+    CHECK(glb.json["meshes"][0]["name"].text == scene.materials()[paint].name);
+    for (const JsonValue& accessor : glb.json["accessors"].list)
+        CHECK(accessor["count"].count() > 0);
+    CHECK(glb.corners().size() == 3 * 2 * 8); // of 4 x 2 squares, each in two triangles
+}
+
 TEST_CASE("cameras of a GLB stand at their eyes and look along their views")
 {
     const Scene scene = walls_that_do_not_match().scene(1.0);
