@@ -43,12 +43,15 @@ struct GlbFile
         const JsonValue& entry = json["accessors"][accessor];
         const JsonValue& view = json["bufferViews"][entry["bufferView"].count()];
         const std::map<std::string, std::size_t> sizes = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}};
-        const std::size_t count = entry["count"].count() * sizes.at(entry["type"].text);
-        REQUIRE(entry["byteOffset"].count() + 4 * count <= view["byteLength"].count());
-        ByteReader reader(numbers, view["byteOffset"].count() + entry["byteOffset"].count());
+        const std::size_t size = sizes.at(entry["type"].text);
+        const std::size_t stride = view.members.count("byteStride") == 1 ? view["byteStride"].count() : 4 * size;
+        REQUIRE(entry["byteOffset"].count() + stride * entry["count"].count() <= view["byteLength"].count());
         std::vector<double> result;
-        for (std::size_t n = 0; n < count; ++n)
-            result.push_back(reader.number(entry["componentType"].text == "5126" ? "float" : "uint"));
+        for (std::size_t n = 0; n < entry["count"].count(); ++n) {
+            ByteReader reader(numbers, view["byteOffset"].count() + entry["byteOffset"].count() + n * stride);
+            for (std::size_t k = 0; k < size; ++k)
+                result.push_back(reader.number(entry["componentType"].text == "5126" ? "float" : "uint"));
+        }
         return result;
     }
     std::vector<double> values(const JsonValue& accessor) const { return values(accessor.count()); }

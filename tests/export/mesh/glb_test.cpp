@@ -132,6 +132,34 @@ TEST_CASE("the triangles of a GLB cover the surfaces of their material")
     }
 }
 
+// Each vertex, also within the face, shows the place of the texture that the OBJ gives it.
+TEST_CASE("texture coordinates of a GLB are those of the OBJ, however faces and textures are slanted, turned and moved")
+{
+    const std::vector<TexturedFace> faces = textured_faces();
+    for (const TexturedFace& face : faces) {
+        const Scene whole(scene_of(face), 0.4, true);
+        const Scene scene = unevenly_refined(whole);
+        const std::vector<Rgb> radiosity = some_values(scene);
+        const GlbFile glb(
+            glb_bytes(patch_mesh(scene, flat_corners(radiosity), {}), scene, 0.5, {}, {}, {{"image/png", "an image"}}));
+        CAPTURE(&face - &faces[0]);
+        std::size_t textured = 0;
+        for (std::size_t n = 0; n < glb.json["meshes"].list.size(); ++n) {
+            if (glb.json["materials"][n]["name"].text != "paper")
+                continue;
+            const std::vector<double> p = glb.attribute(glb.primitive(n), "POSITION");
+            const std::vector<double> st = glb.attribute(glb.primitive(n), "TEXCOORD_0");
+            for (std::size_t k = 0; k < p.size() / 3; ++k) {
+                const TexturePoint wanted = face.at(glb.placed("mesh", n, {p[3 * k], p[3 * k + 1], p[3 * k + 2]}));
+                REQUIRE(std::abs(st[2 * k] - wanted.s) < 1e-5); // floats up to 7
+                REQUIRE(std::abs(1.0 - st[2 * k + 1] - wanted.t) < 1e-5);
+                ++textured;
+            }
+        }
+        CHECK(textured > 100);
+    }
+}
+
 TEST_CASE("colours are linear and clipped, radiosity and error are as they are, and ranges are right")
 {
     SceneBuilder builder;
