@@ -244,7 +244,7 @@ std::vector<double> texture_frames(const Scene& scene)
         return numbers;
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
         const bool shown = scene.shows_texture(s);
-        const TextureFrame frame = shown ? scene.file().texture_frames[s] : TextureFrame{};
+        const TextureFrame frame = shown ? mesh_texture_frame(scene, s) : TextureFrame{};
         for (const TexturePoint& point : {frame.origin, frame.along_u, frame.along_v})
             for (const double x : {point.s, point.t})
                 numbers.push_back(shown ? x : std::numeric_limits<double>::quiet_NaN());

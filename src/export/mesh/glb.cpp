@@ -405,7 +405,7 @@ Float3 texture_coordinates(const Scene& scene, std::uint32_t surface, Vec3 point
     const double determinant = uu * vv - uv * uv;
     const double u = (vv * dot(p, s.edge_u) - uv * dot(p, s.edge_v)) / determinant;
     const double v = (uu * dot(p, s.edge_v) - uv * dot(p, s.edge_u)) / determinant;
-    const TexturePoint place = scene.file().texture_frames[surface].at(u, v);
+    const TexturePoint place = mesh_texture_frame(scene, surface).at(u, v);
     return {static_cast<float>(place.s), static_cast<float>(1.0 - place.t), 0.0f};
 }
 

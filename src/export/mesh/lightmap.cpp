@@ -735,9 +735,8 @@ private:
                              return map_.frame(side.surface, side.front);
                          }));
         if (scene_.materials()[part.material].texture != Material::no_texture)
-            attributes.count("TEXCOORD_1",
-                             add_points(texture_points, part, [&](LightmapSide side) -> const TextureFrame& {
-                                 return scene_.file().texture_frames[side.surface];
+            attributes.count("TEXCOORD_1", add_points(texture_points, part, [&](LightmapSide side) {
+                                 return mesh_texture_frame(scene_, side.surface);
                              }));
         const JsonObject primitive = JsonObject()
                                          .object("attributes", attributes)

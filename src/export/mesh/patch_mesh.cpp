@@ -121,6 +121,18 @@ Vec3 mesh_origin(const Scene& scene)
     return {rounded(box.centre().x), rounded(box.centre().y), rounded(box.centre().z)};
 }
 
+TextureFrame mesh_texture_frame(const Scene& scene, std::uint32_t surface)
+{
+    constexpr double far = 256.0; // images; nearer, a float is finer than a thirtieth of a pixel of 2048
+    TextureFrame frame = scene.file().texture_frames[surface];
+    TexturePoint& origin = frame.origin;
+    const bool repeats =
+        scene.is_textured(surface) && scene.file().textures[scene.surface_material(surface).texture]->repeats();
+    if (repeats && std::max(std::abs(origin.s), std::abs(origin.t)) > far)
+        origin = {origin.s - std::floor(origin.s), origin.t - std::floor(origin.t)};
+    return frame;
+}
+
 // Surfaces are tessellated one by one. Two surfaces that share a whole edge have the same corners on it, but a long
 // wall beside two short ones, or a triangle beside a rectangle, do not. A corner of one surface then lies on an edge of
 // the other (T-junction), and in single precision there are cracks of a fraction of a pixel. The mesh is therefore

@@ -20,6 +20,10 @@ std::vector<bool> covered_patches(const Scene& scene, int threads);
 /// unless the scene is more than four times its size away from there, else a point near its centre, exact in floats.
 Vec3 mesh_origin(const Scene& scene);
 
+/// The texture frame of a surface for numbers of single precision: far from (0, 0), a repeated image is moved by whole
+/// images, which shows the same.
+TextureFrame mesh_texture_frame(const Scene& scene, std::uint32_t surface);
+
 using Float3 = std::array<float, 3>;
 
 inline Float3 single(Vec3 v)

@@ -151,8 +151,12 @@ TEST_CASE("texture coordinates of a GLB are those of the OBJ, however faces and 
             const std::vector<double> st = glb.attribute(glb.primitive(n), "TEXCOORD_0");
             for (std::size_t k = 0; k < p.size() / 3; ++k) {
                 const TexturePoint wanted = face.at(glb.placed("mesh", n, {p[3 * k], p[3 * k + 1], p[3 * k + 2]}));
-                REQUIRE(std::abs(st[2 * k] - wanted.s) < 1e-5); // floats up to 7
-                REQUIRE(std::abs(1.0 - st[2 * k + 1] - wanted.t) < 1e-5);
+                const double s = st[2 * k] - wanted.s;
+                const double t = 1.0 - st[2 * k + 1] - wanted.t;
+                REQUIRE(std::abs(s - std::round(s)) < 1e-5); // floats up to 7
+                REQUIRE(std::abs(t - std::round(t)) < 1e-5);
+                const bool near = std::abs(wanted.s) < 256; // further away whole images are left out
+                REQUIRE((near ? std::abs(s) + std::abs(t) < 1 : std::abs(st[2 * k]) + std::abs(st[2 * k + 1]) < 20));
                 ++textured;
             }
         }

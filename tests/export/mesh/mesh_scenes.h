@@ -99,7 +99,7 @@ inline std::vector<TexturedFace> textured_faces()
         {{{1, 1, 1}, {1.2, 1, 2.9}, {4, 1.1, 3}}, {{1, 0}, {0.2, 0.1}, {0.7, 0.9}}},
         {{{0, 2, 0}, {0.1, 2, 1}, {3.1, 2.4, 1.2}, {3, 2.4, 0.2}}, {{5, 5}, {5, 4}, {7, 4}, {7, 5}}}};
     std::vector<TexturedFace> faces;
-    for (const int kind : {0, 1, 2, 3, 4})
+    for (const int kind : {0, 1, 2, 3, 4, 5})
         for (TexturedFace face : plain) {
             for (Vec3& p : face.corners)
                 p = kind == 1   ? Vec3{p.y, p.z, p.x}
@@ -107,6 +107,9 @@ inline std::vector<TexturedFace> textured_faces()
                     : kind == 3 ? Vec3{-p.x, p.y, p.z}
                     : kind == 4 ? p + Vec3{500000, 120, 4649776}
                                 : p;
+            for (TexturePoint& place : face.places)
+                if (kind == 5) // as where coordinates of maps are taken for those of the texture
+                    place = {place.s + 500000, place.t - 649776};
             faces.push_back(face);
         }
     return faces;
