@@ -1,5 +1,6 @@
 #include "viewer/viewer_page.h"
 
+#include "export/mesh/patch_mesh.h"
 #include "image/shading/smooth_shading.h"
 #include "sampling/random.h"
 #include "test_scenes.h"
