@@ -136,8 +136,10 @@ std::string report_text(const Scene& scene, const SceneReport& report, const std
     const Vec3 low = scene.own_bounds().low;
     const Vec3 high = scene.own_bounds().high;
     std::string text = scene.path() + ": " + scene.file().counts + "\n";
-    text += format("\nsize: %.5g x %.5g x %.5g m from (%.5g, %.5g, %.5g) to (%.5g, %.5g, %.5g)\n", high.x - low.x,
-                   high.y - low.y, high.z - low.z, low.x, low.y, low.z, high.x, high.y, high.z);
+    const int digits = coordinate_digits(scene.own_bounds(), 5);
+    text += format("\nsize: %.5g x %.5g x %.5g m from (%.*g, %.*g, %.*g) to (%.*g, %.*g, %.*g)\n", high.x - low.x,
+                   high.y - low.y, high.z - low.z, digits, low.x, digits, low.y, digits, low.z, digits, high.x, digits,
+                   high.y, digits, high.z);
     text += format("area: %.6g m^2 in %s patches of at most %.4g; convex hull %.6g m^2\n", scene.own_area(),
                    grouped(scene.patch_count()).c_str(), scene.patch_size(), report.hull_area);
     text += "\nmaterials:\n" + materials_text(scene);

@@ -196,11 +196,16 @@ std::string worst_text(const Comparison& c)
         return "";
     std::string text = format("worst    %9s %8s %12s %12s   %-27s %s\n", "patch", "of MSE", "A W/m^2", "B W/m^2",
                               "centre", "material");
+    Bounds box;
+    for (const Vec3& centre : c.b.centres)
+        box.include(centre);
+    const int digits = coordinate_digits(box, 4);
     for (const WorstPatch& patch : c.worst) {
         const std::size_t i = patch.patch;
         const Vec3 centre = c.b.centres[i];
         text += format("         %9zu %6.2f %% %12.6g %12.6g   %-27s ", i, 100.0 * patch.share, mean(c.a.radiosity[i]),
-                       mean(c.b.radiosity[i]), format("(%.4g, %.4g, %.4g)", centre.x, centre.y, centre.z).c_str()) +
+                       mean(c.b.radiosity[i]),
+                       format("(%.*g, %.*g, %.*g)", digits, centre.x, digits, centre.y, digits, centre.z).c_str()) +
                 c.b.materials[i] + "\n";
     }
     return text;

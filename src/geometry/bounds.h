@@ -30,12 +30,27 @@ struct Bounds
     Vec3 size() const { return high - low; }
     Vec3 centre() const { return 0.5 * (low + high); }
     double diagonal() const { return length(size()); }
+    double largest_coordinate() const ///< absolute value
+    {
+        return std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z}); // low <= high: the others are not larger
+    }
     double area() const ///< sum of the areas of the six sides
     {
         const Vec3 s = size();
         return 2.0 * (s.x * s.y + s.y * s.z + s.z * s.x);
     }
 };
+
+/// Significant digits for coordinates in a box: `near` for one near the origin, and more for one so far away that its
+/// coordinates agree in the first digits. With 7 or more they are exact to a millionth of the diagonal.
+inline int coordinate_digits(const Bounds& box, int near)
+{
+    constexpr int most = 17; // of a double
+    int digits = near;
+    for (double size = 1.6 * box.diagonal(); digits < most && box.largest_coordinate() > size; size *= 10.0)
+        ++digits;
+    return digits;
+}
 
 /// True if the boxes have a point in common; boxes that only touch overlap.
 inline bool overlap(const Bounds& a, const Bounds& b)

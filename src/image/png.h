@@ -14,7 +14,7 @@ namespace multipath {
 std::string png_bytes(const ScreenImage& image, const std::string& comment = "");
 
 /// The scene's textures, in the order of SceneFile::textures, as files for browsers and glTF: PNG and JPEG files
-/// unchanged, other formats converted to PNG.
+/// unchanged, other formats and JPEG files of inks converted to PNG.
 std::vector<ImageFile> texture_files(const Scene& scene);
 
 } // namespace multipath

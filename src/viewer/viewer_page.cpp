@@ -191,19 +191,19 @@ JsonObject transfer_json(const ViewerTransfer& transfer)
     return json;
 }
 
-JsonObject line_json(const ViewerLine& line)
+JsonObject line_json(const ViewerLine& line, Vec3 origin)
 {
     std::vector<double> points;
     std::string bold;
     for (const DrawnSegment& segment : line.shape.segments) {
         if (points.empty())
-            append_point(points, segment.from);
-        append_point(points, segment.to);
+            append_point(points, segment.from - origin);
+        append_point(points, segment.to - origin);
         bold += segment.bold ? '1' : '0';
     }
     std::vector<double> crossings;
     for (const Vec3& crossing : line.shape.crossings)
-        append_point(crossings, crossing);
+        append_point(crossings, crossing - origin);
     std::vector<JsonObject> transfers;
     for (const ViewerTransfer& transfer : line.transfers)
         transfers.push_back(transfer_json(transfer));
@@ -217,11 +217,11 @@ JsonObject line_json(const ViewerLine& line)
 
 /// A chapter of traced lines as the page reads it: every line is a polyline with the transfers of power along its
 /// segments. Numbers have six digits: they are shown, not computed with.
-JsonObject chapter_json(const ViewerChapter& chapter)
+JsonObject chapter_json(const ViewerChapter& chapter, Vec3 origin)
 {
     std::vector<JsonObject> lines;
     for (const ViewerLine& line : chapter.lines)
-        lines.push_back(line_json(line));
+        lines.push_back(line_json(line, origin));
     return JsonObject().text("title", chapter.title).text("note", chapter.note).objects("lines", lines);
 }
 
@@ -244,7 +244,7 @@ std::vector<double> texture_frames(const Scene& scene)
         return numbers;
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
         const bool shown = scene.shows_texture(s);
-        const TextureFrame frame = shown ? scene.file().texture_frames[s] : TextureFrame{};
+        const TextureFrame frame = shown ? mesh_texture_frame(scene, s) : TextureFrame{};
         for (const TexturePoint& point : {frame.origin, frame.along_u, frame.along_v})
             for (const double x : {point.s, point.t})
                 numbers.push_back(shown ? x : std::numeric_limits<double>::quiet_NaN());
@@ -258,10 +258,11 @@ JsonObject surfaces_json(const Scene& scene, int threads)
     std::vector<double> geometry;
     std::vector<std::uint32_t> cells;
     std::vector<std::uint32_t> covered;
+    const Vec3 origin = mesh_origin(scene);
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
         const Surface& surface = scene.surfaces()[s];
         triangles.push_back(surface.shape == Shape::triangle ? 1 : 0);
-        for (const Vec3& v : {surface.origin, surface.edge_u, surface.edge_v})
+        for (const Vec3& v : {surface.origin - origin, surface.edge_u, surface.edge_v})
             for (const double x : {v.x, v.y, v.z})
                 geometry.push_back(x);
         cells.push_back(scene.tessellation(s).cells_u);
@@ -272,6 +273,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
         if (is_covered[patch] || scene.is_sky(scene.surface_of(patch))) // the page has its own background
             covered.push_back(patch);
     return JsonObject()
+        .numbers("origin", coordinates(origin))
         .text("triangles", packed_bytes(triangles))
         .text("geometry", packed_numbers(geometry))
         .text("cells", packed_counts(cells))
@@ -438,7 +440,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         quantities.push_back(quantity_json(scene, quantity, quantities.empty(), content.render.threads));
     std::vector<JsonObject> chapters;
     for (const ViewerChapter& chapter : content.chapters)
-        chapters.push_back(chapter_json(chapter));
+        chapters.push_back(chapter_json(chapter, mesh_origin(scene)));
     return JsonObject()
         .text("scene", scene.path())
         .texts("record", content.record)

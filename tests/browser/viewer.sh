@@ -27,7 +27,7 @@ HTML
 # The functions of viewer_looks.js that look at each page of a run of the browser, which takes seconds to start.
 rooms="{ '5cubes': [patches_found, picture_compared, first_view, click_on_patch, stages_shown, lines_traced, quantities_shown, \
     keys_pressed, view_saved, names_of_controls], sphere: [patches_found, picture_compared], sided: [patches_found, picture_compared], \
-    textured: [patches_found, picture_compared] }"
+    textured: [patches_found, picture_compared], far: [patches_found, picture_compared, view_saved] }"
 chairs="{ '4chairs': [first_view] }"
 
 # What one of these functions finds becomes the lines of `seen`. The browser's virtual time passes while other threads of
@@ -86,6 +86,12 @@ textured() {
 }
 check "and those with textures" textured
 
+far_away() {
+    awk '$1 == "v" { printf "v %.9f %.9f %.9f\n", $2 + 500000, $3 + 120, $4 + 4649776; next } { print }' "$root/scenes/cornell.obj" >far.obj &&
+        cp "$root/scenes/cornell.mtl" . && solved far far.obj --eye 500000.31,120.29,4649777.1 --target 500000.26,120.24,4649776
+}
+check "and one whose coordinates are those of a map" far_away
+
 # The page's findings `at X Y R G B`, radiosities of patches found at pixels, against the pixels of a PFM of 800 x 600.
 # Radiosities of two patches are hardly ever the same, so the patch is the right one. The page holds coordinates with 24
 # bits: a pixel in a thousand may lie on the border of two patches.
@@ -103,6 +109,7 @@ check "a click finds the patch that the program sees there" same_patches 5cubes
 check "on triangles too" same_patches sphere
 check "and on both sides of surfaces" same_patches sided
 check "and with textures" same_patches textured
+check "and far from the origin" same_patches far
 
 # Edges are smoothed in another way, and there is some noise below a step of the screen.
 same_picture() { look "$1" picture_compared && holds 'mean_difference < 0.6 && far_off < 0.01'; }
@@ -110,6 +117,7 @@ check "the page shows the picture that the program draws" same_picture 5cubes
 check "of triangles too" same_picture sphere
 check "and of both sides of surfaces" same_picture sided
 check "and of textures" same_picture textured
+check "and of a room far from the origin" same_picture far
 
 visible() { look 5cubes first_view && holds 'varied > 0.5 && white > 0.001 && black < 0.05 && red_left > 10 && blue_right > 10'; }
 check "the room is drawn: not black, the lamp white, walls that colour what is near" visible
@@ -136,9 +144,9 @@ check "keys, wheel and drags move the camera" moved
 
 # The program takes the view of the page, from its file and as options, for the same picture.
 view_saved() {
-    look 5cubes view_saved && holds 'width == 1 && bytes > 20000' && value json >seen.json || return
-    "$program" solve "$root/scenes/5cubes.obj" --patch-size 1 --lines 2^10 --camera seen.json -q -o by-file.ppm &&
-        "$program" solve "$root/scenes/5cubes.obj" --patch-size 1 --lines 2^10 $(value options) -q -o by-options.ppm || return
+    look "$1" view_saved && holds 'width == 1 && bytes > 20000' && value json >seen.json || return
+    "$program" solve "$2" --patch-size 1 --lines 2^10 --camera seen.json -q -o by-file.ppm &&
+        "$program" solve "$2" --patch-size 1 --lines 2^10 $(value options) -q -o by-options.ppm || return
     for way in file options; do
         tail -c 1440000 by-$way.ppm >by-$way.pixels
     done
@@ -146,7 +154,8 @@ view_saved() {
         [ "$(value at | awk '{ for (i = 1; i <= 6; ++i) printf "%.6f ", $i }')" = \
             "$(tr -d '{}[]":a-z' <seen.json | tr ',' ' ' | awk '{ for (i = 1; i <= 6; ++i) printf "%.6f ", $i }')" ]
 }
-check "a view is saved as a file and as options that the program takes, and as a picture" view_saved
+check "a view is saved as a file and as options that the program takes, and as a picture" view_saved 5cubes "$root/scenes/5cubes.obj"
+check "also far from the origin" view_saved far far.obj
 
 accessible() { look 5cubes names_of_controls && holds 'controls > 12 && nameless == 0 && hidden_focus == 0'; }
 check "every control has a name and can be reached by keyboard" accessible

@@ -213,7 +213,8 @@ function view_saved() {
   const saved = {}, camera = multipath.camera;
   view.HTMLAnchorElement.prototype.click = function () { saved[this.download] = this.href; };
   drag([300, 300], [380, 340]);
-  find('at', ...camera.eye, ...camera.target);
+  const in_scene = point => point.map((x, k) => x + camera.zero[k]);
+  find('at', ...in_scene(camera.eye), ...in_scene(camera.target));
   by_id('save-view').click();
   by_id('save-picture').click();
   find('json', decodeURIComponent(saved['view.json'].split(',')[1]).trim());

@@ -71,6 +71,28 @@ covered() {
 }
 check "what lies under another face of its plane is left out" covered
 
+# The same room where maps have their coordinates: whatever is written of it is that of the room, moved.
+far_away() {
+    cp "$root/scenes/cornell.obj" near.obj && cp "$root/scenes/cornell.mtl" . &&
+        awk '$1 == "v" { printf "v %.9f %.9f %.9f\n", $2 + 500000, $3 + 120, $4 + 4649776; next } { print }' near.obj >far.obj || return
+    for room in near far; do
+        ends 0 solve $room.obj --lines 2^12 --patch-size 0.2 -o $room.ply -o $room-lit.obj -o $room.csv && cp err $room.err &&
+            ends 0 solve $room.obj --lines 2^12 --patch-size 0.2 --quiet --grid 0.2,0.1 -o $room-grid.csv || return
+        sed -n 's/^v \([^ ]* [^ ]* [^ ]*\).*/\1/p' $room-lit.obj >$room.places
+        grep '^[0-9]' $room-grid.csv | tr ',' ' ' >>$room.places
+    done
+    says far.err "warning    far.ply: the seven digits" && says far.err "less (500000.5, 120.5, 4649776.5)" &&
+        ! grep warning near.err | grep -q ply && has far.ply "comment offset: 500000.5 120.5 4649776.5" && ! has near.ply "comment offset" || return
+    paste -d ' ' near.places far.places | awk '{
+        n = NF / 2; d[1] = $(n + 1) - $1 - 500000; d[2] = $(n + 2) - $2 - 120; d[3] = $(n + 3) - $3 - 4649776
+        for (k = 1; k <= 3; ++k) if (d[k] > 1e-6 || d[k] < -1e-6) { print; ++wrong } }
+        END { exit wrong || NR < 150 }' || return
+    ends 0 check far.obj && says out "from (500000, 120, 4649776) to (500000.55, 120.55, 4649776.56)" &&
+        ends 0 solve far.obj --lines 2^11 --patch-size 0.2 --quiet -o fewer.csv && ends 0 compare fewer.csv far.csv --worst 1 &&
+        grep -q '(500000\.[0-9]*, 120[.0-9]*, 4649776\.[0-9]*)' out
+}
+check "far from the origin coordinates are as exact as near it" far_away
+
 not_the_scene() {
     cp "$scene" room.obj && cp "$root/scenes/5cubes.mtl" . && ends 2 solve room.obj $quick -o ./room.obj &&
         says err "is an input" && cmp "$scene" room.obj

@@ -1,5 +1,5 @@
 // What three.js reads in the meshes of one solution, flat and smooth: every number that the table has too must be the same.
-// usage: node three_loaders.mjs       in a folder with flat.csv, flat.{ply,glb,obj}, smooth.glb and node_modules
+// usage: node three_loaders.mjs       in a folder with flat.csv, flat.{ply,glb,obj}, {smooth,map,map_lightmap}.glb and node_modules
 import { readFileSync } from 'node:fs';
 import assert from 'node:assert/strict';
 import * as THREE from 'three';
@@ -81,7 +81,23 @@ function check_obj(ply_colours) {
   assert(range(colours)[1] >= srgb_decoded(0.99), 'the lamp is white');
 }
 
+// Its z axis, which points upwards, has become y; x and the moves are as in the scene.
+async function check_place(name) {
+  const box = async file => {
+    const { scene, cameras } = await new GLTFLoader().parseAsync(bytes(file), '');
+    scene.updateMatrixWorld(true);
+    return { ...new THREE.Box3().setFromObject(scene, true), eyes: cameras.map(camera => camera.getWorldPosition(new THREE.Vector3())) };
+  };
+  const here = await box('flat.glb'), there = await box(name), move = new THREE.Vector3(500000, 120, -4649776);
+  for (const end of ['min', 'max'])
+    assert(there[end].distanceTo(here[end].clone().add(move)) < 1e-5, `${name}: ${end} at ${there[end].toArray()}`);
+  there.eyes.forEach(eye => assert(eye.distanceTo(new THREE.Vector3(1.8, 1.7, 1.3).add(move)) < 1e-5, `${name}: ${eye.toArray()}`));
+  assert.equal(there.eyes.length, 2);
+}
+
 check_obj(check_ply());
+await check_place('map.glb');
+await check_place('map_lightmap.glb');
 await check_glb('flat.glb', 1e-6);
 await check_glb('smooth.glb', 0.01); // smoothing keeps the light of a wall but at its borders
 console.log('three.js', THREE.REVISION, 'reads the same');

@@ -1,5 +1,6 @@
 #include "viewer/viewer_page.h"
 
+#include "export/mesh/patch_mesh.h"
 #include "image/shading/smooth_shading.h"
 #include "sampling/random.h"
 #include "test_scenes.h"
@@ -198,6 +199,28 @@ TEST_CASE("the page holds the surfaces and how they are cut, and the values of t
     CHECK(std::isnan(numbers[3]));
     CHECK(numbers[4] == 4.0f);
     CHECK(uint32_array(text_of(json, "light")).size() == scene.patch_count()); // of the stage
+}
+
+TEST_CASE("far from the origin, the page holds surfaces and lines relative to a point in the room")
+{
+    SceneFile file = small_scene().file();
+    const Vec3 shift = {500000.25, -120, 4649776};
+    for (Surface& surface : file.surfaces)
+        surface.origin = surface.origin + shift;
+    const Scene scene(file, 0.25);
+    ViewerContent content = small_content(scene);
+    content.camera = {shift + content.camera.eye, shift + content.camera.target};
+    content.chapters = {{"Lines", "One.", {{{"line 1", {{shift, shift + Vec3{0.25, 0.5, 1}, true}}, {shift}}, {}}}}};
+    const std::string page = viewer_page(scene, content);
+    const Vec3 origin = mesh_origin(scene);
+    CHECK(length(origin - scene.own_bounds().centre()) < 2.0);
+    CHECK(count(page, "\"origin\": [500002, -120, 4649776]") == 1);
+    const std::vector<float> geometry = float32_array(text_of(page.substr(page.find(room_data_begin)), "geometry"));
+    for (std::size_t s = 0; s < file.surfaces.size(); ++s) {
+        const Vec3 place = {geometry[9 * s], geometry[9 * s + 1], geometry[9 * s + 2]};
+        CHECK(length(origin + place - file.surfaces[s].origin) < 1e-7); // floats up to 2
+    }
+    CHECK(count(page, "\"points\": [-1.75, 0, 0, -1.5, 0.5, 1], \"bold\": \"1\", \"crossings\": [-1.75, 0, 0]") == 1);
 }
 
 TEST_CASE("a legend reaches to the 99th percentile, and says where there is more")

@@ -34,7 +34,7 @@ constexpr std::array known_formats = {
                      if (s.options.grid) {
                          std::vector<std::string> comments = s.comments;
                          comments.push_back("grid: " + light_grid_summary(s.scene, s.grid()));
-                         return comment_lines(comments) + light_grid_table(s.grid());
+                         return comment_lines(comments) + light_grid_table(s.scene, s.grid());
                      }
                      return patch_table(s.scene, s.solution.radiosity, s.solution.standard_error, s.comments,
                                         s.options.render.threads);
@@ -45,14 +45,14 @@ constexpr std::array known_formats = {
     OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
                  [](SolvedScene& s) {
                      return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
-                                      texture_files(s.scene));
+                                      texture_files(s.scene), s.options.up);
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
     OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
                  [](SolvedScene& s) {
                      return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
-                                         s.mesh_cameras(), {}, s.comments);
+                                         s.mesh_cameras(), {}, s.comments, s.options.up);
                  }},
     OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, which needs the next two files", false,
                  [](SolvedScene& s) {
@@ -366,6 +366,18 @@ std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>&
     for (std::size_t i = 0; i < outputs.size(); ++i)
         outputs[i].view = shown[i];
     return outputs;
+}
+
+std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs, const Scene& scene)
+{
+    std::string text;
+    const Vec3 origin = mesh_origin(scene);
+    for (const PlannedOutput& output : outputs)
+        if (output.extension == ".ply" && origin != Vec3{})
+            text += format("warning    %s: the seven digits of its numbers are too few so far from the origin; its "
+                           "coordinates are those of the scene less (%.17g, %.17g, %.17g)\n",
+                           output.file.name().c_str(), origin.x, origin.y, origin.z);
+    return text;
 }
 
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)

@@ -112,6 +112,9 @@ std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>&
                                                  const std::vector<std::string>& inputs,
                                                  const std::vector<View>& views);
 
+/// A warning of one line for each PLY whose coordinates are not those of the scene (see mesh_origin()).
+std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs, const Scene& scene);
+
 /// Writes every output in its format and commits all. Throws OutputError. Throws InputError if a format cannot hold the
 /// result, and SettingsError for a grid that has no points or more than a million.
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);

@@ -383,6 +383,8 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
     write_outputs(outputs, solved);
     if (!job.quiet && job.pictures.grid)
         print_note(solved.grid_summary());
+    if (!job.quiet)
+        print_note(moved_coordinates_warning(outputs, scene));
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,

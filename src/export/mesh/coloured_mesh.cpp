@@ -2,6 +2,7 @@
 
 #include "export/csv_text.h"
 #include "scene/little_endian.h"
+#include "scene/text/text_format.h"
 
 #include <array>
 #include <cstdint>
@@ -26,6 +27,8 @@ std::string ply_header(const PatchMesh& mesh, const std::vector<std::string>& co
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     for (const std::string& comment : comments)
         text += "comment " + comment + "\n";
+    if (mesh.origin != Vec3{})
+        text += format("comment offset: %.17g %.17g %.17g\n", mesh.origin.x, mesh.origin.y, mesh.origin.z);
     text += "element vertex " + std::to_string(mesh.positions.size()) + "\n";
     text += properties("float", {"x", "y", "z", "nx", "ny", "nz"});
     text += properties("uchar", {"red", "green", "blue"}) + radiosity;
@@ -89,20 +92,20 @@ std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_p
 
 namespace {
 
-/// Appends a vertex line, with seven significant digits as positions are floats.
-void append_vertex(std::string& text, Float3 position, Rgb colour)
+/// Appends a vertex line.
+void append_vertex(std::string& text, Vec3 p, int digits, Rgb colour)
 {
     std::array<char, 128> line{};
-    const auto at = [&](std::size_t axis) { return static_cast<double>(position[axis]) + 0.0; }; // never "-0"
-    const int length = std::snprintf(line.data(), line.size(), "v %.7g %.7g %.7g %.4f %.4f %.4f\n", at(0), at(1), at(2),
-                                     colour.r, colour.g, colour.b);
+    const int length = std::snprintf(line.data(), line.size(), "v %.*g %.*g %.*g %.4f %.4f %.4f\n", digits, p.x, digits,
+                                     p.y, digits, p.z, colour.r, colour.g, colour.b);
     text.append(line.data(), static_cast<std::size_t>(length));
 }
 
-void append_side(std::string& text, const PatchMesh& mesh, const MeshSide& side, const ScreenColour& colour)
+void append_side(std::string& text, const PatchMesh& mesh, const MeshSide& side, int digits, const ScreenColour& colour)
 {
     for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n)
-        append_vertex(text, mesh.positions[n], colour(to_rgb(mesh.radiosity[n])));
+        append_vertex(text, mesh.origin + to_vec3(mesh.positions[n]) + Vec3{}, digits, // never "-0"
+                      colour(to_rgb(mesh.radiosity[n])));
 }
 
 void append_faces(std::string& text, const PatchMesh& mesh, const MeshSide& side)
@@ -124,10 +127,11 @@ std::string obj_text(const PatchMesh& mesh, const Scene& scene, const ScreenColo
     text.reserve(60 * mesh.positions.size() + 35 * mesh.faces.size());
     text += comment_lines(comments);
     const SceneFile& file = scene.file();
+    const int digits = coordinate_digits(scene.own_bounds(), 7);
     std::string group;
     std::string material;
     for (const MeshSide& side : mesh.sides) {
-        append_side(text, mesh, side, colour);
+        append_side(text, mesh, side, digits, colour);
         const std::string& its_group = file.groups[file.group[side.surface]];
         if (its_group != group)
             text += "g " + its_group + "\n";

@@ -10,6 +10,7 @@
 #include "scene/little_endian.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,19 +24,45 @@ namespace multipath {
 
 namespace {
 
-/// Matrix from camera coordinates, in which the camera looks along -z, to scene coordinates; column by column.
-std::vector<double> matrix_of(const GlbCamera& camera)
+/// The numbers 0, 1, ... count - 1.
+std::vector<double> numbers_below(std::size_t count)
 {
-    const Vec3 back = normalized(camera.eye - camera.target);
-    const Vec3 right = normalized(cross(camera.up, back));
+    std::vector<double> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+    return numbers;
+}
+
+/// The matrix of a node, column by column.
+std::vector<double> node_matrix(const std::array<Vec3, 3>& axes, Vec3 place)
+{
     std::vector<double> matrix;
-    for (const Vec3 column : {right, cross(back, right), back, camera.eye})
+    for (const Vec3 column : {axes[0], axes[1], axes[2], place})
         matrix.insert(matrix.end(), {column.x, column.y, column.z, 0.0});
     matrix.back() = 1.0;
     return matrix;
 }
 
-} // namespace
+/// Matrix from camera coordinates, in which the camera looks along -z, to scene coordinates relative to `origin`.
+std::vector<double> matrix_of(const GlbCamera& camera, Vec3 origin)
+{
+    const Vec3 back = normalized(camera.eye - camera.target);
+    const Vec3 right = normalized(cross(camera.up, back));
+    return node_matrix({right, cross(back, right), back}, camera.eye - origin);
+}
+
+/// Where a rotation that turns `up` to y takes the axes x, y and z. Exact if `up` is one of them.
+std::array<Vec3, 3> turned_upright(Vec3 up)
+{
+    Vec3 u = normalized(up);
+    const double turn =
+        u.y < 0.0 ? -1.0 : 1.0; // half a turn about x first: rotations by almost 180 degrees are inexact
+    u = {u.x, turn * u.y, turn * u.z};
+    const Vec3 axis = {-u.z, 0.0, u.x}; // u x y; its length is the sine of the angle
+    const auto turned = [&](Vec3 p) {   // Rodrigues' formula
+        return u.y * p + cross(axis, p) + (dot(axis, p) / (1.0 + u.y)) * axis + Vec3{}; // never -0
+    };
+    return {turned({1.0, 0.0, 0.0}), turned({0.0, turn, 0.0}), turned({0.0, 0.0, turn})};
+}
 
 JsonObject glb_camera(const GlbCamera& camera, const Scene& scene)
 {
@@ -47,9 +74,33 @@ JsonObject glb_camera(const GlbCamera& camera, const Scene& scene)
                                    .number("znear", near * scene.bounds().diagonal()));
 }
 
-JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number)
+} // namespace
+
+GlbNodes glb_nodes(const Scene& scene, const std::vector<std::string>& mesh_names,
+                   const std::vector<GlbCamera>& cameras, Vec3 up)
 {
-    return JsonObject().text("name", camera.name).count("camera", number).numbers("matrix", matrix_of(camera));
+    const Vec3 origin = mesh_origin(scene);
+    GlbNodes result;
+    for (const std::string& name : mesh_names)
+        result.nodes.push_back(JsonObject().text("name", name).count("mesh", result.nodes.size()));
+    for (const GlbCamera& camera : cameras) {
+        result.nodes.push_back(JsonObject()
+                                   .text("name", camera.name)
+                                   .count("camera", result.cameras.size())
+                                   .numbers("matrix", matrix_of(camera, origin)));
+        result.cameras.push_back(glb_camera(camera, scene));
+    }
+    result.roots = numbers_below(result.nodes.size());
+    const std::array<Vec3, 3> axes = turned_upright(up);
+    if (origin != Vec3{} || axes[1] != Vec3{0.0, 1.0, 0.0}) {
+        const Vec3 place = origin.x * axes[0] + origin.y * axes[1] + origin.z * axes[2];
+        result.nodes.push_back(JsonObject()
+                                   .text("name", "scene")
+                                   .numbers("matrix", node_matrix(axes, place))
+                                   .numbers("children", result.roots));
+        result.roots = {static_cast<double>(result.nodes.size() - 1)};
+    }
+    return result;
 }
 
 namespace {
@@ -64,8 +115,8 @@ struct MaterialPart
     std::size_t triangle_count = 0; ///< a quadrilateral counts as two
 };
 
-/// The parts of all used materials, in the order of the scene's materials. A textured material has a separate part for
-/// surfaces without texture coordinates.
+/// The parts of all materials that are seen, in the order of the scene's materials. A textured material has a separate
+/// part for surfaces without texture coordinates.
 std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& scene)
 {
     const std::size_t materials = scene.materials().size();
@@ -81,8 +132,8 @@ std::vector<MaterialPart> material_parts(const PatchMesh& mesh, const Scene& sce
         for (std::size_t n = side.first_face; n < side.first_face + side.face_count; ++n)
             part.triangle_count += mesh.faces[n].corner_count - 2;
     }
-    const auto unused = [](const MaterialPart& part) { return part.sides.empty(); };
-    parts.erase(std::remove_if(parts.begin(), parts.end(), unused), parts.end());
+    const auto unseen = [](const MaterialPart& part) { return part.triangle_count == 0; }; // glTF has no empty lists
+    parts.erase(std::remove_if(parts.begin(), parts.end(), unseen), parts.end());
     return parts;
 }
 
@@ -147,6 +198,7 @@ struct GlbFacts
     double scale = 1.0; ///< [m^2/W] from radiosity to colour
     std::vector<GlbCamera> cameras;
     std::vector<std::string> comments;
+    Vec3 up;
 };
 
 /// A buffer view, that is a range of bytes in the binary data.
@@ -267,26 +319,6 @@ JsonObject asset(const GlbFacts& facts)
         .object("extras", JsonObject().texts("record", facts.comments).number("color_scale", facts.scale));
 }
 
-/// The numbers 0, 1, ... count - 1.
-std::vector<double> numbers_below(std::size_t count)
-{
-    std::vector<double> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    return numbers;
-}
-
-/// One node for each mesh, then one for each camera.
-std::vector<JsonObject> nodes(const Scene& scene, const std::vector<MaterialPart>& parts,
-                              const std::vector<GlbCamera>& cameras)
-{
-    std::vector<JsonObject> list;
-    for (const MaterialPart& part : parts)
-        list.push_back(JsonObject().text("name", scene.materials()[part.material].name).count("mesh", list.size()));
-    for (std::size_t k = 0; k < cameras.size(); ++k)
-        list.push_back(glb_camera_node(cameras[k], k));
-    return list;
-}
-
 /// Adds images, samplers and textures; those of one texture have the same index.
 void add_textures(JsonObject& description, const Scene& scene, const std::vector<ImageFile>& images,
                   std::size_t first_view)
@@ -314,17 +346,18 @@ std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std
                             const GlbBlocks& blocks, const GlbFacts& facts)
 {
     std::vector<JsonObject> materials;
-    for (const MaterialPart& part : parts)
+    std::vector<std::string> names;
+    for (const MaterialPart& part : parts) {
         materials.push_back(unlit_material(scene.materials()[part.material], part.textured));
-    std::vector<JsonObject> cameras;
-    for (const GlbCamera& camera : facts.cameras)
-        cameras.push_back(glb_camera(camera, scene));
+        names.push_back(scene.materials()[part.material].name);
+    }
+    const GlbNodes nodes = glb_nodes(scene, names, facts.cameras, facts.up);
     JsonObject description;
     description.object("asset", asset(facts))
         .texts("extensionsUsed", {"KHR_materials_unlit"})
         .count("scene", 0)
-        .objects("scenes", {JsonObject().numbers("nodes", numbers_below(parts.size() + facts.cameras.size()))})
-        .objects("nodes", nodes(scene, parts, facts.cameras))
+        .objects("scenes", {JsonObject().numbers("nodes", nodes.roots)})
+        .objects("nodes", nodes.nodes)
         .objects("meshes", meshes(scene, parts, facts.attributes))
         .objects("materials", materials)
         .objects("accessors", accessors(mesh, parts, facts.attributes))
@@ -332,8 +365,8 @@ std::string glb_description(const PatchMesh& mesh, const Scene& scene, const std
         .objects("buffers", {JsonObject().count("byteLength", blocks.total() + size_of(facts.images))});
     if (!facts.images.empty())
         add_textures(description, scene, facts.images, blocks.attribute_count + 1);
-    if (!cameras.empty()) // lists must not be empty
-        description.objects("cameras", cameras);
+    if (!nodes.cameras.empty()) // lists must not be empty
+        description.objects("cameras", nodes.cameras);
     return description.document();
 }
 
@@ -372,7 +405,7 @@ Float3 texture_coordinates(const Scene& scene, std::uint32_t surface, Vec3 point
     const double determinant = uu * vv - uv * uv;
     const double u = (vv * dot(p, s.edge_u) - uv * dot(p, s.edge_v)) / determinant;
     const double v = (uu * dot(p, s.edge_v) - uv * dot(p, s.edge_u)) / determinant;
-    const TexturePoint place = scene.file().texture_frames[surface].at(u, v);
+    const TexturePoint place = mesh_texture_frame(scene, surface).at(u, v);
     return {static_cast<float>(place.s), static_cast<float>(1.0 - place.t), 0.0f};
 }
 
@@ -400,7 +433,8 @@ std::vector<Attribute> attributes_of(const PatchMesh& mesh, const Scene& scene, 
                                          {"_RADIOSITY", [&mesh](std::size_t n) { return mesh.radiosity[n]; }}};
     if (textured)
         attributes.push_back({texture_attribute, [&mesh, &scene, surfaces](std::size_t n) {
-                                  return texture_coordinates(scene, surfaces[n], to_vec3(mesh.positions[n]));
+                                  return texture_coordinates(scene, surfaces[n],
+                                                             mesh.origin + to_vec3(mesh.positions[n]));
                               }});
     if (!mesh.error.empty())
         attributes.push_back({"_ERROR", [&mesh](std::size_t n) { return mesh.error[n]; }});
@@ -513,11 +547,11 @@ double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
 }
 
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
-                      const std::vector<std::string>& comments, const std::vector<ImageFile>& images)
+                      const std::vector<std::string>& comments, const std::vector<ImageFile>& images, Vec3 up)
 {
     const std::vector<MaterialPart> parts = material_parts(mesh, scene);
     const std::vector<Attribute> attributes = attributes_of(mesh, scene, scale);
-    GlbFacts facts{{}, images, scale, cameras, comments};
+    GlbFacts facts{{}, images, scale, cameras, comments, up};
     for (const Attribute& attribute : attributes)
         facts.attributes.push_back(attribute.name);
     const GlbBlocks blocks(parts, attributes.size());

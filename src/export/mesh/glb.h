@@ -27,11 +27,18 @@ struct GlbCamera
     double field_of_view; ///< [degrees] vertical
 };
 
-/// Perspective of a camera as an entry of "cameras" in a glTF file. The near plane depends on the size of the scene.
-JsonObject glb_camera(const GlbCamera& camera, const Scene& scene);
+/// The nodes of a glTF file and what they refer to.
+struct GlbNodes
+{
+    std::vector<JsonObject> nodes;   ///< the meshes, then the cameras, then the node that moves all of them, if any
+    std::vector<JsonObject> cameras; ///< their near planes depend on the size of the scene
+    std::vector<double> roots;       ///< indices of the nodes that have no parent
+};
 
-/// Position and orientation of a camera as an entry of "nodes". `number`: index of the camera in "cameras".
-JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number);
+/// The nodes for meshes with these names, whose positions are relative to mesh_origin(), and for cameras. One more node
+/// moves all of them back from there and turns `up` to y, as glTF wants it; there is none if it would change nothing.
+GlbNodes glb_nodes(const Scene& scene, const std::vector<std::string>& mesh_names,
+                   const std::vector<GlbCamera>& cameras, Vec3 up);
 
 /// Bytes of a binary glTF 2.0 file with the cameras and one unlit mesh per material. A textured material gets a second
 /// mesh for its surfaces without texture coordinates. Attributes of a vertex:
@@ -40,9 +47,10 @@ JsonObject glb_camera_node(const GlbCamera& camera, std::size_t number);
 /// In a scene with textures, `mesh` must contain the radiosity without the detail of textures (without_texture()), and
 /// `images` one file per texture (texture_files()). Textured materials show the texture times COLOR_0, which is
 /// therefore the colour of a white point of the texture: the radiosity is first multiplied by white / mean reflectance.
-/// The extras of the asset contain the scale [m^2/W] and the comments. Throws InputError for 4 GB or more, the limit of
-/// the format.
+/// The extras of the asset contain the scale [m^2/W] and the comments. `up`: upward direction of the scene. Throws
+/// InputError for 4 GB or more, the limit of the format.
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
-                      const std::vector<std::string>& comments, const std::vector<ImageFile>& images = {});
+                      const std::vector<std::string>& comments, const std::vector<ImageFile>& images = {},
+                      Vec3 up = {0.0, 1.0, 0.0});
 
 } // namespace multipath

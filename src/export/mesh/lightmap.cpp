@@ -735,9 +735,8 @@ private:
                              return map_.frame(side.surface, side.front);
                          }));
         if (scene_.materials()[part.material].texture != Material::no_texture)
-            attributes.count("TEXCOORD_1",
-                             add_points(texture_points, part, [&](LightmapSide side) -> const TextureFrame& {
-                                 return scene_.file().texture_frames[side.surface];
+            attributes.count("TEXCOORD_1", add_points(texture_points, part, [&](LightmapSide side) {
+                                 return mesh_texture_frame(scene_, side.surface);
                              }));
         const JsonObject primitive = JsonObject()
                                          .object("attributes", attributes)
@@ -753,10 +752,11 @@ private:
         std::vector<double> low(3, std::numeric_limits<double>::infinity());
         std::vector<double> high(3, -std::numeric_limits<double>::infinity());
         const std::size_t before = views_[positions].bytes.size();
+        const Vec3 origin = mesh_origin(scene_);
         std::size_t vertices = 0;
         for (const LightmapSide& side : part.sides)
             for_each_corner(scene_, side, [&](double u, double v) {
-                const Float3 position = single(scene_.surfaces()[side.surface].at(u, v));
+                const Float3 position = single(scene_.surfaces()[side.surface].at(u, v) - origin);
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     append_little_endian(views_[positions].bytes, position[axis]);
                     low[axis] = std::min<double>(low[axis], position[axis]);
@@ -891,25 +891,6 @@ void add_lightmap_images(JsonObject& description, const Scene& scene, const std:
     description.objects("images", files).objects("samplers", samplers).objects("textures", textures);
 }
 
-/// Adds one node for each mesh, then one for each camera.
-void add_lightmap_nodes(JsonObject& description, const Scene& scene, const LightmapMesh& mesh,
-                        const std::vector<GlbCamera>& cameras)
-{
-    std::vector<JsonObject> nodes;
-    for (const std::uint32_t material : mesh.materials())
-        nodes.push_back(JsonObject().text("name", scene.materials()[material].name).count("mesh", nodes.size()));
-    std::vector<JsonObject> lenses;
-    for (const GlbCamera& camera : cameras) {
-        nodes.push_back(glb_camera_node(camera, lenses.size()));
-        lenses.push_back(glb_camera(camera, scene));
-    }
-    std::vector<double> numbers(nodes.size());
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    description.count("scene", 0).objects("scenes", {JsonObject().numbers("nodes", numbers)}).objects("nodes", nodes);
-    if (!lenses.empty()) // lists must not be empty
-        description.objects("cameras", lenses);
-}
-
 /// Bytes of a GLB with these two chunks (glTF 2.0 specification, chapter 4). `path` is for messages. Throws InputError
 /// for 4 GB or more.
 std::string glb_file(std::string json, const std::string& binary, const std::string& path)
@@ -929,12 +910,12 @@ std::string glb_file(std::string json, const std::string& binary, const std::str
 }
 
 /// Appends the `v` and `vt` lines of a corner.
-void append_obj_corner(std::string& text, Vec3 p, TexturePoint texture)
+void append_obj_corner(std::string& text, Vec3 p, int digits, TexturePoint texture)
 {
     std::array<char, 160> lines{};
-    const auto plain = [](double x) { return x + 0.0; }; // never "-0"
-    const int length = std::snprintf(lines.data(), lines.size(), "v %.7g %.7g %.7g\nvt %.7g %.7g\n", plain(p.x),
-                                     plain(p.y), plain(p.z), texture.s, texture.t);
+    p = p + Vec3{}; // never "-0"
+    const int length = std::snprintf(lines.data(), lines.size(), "v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x,
+                                     digits, p.y, digits, p.z, texture.s, texture.t);
     text.append(lines.data(), static_cast<std::size_t>(length));
 }
 
@@ -980,7 +961,7 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
 
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
                          const std::vector<GlbCamera>& cameras, const std::vector<ImageFile>& images,
-                         const std::vector<std::string>& comments)
+                         const std::vector<std::string>& comments, Vec3 up)
 {
     const LightmapMesh mesh(scene, map);
     GltfChunk chunk;
@@ -989,20 +970,27 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
             chunk.add(view);
 
     std::vector<JsonObject> materials;
+    std::vector<std::string> names;
     for (const std::uint32_t number : mesh.materials()) {
         const Material& material = scene.materials()[number];
+        names.push_back(material.name);
         const bool has_image = material.texture < images.size();
         materials.push_back(
             lightmap_material(material, has_image ? std::optional<std::size_t>(1 + material.texture) : std::nullopt));
     }
+    const GlbNodes nodes = glb_nodes(scene, names, cameras, up);
     JsonObject description;
     description
         .object("asset", JsonObject()
                              .text("version", "2.0")
                              .text("generator", "multipath")
                              .object("extras", JsonObject().texts("record", comments).number("color_scale", scale)))
-        .texts("extensionsUsed", {"KHR_materials_unlit"});
-    add_lightmap_nodes(description, scene, mesh, cameras);
+        .texts("extensionsUsed", {"KHR_materials_unlit"})
+        .count("scene", 0)
+        .objects("scenes", {JsonObject().numbers("nodes", nodes.roots)})
+        .objects("nodes", nodes.nodes);
+    if (!nodes.cameras.empty()) // lists must not be empty
+        description.objects("cameras", nodes.cameras);
     description.objects("meshes", mesh.meshes()).objects("materials", materials);
     add_lightmap_images(description, scene, atlas_png, images, chunk);
     description.objects("accessors", mesh.accessors())
@@ -1015,13 +1003,14 @@ std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::str
                          const std::vector<std::string>& comments)
 {
     std::string text = comment_lines(comments) + "mtllib " + mtl_name + "\n";
+    const int digits = coordinate_digits(scene.own_bounds(), 7);
     std::size_t corner = 0;
     for (const LightmapPart& part : lightmap_parts(scene)) {
         text += "usemtl " + scene.materials()[part.material].name + "\n";
         for (const LightmapSide& side : part.sides) {
             std::string face = "f";
             for_each_corner(scene, side, [&](double u, double v) {
-                append_obj_corner(text, scene.surfaces()[side.surface].at(u, v),
+                append_obj_corner(text, scene.surfaces()[side.surface].at(u, v), digits,
                                   map.frame(side.surface, side.front).at(u, v));
                 const std::string number = std::to_string(++corner);
                 face += " " + number + "/" + number;

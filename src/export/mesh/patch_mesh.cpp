@@ -108,6 +108,31 @@ std::vector<bool> covered_patches(const Scene& scene, int threads)
     return {covered.begin(), covered.end()};
 }
 
+Vec3 mesh_origin(const Scene& scene)
+{
+    constexpr double far = 4.0; // diagonals: there floats are still finer than the tolerance of joined corners
+    const Bounds box = scene.own_bounds();
+    if (box.largest_coordinate() <= far * box.diagonal())
+        return {};
+    int exponent = 0;
+    std::frexp(box.diagonal(), &exponent);
+    const double step = std::ldexp(1.0, exponent - 1); // at most the diagonal, so that the point has few digits
+    const auto rounded = [&](double x) { return static_cast<double>(static_cast<float>(step * std::round(x / step))); };
+    return {rounded(box.centre().x), rounded(box.centre().y), rounded(box.centre().z)};
+}
+
+TextureFrame mesh_texture_frame(const Scene& scene, std::uint32_t surface)
+{
+    constexpr double far = 256.0; // images; nearer, a float is finer than a thirtieth of a pixel of 2048
+    TextureFrame frame = scene.file().texture_frames[surface];
+    TexturePoint& origin = frame.origin;
+    const bool repeats =
+        scene.is_textured(surface) && scene.file().textures[scene.surface_material(surface).texture]->repeats();
+    if (repeats && std::max(std::abs(origin.s), std::abs(origin.t)) > far)
+        origin = {origin.s - std::floor(origin.s), origin.t - std::floor(origin.t)};
+    return frame;
+}
+
 // Surfaces are tessellated one by one. Two surfaces that share a whole edge have the same corners on it, but a long
 // wall beside two short ones, or a triangle beside a rectangle, do not. A corner of one surface then lies on an edge of
 // the other (T-junction), and in single precision there are cracks of a fraction of a pixel. The mesh is therefore
@@ -211,7 +236,10 @@ Float3 interpolated(const std::vector<Float3>& values, const std::vector<VertexW
 class CutMesh
 {
 public:
-    CutMesh(const PatchMesh& whole, const std::vector<EdgeCut>& cuts) : whole_(whole), cuts_(cuts) {}
+    CutMesh(const PatchMesh& whole, const std::vector<EdgeCut>& cuts) : whole_(whole), cuts_(cuts)
+    {
+        result_.origin = whole.origin;
+    }
 
     void add_side(const MeshSide& whole)
     {
@@ -388,6 +416,7 @@ public:
     MeshBuilder(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads)
         : scene_(scene), radiosity_(radiosity), error_(error), covered_(covered_patches(scene, threads))
     {
+        mesh_.origin = mesh_origin(scene);
         mesh_.faces.reserve(scene.patch_count());
     }
 
@@ -448,7 +477,8 @@ private:
         latest = static_cast<std::uint32_t>(mesh_.positions.size());
         mesh_.positions.push_back(
             single(scene_.surfaces()[surface].at(static_cast<double>(point.i) / tessellation.grid_u(),
-                                                 static_cast<double>(point.j) / tessellation.grid_v())));
+                                                 static_cast<double>(point.j) / tessellation.grid_v()) -
+                   mesh_.origin));
         mesh_.radiosity.push_back(radiosity);
         if (error_)
             mesh_.error.push_back(error);

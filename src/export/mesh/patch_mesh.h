@@ -16,6 +16,14 @@ namespace multipath {
 /// smaller lies on top. A mesh with the covered patches would flicker (z-fighting).
 std::vector<bool> covered_patches(const Scene& scene, int threads);
 
+/// The point [scene units] that the positions of meshes are relative to, since floats have only seven digits: (0, 0, 0)
+/// unless the scene is more than four times its size away from there, else a point near its centre, exact in floats.
+Vec3 mesh_origin(const Scene& scene);
+
+/// The texture frame of a surface for numbers of single precision: far from (0, 0), a repeated image is moved by whole
+/// images, which shows the same.
+TextureFrame mesh_texture_frame(const Scene& scene, std::uint32_t surface);
+
 using Float3 = std::array<float, 3>;
 
 inline Float3 single(Vec3 v)
@@ -62,7 +70,8 @@ struct MeshSide
 /// without gaps.
 struct PatchMesh
 {
-    std::vector<Float3> positions; ///< [scene units] per vertex
+    Vec3 origin;                   ///< [scene units] see mesh_origin()
+    std::vector<Float3> positions; ///< [scene units] per vertex, relative to the origin
     std::vector<Float3> radiosity; ///< [W/m^2] per vertex
     std::vector<Float3> error;     ///< [W/m^2] standard error of the radiosity per vertex; empty if unknown
     std::vector<MeshFace> faces;

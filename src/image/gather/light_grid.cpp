@@ -57,11 +57,15 @@ Range extent(const Scene& scene, Vec3 axis)
     return range;
 }
 
-/// True if a ray downwards first meets a side of a surface that has patches.
-bool has_floor(const Scene& scene, Vec3 point, Vec3 up)
+/// Where to measure the light of a point: there, or `hair` above it if the point lies on a surface. Nothing if a ray
+/// downwards does not first meet a side of a surface that has patches.
+std::optional<Vec3> place_above_floor(const Scene& scene, Vec3 point, Vec3 up, double hair)
 {
-    const std::optional<Hit> below = scene.intersector().closest_hit({point, -up});
-    return below && !scene.is_sky(below->surface) && (below->front || scene.two_sided());
+    const Vec3 raised = point + hair * up;
+    const std::optional<Hit> below = scene.intersector().closest_hit({raised, -up});
+    if (!below || scene.is_sky(below->surface) || !(below->front || scene.two_sided()))
+        return std::nullopt;
+    return below->t <= 2.0 * hair ? raised : point;
 }
 
 } // namespace
@@ -78,15 +82,21 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
     const double rows = std::max(1.0, std::ceil((y.high - y.low) / plan.step - 1e-9));
     if (!(columns * rows <= most_points))
         throw SettingsError("--grid: gives more than a million points; expected a larger step");
+    const double hair = 1e-6 * scene.own_bounds().diagonal();
     LightGrid grid;
+    std::vector<Vec3> places; // of the points
     const auto n_x = static_cast<std::size_t>(columns);
     const auto n_y = static_cast<std::size_t>(rows);
     for (std::size_t j = 0; j < n_y; ++j)
         for (std::size_t i = 0; i < n_x; ++i) {
             const Vec3 point =
                 x.middle_of_part(i, n_x) * axes.along_x + y.middle_of_part(j, n_y) * axes.along_y + level * axes.up;
-            if (level > heights.low && level < heights.high && has_floor(scene, point, axes.up))
+            if (level < heights.low || level >= heights.high)
+                continue;
+            if (const std::optional<Vec3> place = place_above_floor(scene, point, axes.up, hair)) {
                 grid.points.push_back({point, {}});
+                places.push_back(*place);
+            }
         }
     if (grid.points.empty())
         throw SettingsError("--grid: no point lies above a surface at this height; expected one within the scene");
@@ -96,7 +106,7 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
                     [&](std::uint32_t first, std::uint32_t end) {
                         RayFan fan;
                         for (std::uint32_t k = first; k < end; ++k) {
-                            const GatherPoint receiver = {GatherPoint::free, grid.points[k].point, axes.up};
+                            const GatherPoint receiver = {GatherPoint::free, places[k], axes.up};
                             const std::uint64_t bits = random_bits(random_key(RandomStream::light_grid), k);
                             const auto to_sources = make_sequence("sobol-owen", bits);
                             const auto around = make_sequence("sobol-owen", ~bits);
@@ -122,12 +132,13 @@ std::string light_grid_summary(const Scene& scene, const LightGrid& grid)
                   light_units(scene.file()).per_area, grid.least, grid.most, grid.uniformity(), grid.points.size());
 }
 
-std::string light_grid_table(const LightGrid& grid)
+std::string light_grid_table(const Scene& scene, const LightGrid& grid)
 {
+    const int digits = coordinate_digits(scene.own_bounds(), 9);
     std::string text = "x,y,z,irradiance_r,irradiance_g,irradiance_b,irradiance\n";
     for (const GridPointLight& p : grid.points)
-        text += format("%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", p.point.x, p.point.y, p.point.z, p.irradiance.r,
-                       p.irradiance.g, p.irradiance.b, mean(p.irradiance));
+        text += format("%.*g,%.*g,%.*g,%.9g,%.9g,%.9g,%.9g\n", digits, p.point.x, digits, p.point.y, digits, p.point.z,
+                       p.irradiance.r, p.irradiance.g, p.irradiance.b, mean(p.irradiance));
     return text;
 }
 

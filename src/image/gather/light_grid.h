@@ -25,8 +25,9 @@ struct GridPointLight
 
 /// Irradiance on a grid of points, the centres of equal rectangles over the scene. A point is left out if it is above
 /// the scene, or if a ray straight down from it meets nothing or first meets the sky or a back that has no patches:
-/// then the point lies in a wall, in furniture or outside the scene. `mean`, `least` and `most` are statistics of the
-/// mean of the three channels.
+/// then the point lies in a wall, in furniture or outside the scene. A point on a surface, such as any of a grid of
+/// height 0 on the floor, has the light that arrives there. `mean`, `least` and `most` are statistics of the mean of
+/// the three channels.
 struct LightGrid
 {
     std::vector<GridPointLight> points; ///< row by row
@@ -45,7 +46,7 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
 
 /// The grid as CSV, a header and one row per point: x, y, z [m], irradiance [W/m^2] per channel, and the mean of the
 /// channels.
-std::string light_grid_table(const LightGrid& grid);
+std::string light_grid_table(const Scene& scene, const LightGrid& grid);
 
 /// One line of statistics in the scene's light unit: "512 lx on average, least 301, most 820, uniformity 0.588, of 96
 /// points".

@@ -44,6 +44,8 @@ Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
 Bitmap read_png(std::string_view bytes);
 /// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components.
 Bitmap read_jpeg(std::string_view bytes);
+/// True for a JPEG file of four components. Such files hold inks (CMYK), which glTF does not allow.
+bool is_jpeg_of_inks(std::string_view bytes);
 /// Truevision TGA, uncompressed or run-length encoded: palette, 15 to 32 bits of colour, or grey.
 Bitmap read_tga(std::string_view bytes);
 /// Windows bitmap of 1 to 32 bits per pixel, uncompressed or run-length encoded.

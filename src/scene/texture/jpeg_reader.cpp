@@ -775,4 +775,18 @@ Bitmap read_jpeg(std::string_view bytes)
     return JpegDecoder(bytes).decode();
 }
 
+bool is_jpeg_of_inks(std::string_view bytes)
+{
+    constexpr std::size_t count_in_frame = 7; // bytes after the marker: length, precision, height and width come before
+    std::size_t position = 2;                 // after the start marker
+    while (const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes, position)) {
+        if (position + count_in_frame >= bytes.size())
+            return false;
+        if (*marker >= 0xC0 && *marker <= 0xC2)
+            return jpeg_byte_at(bytes, position + count_in_frame) == 4;
+        position += 256 * std::size_t{jpeg_byte_at(bytes, position)} + jpeg_byte_at(bytes, position + 1);
+    }
+    return false;
+}
+
 } // namespace multipath

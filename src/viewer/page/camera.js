@@ -20,8 +20,10 @@ function matrix_product(a, b) {
 const steepest = 0.996; // largest cosine between view and up, so that the view never turns over
 
 class Camera {
-  constructor(first, size) {
-    this.first = first;
+  // `zero`: the point of the scene that positions in the room are relative to.
+  constructor(first, size, zero) {
+    this.first = { ...first, eye: minus(first.eye, zero), target: minus(first.target, zero) };
+    this.zero = zero;
     this.size = size; // diagonal of the room, the unit of steps
     this.reset();
   }
@@ -91,10 +93,13 @@ class Camera {
     return 2 * Math.atan(widened);
   }
 
-  // The view as --camera of the program reads it: in metres, and degrees for a picture with this aspect ratio.
+  // The view as --camera of the program reads it: in metres, and degrees for a picture with this aspect ratio. Far from
+  // the origin, positions have more digits.
   view(aspect) {
-    const rounded = a => a.map(x => Number(x.toPrecision(9)));
-    return { eye: rounded(this.eye), target: rounded(this.target), up: rounded(this.up),
+    const rounded = (a, digits) => a.map(x => Number(x.toPrecision(digits)));
+    const more = Math.ceil(Math.log10(Math.max(1, length(this.zero) / this.size))), digits = Math.min(17, 9 + more);
+    return { eye: rounded(plus(this.eye, this.zero), digits), target: rounded(plus(this.target, this.zero), digits),
+             up: rounded(this.up, 9),
              fov: Number((this.angle(aspect) * 180 / Math.PI).toPrecision(9)) };
   }
 

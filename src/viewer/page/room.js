@@ -35,6 +35,7 @@ class Room {
     this.patch_count = data.patches;
     this.triangles = bytes_of(data.surfaces.triangles);
     this.geometry = numbers_of(data.surfaces.geometry);
+    this.zero = data.surfaces.origin; // the point of the scene that all positions are relative to
     this.cells = counts_of(data.surfaces.cells);
     this.material = counts_of(data.surfaces.materials);
     this.group = counts_of(data.surfaces.groups);

@@ -9,7 +9,7 @@ class Viewer {
     this.room = new Room(data);
     this.quantities = new Quantities(data, this.room);
     this.trace = new Trace(data.trace, this.room);
-    this.camera = new Camera(data.camera, this.room.size);
+    this.camera = new Camera(data.camera, this.room.size, this.room.zero);
     this.drawing = new Drawing(canvas, this.room);
     this.drawing.set_colour_map(this.quantities.colour_map);
     this.scales = data.tone.scales;

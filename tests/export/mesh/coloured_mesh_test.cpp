@@ -105,6 +105,44 @@ TEST_CASE("an OBJ has its record, places with colours, names, and faces that cou
           "g the floor\nusemtl caf\xc3\xa9 \"au\" lait\nf 1 2 3 4\n");
 }
 
+TEST_CASE("PLY and OBJ are exact to a millionth of the scene's size however far away and large that is")
+{
+    const Scene unmoved = walls_that_do_not_match().scene(1.0);
+    const std::vector<Rgb> radiosity = some_values(unmoved);
+    const auto ply_of = [&](const Scene& scene) {
+        return read_ply(ply_bytes(patch_mesh(scene, flat_corners(radiosity), {}), radiosity, halved, {"one"}));
+    };
+    const auto obj_of = [&](const Scene& scene) {
+        return obj_positions(obj_text(patch_mesh(scene, flat_corners(radiosity), {}), scene, halved, {}));
+    };
+    const auto positions = [](const PlyFile& file, Vec3 offset) {
+        std::vector<Vec3> points;
+        for (const PlyFile::Vertex& vertex : file.vertices)
+            points.push_back(offset + vertex.position);
+        return points;
+    };
+    const PlyFile near = ply_of(unmoved);
+    CHECK(near.comments.size() == 1);
+    for (const Placement& placement : far_and_other_sizes()) {
+        CAPTURE(placement.scale);
+        const Scene scene(placement.moved(walls_that_do_not_match().file()), placement.scale);
+        REQUIRE(scene.patch_count() == unmoved.patch_count());
+        const PlyFile file = ply_of(scene);
+        Vec3 offset;
+        if (file.comments.size() == 2) { // "offset: x y z"
+            std::istringstream words(file.comments[1].substr(7));
+            words >> offset.x >> offset.y >> offset.z;
+        }
+        CHECK(offset == mesh_origin(scene));
+        for (const double x : {offset.x, offset.y, offset.z})
+            CHECK(static_cast<double>(static_cast<float>(x)) == x);
+        CHECK(largest_miss(positions(file, offset), placement, positions(near, {}), unmoved) < 1e-6);
+        for (const PlyFile::Face& face : file.faces)
+            REQUIRE(area(file, face) > 0.0);
+        CHECK(largest_miss(obj_of(scene), placement, obj_of(unmoved), unmoved) < 1e-6);
+    }
+}
+
 // Names come from files, so that the reader of such files is the judge.
 TEST_CASE("the reader of scenes reads the mesh back, with all names")
 {

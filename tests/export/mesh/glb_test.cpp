@@ -53,6 +53,23 @@ TEST_CASE("a GLB has one unlit mesh per material, with the names and physics of 
     CHECK(glb.json["materials"][1]["name"].text == "\\\"red\\\" caf\xc3\xa9");
 }
 
+TEST_CASE("a material that lies wholly under others in its planes has no mesh in a GLB")
+{
+    SceneBuilder builder;
+    const std::uint32_t under = builder.grey(0.5, 0.0);
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {4, 0, 0}, under);
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, paint).rectangle({2, 0, 0}, {0, 0, 2}, {2, 0, 0}, paint);
+    const Scene scene = builder.scene(1.0);
+    const GlbFile glb(glb_bytes(patch_mesh(scene, flat_corners(some_values(scene)), {}), scene, 0.5, {}, {}));
+    REQUIRE(glb.json["meshes"].list.size() == 1);
+    CHECK(glb.json["materials"].list.size() == 1);
+    CHECK(glb.json["meshes"][0]["name"].text == scene.materials()[paint].name);
+    for (const JsonValue& accessor : glb.json["accessors"].list)
+        CHECK(accessor["count"].count() > 0);
+    CHECK(glb.corners().size() == 3 * 2 * 8); // of 4 x 2 squares, each in two triangles
+}
+
 TEST_CASE("cameras of a GLB stand at their eyes and look along their views")
 {
     const Scene scene = walls_that_do_not_match().scene(1.0);
@@ -115,6 +132,38 @@ TEST_CASE("the triangles of a GLB cover the surfaces of their material")
     }
 }
 
+// Each vertex, also within the face, shows the place of the texture that the OBJ gives it.
+TEST_CASE("texture coordinates of a GLB are those of the OBJ, however faces and textures are slanted, turned and moved")
+{
+    const std::vector<TexturedFace> faces = textured_faces();
+    for (const TexturedFace& face : faces) {
+        const Scene whole(scene_of(face), 0.4, true);
+        const Scene scene = unevenly_refined(whole);
+        const std::vector<Rgb> radiosity = some_values(scene);
+        const GlbFile glb(
+            glb_bytes(patch_mesh(scene, flat_corners(radiosity), {}), scene, 0.5, {}, {}, {{"image/png", "an image"}}));
+        CAPTURE(&face - &faces[0]);
+        std::size_t textured = 0;
+        for (std::size_t n = 0; n < glb.json["meshes"].list.size(); ++n) {
+            if (glb.json["materials"][n]["name"].text != "paper")
+                continue;
+            const std::vector<double> p = glb.attribute(glb.primitive(n), "POSITION");
+            const std::vector<double> st = glb.attribute(glb.primitive(n), "TEXCOORD_0");
+            for (std::size_t k = 0; k < p.size() / 3; ++k) {
+                const TexturePoint wanted = face.at(glb.placed("mesh", n, {p[3 * k], p[3 * k + 1], p[3 * k + 2]}));
+                const double s = st[2 * k] - wanted.s;
+                const double t = 1.0 - st[2 * k + 1] - wanted.t;
+                REQUIRE(std::abs(s - std::round(s)) < 1e-5); // floats up to 7
+                REQUIRE(std::abs(t - std::round(t)) < 1e-5);
+                const bool near = std::abs(wanted.s) < 256; // further away whole images are left out
+                REQUIRE((near ? std::abs(s) + std::abs(t) < 1 : std::abs(st[2 * k]) + std::abs(st[2 * k + 1]) < 20));
+                ++textured;
+            }
+        }
+        CHECK(textured > 100);
+    }
+}
+
 TEST_CASE("colours are linear and clipped, radiosity and error are as they are, and ranges are right")
 {
     SceneBuilder builder;
@@ -137,6 +186,68 @@ TEST_CASE("colours are linear and clipped, radiosity and error are as they are, 
         CHECK(range["min"][axis].number() == 0.0);
         CHECK(range["max"][axis].number() == std::vector<double>{1, 5, 2}[axis]);
     }
+}
+
+// Moved back, the meshes are those of the unmoved room.
+TEST_CASE("a GLB is exact to a millionth of the scene's size however far away and large that is, cameras included")
+{
+    const auto glb_of = [](const Scene& scene, const GlbCamera& camera, Vec3 up) {
+        return GlbFile(
+            glb_bytes(patch_mesh(scene, flat_corners(some_values(scene)), {}), scene, 0.5, {camera}, {}, {}, up));
+    };
+    const Scene unmoved = walls_that_do_not_match().scene(1.0);
+    const GlbCamera camera{"door", {1, 2, 3}, {1, 4, 7}, {0, 1, 0}, 60.0};
+    const GlbFile near = glb_of(unmoved, camera, {0, 1, 0});
+    CHECK(near.json["scenes"][0]["nodes"].list.size() == near.json["nodes"].list.size()); // all at the top
+    const std::vector<Vec3> expected = near.corners();
+    for (const Placement& placement : far_and_other_sizes()) {
+        CAPTURE(placement.scale);
+        const Scene scene(placement.moved(walls_that_do_not_match().file()), placement.scale);
+        GlbCamera moved = camera;
+        moved.eye = placement.scale * camera.eye + placement.shift;
+        moved.target = placement.scale * camera.target + placement.shift;
+        const GlbFile glb = glb_of(scene, moved, {0, 1, 0});
+        const std::vector<Vec3> corners = glb.corners();
+        CHECK(largest_miss(corners, placement, expected, unmoved) < 1e-6);
+        for (std::size_t n = 0; n < corners.size(); n += 3)
+            REQUIRE(length(cross(corners[n + 1] - corners[n], corners[n + 2] - corners[n])) > 0.0);
+        CHECK(largest_miss({glb.placed("camera", 0, {})}, placement, {camera.eye}, unmoved) < 1e-6);
+    }
+}
+
+TEST_CASE(
+    "a GLB has y upwards, whatever the upward direction of the scene, and its nodes turn it exactly by right angles")
+{
+    for (const Vec3 up : {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -3}, Vec3{2, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, -7, 0},
+                          Vec3{1, -2, 3}, Vec3{1e-9, -1, 0}})
+        for (const Vec3 shift : {Vec3{}, Vec3{500000, 120, 4649776}}) {
+            CAPTURE(up.x + 10 * up.y + 100 * up.z);
+            const Scene scene(Placement{1.0, shift}.moved(walls_that_do_not_match().file()), 1.0);
+            const GlbCamera camera{"door", shift + Vec3{1, 2, 3}, shift + Vec3{2, 4, 7}, {1, 1, 0}, 60.0};
+            const PatchMesh mesh = patch_mesh(scene, flat_corners(some_values(scene)), {});
+            const GlbFile glb(glb_bytes(mesh, scene, 0.5, {camera}, {}, {}, up));
+            // Where the corners of the scene's axes go: a rotation, which takes `up` to y.
+            const Vec3 x = glb.placed("mesh", 0, {1, 0, 0}) - glb.placed("mesh", 0, {});
+            const Vec3 y = glb.placed("mesh", 0, {0, 1, 0}) - glb.placed("mesh", 0, {});
+            const Vec3 z = glb.placed("mesh", 0, {0, 0, 1}) - glb.placed("mesh", 0, {});
+            const int zeros = (up.x == 0 ? 1 : 0) + (up.y == 0 ? 1 : 0) + (up.z == 0 ? 1 : 0);
+            const double rounding = zeros == 2 ? 0.0 : shift == Vec3{} ? 1e-15 : 1e-8; // of places millions away
+            const Vec3 upright = (1.0 / length(up)) * (up.x * x + up.y * y + up.z * z);
+            CHECK(length(upright - Vec3{0, 1, 0}) <= rounding);
+            CHECK(length(cross(x, y) - z) <= 2 * rounding);
+            CHECK(std::abs(dot(x, y)) <= 2 * rounding);
+            CHECK(std::abs(length(x) - 1.0) <= 2 * rounding);
+            CHECK(std::abs(length(y) - 1.0) <= 2 * rounding);
+            // The camera sees the room as before: from the same point relative to it, along the same line.
+            const auto turned = [&](Vec3 p) { return p.x * x + p.y * y + p.z * z; };
+            const Vec3 corner = glb.placed("mesh", 0, shift - mesh.origin);    // of the first wall
+            CHECK(length(corner - turned(shift)) <= (zeros == 2 ? 0.0 : 0.1)); // of millions, by axes of eight digits
+            CHECK(length(glb.placed("camera", 0, {}) - corner - turned(camera.eye - shift)) < 1e-6);
+            const Vec3 ahead = glb.placed("camera", 0, {0, 0, -1}) - glb.placed("camera", 0, {});
+            CHECK(length(ahead - turned(normalized(camera.target - camera.eye))) < 1e-8);
+            const bool as_it_was = up == Vec3{0, 1, 0} && shift == Vec3{};
+            CHECK(glb.json["scenes"][0]["nodes"].list.size() == (as_it_was ? glb.json["nodes"].list.size() : 1));
+        }
 }
 
 TEST_CASE("a quadrilateral is cut where the light changes less")

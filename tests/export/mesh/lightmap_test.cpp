@@ -70,8 +70,8 @@ std::vector<std::array<double, 2>> unit_corners_of(const Surface& surface)
     return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 }
 
-/// Pieces of a wall, an even floor of a rectangle and a fan of triangles around it, slanted parallelograms, and a
-/// speck.
+/// Pieces of a wall, an even floor of a rectangle and a fan of triangles around it, slanted parallelograms, rows of
+/// rectangles and triangles whose charts are turned, and a speck.
 SceneBuilder all_kinds()
 {
     SceneBuilder builder = walls_that_do_not_match();
@@ -81,6 +81,14 @@ SceneBuilder all_kinds()
     builder.triangle({10, 0, 2}, {11, 0, 4}, {13, 0, 2}, floor);
     builder.triangle({13, 0, 2}, {11, 0, 4}, {14.5, 0, 3}, floor);
     builder.rectangle({20, 1, 0.5}, {2, 1, 0.3}, {-0.4, 0.2, 1.7}, floor);
+    for (const double x : {0.0, 0.9, 1.8}) // in a row whose longer side is across their own
+        builder.rectangle({30 + x, 2, 0}, {0, 0, 1}, {0.9, 0, 0}, floor);
+    const Vec3 aside = {0.4, 0.3, 0.2}; // slanted triangles of one longest edge beside each other, likewise
+    for (int n = 0; n < 4; ++n) {
+        const Vec3 begin = Vec3{40, 0, 0} + n * aside;
+        builder.triangle(begin, begin + Vec3{0, 1, -0.5}, begin + aside, floor);
+        builder.triangle(begin + aside + Vec3{0, 1, -0.5}, begin + aside, begin + Vec3{0, 1, -0.5}, floor);
+    }
     builder.rectangle({20, 5, 0.5}, {4, 0.1, 0}, {0, 1e-3, 1e-3}, floor);
     return builder.rectangle({25, 5, 0.5}, {1e-4, 0, 0}, {0, 2e-4, 0}, floor);
 }
@@ -228,6 +236,45 @@ TEST_CASE("bilinear lookup finds linear light: exactly inside, within a texel's 
                 const auto& b = corners[(k + 1) % corners.size()];
                 CHECK(miss(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])) < step);
             }
+    }
+}
+
+// Light that is the number of the patch: from the picture back to the scene.
+TEST_CASE(
+    "the texel at the middle of a patch shows this patch, on either side, whatever axes, mirrors and moves there are")
+{
+    for (const int kind : {0, 1, 2, 3}) {
+        SceneFile file = all_kinds().file();
+        const auto turned = [&](Vec3 p) {
+            return kind == 1 ? Vec3{p.z, p.x, p.y} : kind == 2 ? Vec3{-p.x, p.y, p.z} : p;
+        };
+        for (Surface& s : file.surfaces)
+            s = {s.shape, turned(s.origin) + (kind == 3 ? Vec3{500000, 120, 4649776} : Vec3{}), turned(s.edge_u),
+                 turned(s.edge_v)};
+        const Scene scene(file, 0.7, true);
+        const SurfaceLight numbers = [&](std::uint32_t s, bool front, double u, double v) {
+            const double number = scene.patch_at(s, u, v, front);
+            return Rgb{number, number, number};
+        };
+        const Lightmap map = lightmap(scene, 1024, numbers, 1);
+        std::size_t seen = 0;
+        for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+            const Patch place = scene.patch(patch);
+            const Surface& surface = scene.surfaces()[place.surface];
+            if (place.shape.area() < 0.01)
+                continue; // a few texels
+            // The middle in coordinates of the surface, by areas.
+            const Vec3 p = place.shape.centre() - surface.origin;
+            const Vec3 normal = cross(surface.edge_u, surface.edge_v);
+            const double u = dot(cross(p, surface.edge_v), normal) / dot(normal, normal);
+            const double v = dot(cross(surface.edge_u, p), normal) / dot(normal, normal);
+            const TexturePoint there = map.frame(place.surface, scene.is_front(patch)).at(u, v);
+            const auto column = static_cast<std::size_t>(there.s * map.width);
+            const auto row = static_cast<std::size_t>((1.0 - there.t) * map.height);
+            REQUIRE(map.texels.at(row * map.width + column).g == patch);
+            ++seen;
+        }
+        CHECK(seen > 100);
     }
 }
 
@@ -486,6 +533,32 @@ TEST_CASE("cameras of a lightmap GLB stand at their eyes and look along their vi
     for (const JsonValue& number : node["matrix"].list)
         matrix.push_back(number.number());
     CHECK(matrix == std::vector<double>{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 1, 2, 3, 1});
+}
+
+TEST_CASE("lightmap meshes are exact to a millionth of the scene's size however far away and large that is")
+{
+    const SurfaceLight dark = [](std::uint32_t, bool, double, double) { return Rgb{}; };
+    const auto glb_of = [&](const Scene& scene, Vec3 up) {
+        return GlbFile(lightmap_glb(scene, lightmap(scene, 256, dark, 1), "png", 1.0, {}, {}, {}, up));
+    };
+    const auto obj_of = [&](const Scene& scene) {
+        return obj_positions(lightmap_obj(scene, lightmap(scene, 256, dark, 1), "a.mtl", {}));
+    };
+    const Scene unmoved = walls_that_do_not_match().scene(1.0);
+    const std::vector<Vec3> expected = glb_of(unmoved, {0, 1, 0}).corners();
+    for (const Placement& placement : far_and_other_sizes()) {
+        CAPTURE(placement.scale);
+        const Scene scene(placement.moved(walls_that_do_not_match().file()), placement.scale);
+        const std::vector<Vec3> corners = glb_of(scene, {0, 1, 0}).corners();
+        CHECK(largest_miss(corners, placement, expected, unmoved) < 1e-6);
+        for (std::size_t n = 0; n < corners.size(); n += 3)
+            REQUIRE(length(cross(corners[n + 1] - corners[n], corners[n + 2] - corners[n])) > 0.0);
+        CHECK(largest_miss(obj_of(scene), placement, obj_of(unmoved), unmoved) < 1e-6);
+        std::vector<Vec3> turned = glb_of(scene, {0, 0, 1}).corners();
+        for (Vec3& p : turned)
+            p = {p.x, -p.z, p.y}; // z upwards again
+        CHECK(largest_miss(turned, placement, expected, unmoved) < 1e-6);
+    }
 }
 
 // Names and numbers are read from files, so that the reader of such files is the judge.

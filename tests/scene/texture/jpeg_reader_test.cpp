@@ -3,12 +3,17 @@
 
 #include "scene/texture/image_formats.h"
 
+#include "image/png.h"
+#include "scene/scene_builder.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace jpeg_reader_test {
 
@@ -210,6 +215,29 @@ TEST_CASE("components named R, G and B are colours, with an Adobe segment and wi
 TEST_CASE("four inks are multiplied to colours")
 {
     check_pixels(inks_file, 5, 3, inks_pixels);
+}
+
+TEST_CASE(
+    "textures for viewers are the scene's files, but those of inks and of unusual formats become PNGs of their pixels")
+{
+    const std::string thumbnail = from_hex("ffe10012") + inks_file.substr(inks_file.find(from_hex("ffc0")), 16);
+    const std::string with_thumbnail = rgb_file.substr(0, 2) + thumbnail + rgb_file.substr(2);
+    const std::string map = "P3 2 1 255\n1 2 3 250 128 0\n";
+    const std::vector<std::string> contents = {grey_file, with_thumbnail, inks_file, progressive_file, map};
+    SceneBuilder builder;
+    SceneFile file = builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.5, 1.0)).file();
+    for (const std::string& bytes : contents)
+        file.textures.push_back(std::make_shared<const Texture>("a file", bytes, true));
+    const Scene scene(file, 1.0);
+    const std::vector<ImageFile> images = texture_files(scene);
+    REQUIRE(images.size() == contents.size());
+    for (std::size_t n = 0; n < images.size(); ++n) {
+        const bool made = n == 2 || n == 4;
+        CAPTURE(n);
+        CHECK(images[n].type == (made ? "image/png" : "image/jpeg"));
+        CHECK((images[n].bytes == contents[n]) == !made);
+        CHECK(read_image("", images[n].bytes).rgb == scene.file().textures[n]->bitmap().rgb);
+    }
 }
 
 TEST_CASE("fill bytes and stray bytes between JPEG segments are skipped")
