@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace multipath {
@@ -45,24 +46,30 @@ struct Preview
 {
     Image all;
     Image lit;
+
+    /// True if less than a twentieth of the picture counts.
+    bool shows_little() const
+    {
+        const auto black = std::count(all.pixels.begin(), all.pixels.end(), Rgb{});
+        return 20 * (static_cast<std::ptrdiff_t>(all.pixels.size()) - black) <
+               static_cast<std::ptrdiff_t>(all.pixels.size());
+    }
 };
 
+/// Points that see a larger share of the sky than `most_sky` do not count.
 Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
-                   const RenderOptions& options)
+                   const RenderOptions& options, double most_sky)
 {
     constexpr int block = 4; // pixels along a side, which are outdoors or not like one of them
-    const bool has_sky = scene.file().sky_surfaces > 0 || scene.file().sun;
-    const Vec3 up = normalized(camera.up);
-    RayFan fan;
-    const double here = has_sky ? sky_share(scene, {GatherPoint::free, camera.eye, up}, up, fan) : 1.0;
     const PixelRays pixels(camera, options.width, options.height);
+    const Vec3 up = normalized(camera.up);
     const Image black = {options.width, options.height,
                          std::vector<Rgb>(pixel_index(options.width, 0, options.height))};
     Preview preview = {black, black};
     parallel_blocks(
         static_cast<std::uint64_t>((options.height + block - 1) / block), options.threads, [&](std::uint64_t row) {
             VisibleHits visible(scene);
-            RayFan row_fan;
+            RayFan fan;
             std::vector<std::optional<bool>> outdoors(static_cast<std::size_t>(options.width / block + 1));
             const int first = block * static_cast<int>(row);
             for (int y = first; y < std::min(options.height, first + block); ++y)
@@ -71,8 +78,7 @@ Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const 
                         return;
                     std::optional<bool>& is_outdoors = outdoors[static_cast<std::size_t>(x / block)];
                     if (!is_outdoors)
-                        is_outdoors = here + much_more < 1.0 &&
-                                      sky_share(scene, gather_point(scene, *hit), up, row_fan) > here + much_more;
+                        is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
                     if (*is_outdoors)
                         return;
                     const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
@@ -89,7 +95,18 @@ Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const 
 double automatic_exposure(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                           const RenderOptions& options, ToneOperator tone)
 {
-    const Preview preview = preview_of(scene, radiosity, camera, preview_options(options));
+    constexpr double all = 1.0;
+    const RenderOptions small = preview_options(options);
+    PixelRays(camera, small.width, small.height); // throws for an invalid camera
+    double most_sky = all;
+    if (scene.file().sky_surfaces > 0 || scene.file().sun) {
+        RayFan fan;
+        const Vec3 up = normalized(camera.up);
+        most_sky = sky_share(scene, {GatherPoint::free, camera.eye, up}, up, fan) + much_more;
+    }
+    Preview preview = preview_of(scene, radiosity, camera, small, most_sky);
+    if (most_sky < all && preview.shows_little()) // the camera looks out of a window
+        preview = preview_of(scene, radiosity, camera, small, all);
     const double scale = automatic_scale(preview.all, tone);
     return std::min(scale, largest_scale(preview.lit, tone, white_share));
 }

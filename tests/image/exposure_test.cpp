@@ -79,6 +79,15 @@ TEST_CASE("outdoors the exposure is that of all but the sky")
           doctest::Approx(scale / 4.0));
 }
 
+TEST_CASE("a picture of nothing but the view from a window is exposed for the view")
+{
+    const Scene scene = room_with_view();
+    const Camera camera = {{2.5, 1.5, 3.5}, {2.5, 1.5, 15.0}, {0, 1, 0}, 30.0};
+    const double scale = scale_of(scene, radiosity_of(scene, 1.0, 1.0), camera, ToneOperator::reinhard);
+    CHECK(scale_of(scene, radiosity_of(scene, 4.0, 1.0), camera, ToneOperator::reinhard) ==
+          doctest::Approx(scale / 4.0));
+}
+
 // A room of two halves, of which one is a thousand times brighter: the mean exposure would clip it.
 TEST_CASE("of the surfaces in a picture no more than an eighth is white")
 {
