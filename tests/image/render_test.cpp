@@ -364,12 +364,14 @@ TEST_CASE("values and plain colours of the sky are exact")
     std::vector<Rgb> radiosity;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         radiosity.push_back(i == 0 ? grey(0.5) : Rgb{1.0, 2.0, 4.0});
-    const Camera camera = {{0, 0.1, 0}, {0.9, 0.5, 0}, {0, 1, 0}, 50.0};
-    for (const Rgb& pixel : render(scene, radiosity, camera, small_picture(Shading::smooth)).pixels)
-        CHECK(pixel == Rgb{1.0, 2.0, 4.0});
     const std::vector<Rgb> colours(scene.patch_count(), grey(1.0));
-    const ScreenImage image = flat_picture(scene, colours, camera, small_picture(Shading::flat));
-    CHECK(std::all_of(image.bytes.begin(), image.bytes.end(), [](std::uint8_t byte) { return byte == 255; }));
+    for (const double height : {0.1, 50.0}) { // within the sky and beyond it
+        const Camera camera = {{0, height, 0}, {0.9, height + 0.4, 0}, {0, 1, 0}, 50.0};
+        for (const Rgb& pixel : render(scene, radiosity, camera, small_picture(Shading::smooth)).pixels)
+            CHECK(pixel == Rgb{1.0, 2.0, 4.0});
+        const ScreenImage image = flat_picture(scene, colours, camera, small_picture(Shading::flat));
+        CHECK(std::all_of(image.bytes.begin(), image.bytes.end(), [](std::uint8_t byte) { return byte == 255; }));
+    }
 }
 
 } // namespace render_test

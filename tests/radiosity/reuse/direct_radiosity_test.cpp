@@ -81,6 +81,23 @@ TEST_CASE("lamps in pieces give the direct light of whole ones")
     }
 }
 
+// An upright lamp so far away that its pieces are taken together, with its centre below the horizon of a plate.
+TEST_CASE("a far lamp that rises above the horizon by a fifth gives the same in pieces")
+{
+    const auto light_of_plate = [](int n) {
+        SceneBuilder builder;
+        builder.rectangle({0, 1, 0}, {0, 0, 0.1}, {0.1, 0, 0}, builder.grey(0.5, 0.0));
+        const std::uint32_t lamp = builder.grey(0.0, 1e3);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+                builder.rectangle({30, 0.2 + 1.0 * i / n, 1.0 * j / n}, {0, 0, 1.0 / n}, {0, 1.0 / n, 0}, lamp);
+        return direct_radiosity(builder.scene(1.0), 1)[0].g;
+    };
+    const double whole = light_of_plate(1);
+    CHECK(whole > 1e-4);
+    CHECK(light_of_plate(10) == doctest::Approx(whole).epsilon(0.1)); // few rays, of which a fifth is above the horizon
+}
+
 // 2^7 is exact.
 TEST_CASE("lamps 128 times as bright give 128 times the direct light, and the same where they are not")
 {
