@@ -95,7 +95,8 @@ TEST_CASE("a far lamp that rises above the horizon by a fifth gives the same in 
     };
     const double whole = light_of_plate(1);
     CHECK(whole > 1e-4);
-    CHECK(light_of_plate(10) == doctest::Approx(whole).epsilon(0.1)); // few rays, of which a fifth is above the horizon
+    CHECK(light_of_plate(10) ==
+          doctest::Approx(whole).epsilon(0.1).scale(0.0)); // few rays, of which a fifth is above the horizon
 }
 
 // 2^7 is exact.
