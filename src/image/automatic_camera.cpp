@@ -2,209 +2,28 @@
 // the corners at several heights, outside each wall (whose back is transparent), and in front of each side of the
 // scene. A coarse grid of rays scores each candidate, a finer grid the best ones. If the scene can be seen from outside
 // without looking through a wall, only those candidates compete. At first all surfaces count as lit. If the best view
-// shows many unlit surfaces, the search is repeated with unlit surfaces counted as unseen: a house with lamps inside is
-// not shown from the garden. This may fail for a small house in a large garden. Then the search is restricted to the
-// part of the scene that contains the light.
+// is not good in the light of the solution, because unlit or badly exposed surfaces fill it, rooms are searched for
+// around the lit surfaces: a house with lamps inside is not shown from the garden, nor a flat with its dark rooms.
+//
+// In daylight the outside is lit, too. Then a view of a room or courtyard is preferred. If there is none that is good,
+// the candidates are outdoors, as near as everything that rises above the ground fits into the picture.
 
 #include "image/automatic_camera.h"
 
 #include "geometry/bounds.h"
 #include "geometry/elementary.h"
 #include "geometry/polygon.h"
+#include "image/view_quality.h"
+#include "sampling/warp.h"
 #include "scene/input_error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace multipath {
-
-namespace {
-
-constexpr double cells_along_diagonal = 24.0; // cells of the scene that are counted to measure variety
-constexpr double too_near = 0.08;             // share of the scene's diagonal
-constexpr double in_the_dark = 0.02;          // share of the reflected power on sides that count as unlit
-
-/// Statistics of the rays of one view. The members after `dark` are of visible hits of lit fronts only.
-struct ViewCounts
-{
-    int escaped = 0;
-    int backs = 0;
-    int dark = 0;
-    int near = 0;
-    int floor = 0;   ///< hits of surfaces that face up
-    int ceiling = 0; ///< hits of surfaces that face down
-    std::vector<std::uint64_t> cells;
-    std::vector<std::uint32_t> surfaces;
-    std::vector<std::uint32_t> materials;
-};
-
-/// Index of the cell that contains a point.
-std::uint64_t cell_of(const Bounds& box, Vec3 point)
-{
-    const double size = box.diagonal() / cells_along_diagonal;
-    const Vec3 p = (1.0 / size) * (point - box.low);
-    std::uint64_t cell = 0;
-    for (const double x : {p.x, p.y, p.z})
-        cell = 64 * cell + static_cast<std::uint64_t>(std::clamp(x, 0.0, 63.0));
-    return cell;
-}
-
-/// Adds a ray to the statistics. `nearest`: its first hit, or null; `seen`: its first visible hit.
-void add_ray(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nearest, const std::optional<Hit>& seen,
-             ViewCounts& view)
-{
-    const Scene& scene = lit_scene.scene;
-    if (nearest != nullptr && !nearest->front && !scene.is_sky(nearest->surface))
-        ++view.backs;
-    const Hit* const hit = seen && !scene.is_sky(seen->surface) ? &*seen : nullptr;
-    if (hit == nullptr && scene.file().sky_surfaces == 0)
-        ++view.escaped;
-    const bool dark = hit != nullptr && !lit_scene.is_lit[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)];
-    view.dark += dark ? 1 : 0;
-    if (hit == nullptr || !hit->front || dark)
-        return;
-    if (hit->t < too_near * lit_scene.box.diagonal())
-        ++view.near;
-    const double upward = dot(scene.surfaces()[hit->surface].normal(), up);
-    view.floor += upward > 0.7 ? 1 : 0;
-    view.ceiling += upward < -0.7 ? 1 : 0;
-    view.materials.push_back(scene.file().material[hit->surface]);
-    view.cells.push_back(cell_of(lit_scene.box, ray.at(hit->t)));
-    view.surfaces.push_back(hit->surface);
-}
-
-template <class T>
-void keep_distinct(std::vector<T>& items)
-{
-    std::sort(items.begin(), items.end());
-    items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
-/// Saturating reward: rises like a square root from 0 to 1, which it reaches when the share of the rays is `enough`.
-double saturated_share(int count, double rays, double enough)
-{
-    return std::sqrt(std::min(1.0, count / (rays * enough)));
-}
-
-/// Importance of a surface in a picture: the root of its area, so that small objects are not neglected.
-double weight(const Surface& surface)
-{
-    return std::sqrt(surface.area());
-}
-
-/// Light of one side of a surface.
-struct LitSide
-{
-    std::uint32_t first_patch;
-    std::uint32_t end_patch;
-    double radiosity; ///< [W/m^2] mean
-    double power;     ///< [W] reflected
-};
-
-std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radiosity)
-{
-    std::vector<LitSide> sides;
-    for (const bool front : {true, false})
-        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if ((!front && !scene.two_sided()) || scene.is_sky(surface))
-                continue;
-            const std::uint32_t first = scene.first_patch(surface, front);
-            const auto end = first + static_cast<std::uint32_t>(scene.tessellation(surface).cell_count());
-            const double area = scene.surfaces()[surface].area();
-            double power = 0.0;
-            for (std::uint32_t i = first; i < end; ++i)
-                power += scene.area(i) * mean(radiosity[i]);
-            sides.push_back({first, end, power / area, std::max(0.0, power - area * mean(scene.emittance(first)))});
-        }
-    return sides;
-}
-
-/// [W/m^2] Threshold of the mean radiosity above which sides count as lit: brighter sides have 98 % of the reflected
-/// power. A fraction of the mean would not do, since the spot above a lamp may be a hundred times brighter than the
-/// room, and a garden much larger. Sides are compared, not patches, since with few lines many patches receive none.
-double lit_threshold(std::vector<LitSide> sides)
-{
-    std::sort(sides.begin(), sides.end(), [](const LitSide& a, const LitSide& b) { return a.radiosity < b.radiosity; });
-    double all = 0.0;
-    for (const LitSide& side : sides)
-        all += side.power;
-    double passed = 0.0;
-    for (const LitSide& side : sides)
-        if ((passed += side.power) > in_the_dark * all)
-            return side.radiosity;
-    return 0.0;
-}
-
-/// The lit patches: all patches of bright sides, and bright patches of other sides.
-std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radiosity)
-{
-    const std::vector<LitSide> sides = lit_sides(scene, radiosity);
-    const double least = lit_threshold(sides);
-    const auto shows = [least](double light) { return light >= least && light > 0.0; };
-    std::vector<bool> is_lit(scene.patch_count());
-    for (const LitSide& side : sides)
-        for (std::uint32_t i = side.first_patch; i < side.end_patch; ++i)
-            is_lit[i] = shows(side.radiosity) || shows(mean(radiosity[i]));
-    return is_lit;
-}
-
-} // namespace
-
-LitScene::LitScene(const Scene& whole, const std::vector<Rgb>& radiosity)
-    : scene(whole),
-      box(whole.own_bounds()),
-      is_lit(radiosity.empty() ? std::vector<bool>() : lit_patches(whole, radiosity))
-{
-    if (std::find(is_lit.begin(), is_lit.end(), true) == is_lit.end())
-        is_lit.assign(whole.patch_count(), true);
-    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        weight += multipath::weight(scene.surfaces()[s]);
-}
-
-ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double aspect, int rows)
-{
-    const Scene& scene = lit_scene.scene;
-    constexpr double most_columns = 4096.0; // of extremely wide pictures the middle is judged
-    const int columns = std::max(1, static_cast<int>(std::lround(std::min(most_columns, aspect * rows))));
-    const PixelRays rays(camera, columns, rows);
-    const Vec3 up = normalized(camera.up);
-    std::vector<Line> lines;
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x)
-            lines.push_back(rays.through(x + 0.5, y + 0.5));
-    VisibleHits visible(scene);
-    const std::vector<std::optional<Hit>>& hits = visible.first(lines);
-    ViewCounts view;
-    for (std::size_t k = 0; k < lines.size(); ++k)
-        add_ray(lit_scene, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
-    keep_distinct(view.cells);
-    keep_distinct(view.surfaces);
-    keep_distinct(view.materials);
-    double seen = 0.0;
-    for (const std::uint32_t surface : view.surfaces)
-        seen += weight(scene.surfaces()[surface]);
-
-    // The weights are empirical.
-    const double count = static_cast<double>(columns) * rows;
-    const double variety = static_cast<double>(view.cells.size()) / count;
-    const double completeness = seen / lit_scene.weight;
-    const double balance =
-        0.5 * saturated_share(view.floor, count, 0.25) + 0.2 * saturated_share(view.ceiling, count, 0.08);
-    const double colours =
-        0.8 * static_cast<double>(view.materials.size()) / static_cast<double>(scene.materials().size());
-    const bool lamp = std::any_of(view.materials.begin(), view.materials.end(), [&](std::uint32_t material) {
-        return scene.materials()[material].emittance != Rgb{};
-    });
-    const double flaws = 0.5 * (view.escaped + view.dark) + 0.15 * view.backs + 2.0 * view.near;
-    const double score = variety + completeness + balance + colours + (lamp ? 0.35 : 0.0) - flaws / count;
-    return {score, view.escaped / count, view.backs / count, view.dark / count};
-}
 
 namespace {
 
@@ -224,6 +43,9 @@ struct Room
         return (box.low.x + x * size.x) * axis_x + (box.low.y + y * size.y) * axis_y +
                (box.low.z + z * size.z) * axis_z;
     }
+    /// The coordinates of a point in these axes.
+    Vec3 place_of(Vec3 point) const { return {dot(point, axis_x), dot(point, axis_y), dot(point, axis_z)}; }
+    bool contains(Vec3 point) const { return overlap(box, {place_of(point), place_of(point)}); }
     /// Axis-aligned bounding box of the room.
     Bounds in_space() const
     {
@@ -255,49 +77,135 @@ Room room_of(const Scene& scene, Vec3 up)
     room.axis_z = cross(room.axis_x, room.axis_y);
     for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
         for (const Vec3 corner : corners_of(scene.surfaces()[s]))
-            room.box.include(Vec3{dot(corner, room.axis_x), dot(corner, room.axis_y), dot(corner, room.axis_z)});
+            room.box.include(room.place_of(corner));
     grow_if_flat(room.box);
     return room;
 }
 
-/// Box around the reflected power, or around the emitted power if there is no other. Along each axis 2 % of the power
-/// is left out at either end, such as light that leaves the room through windows.
-Room lit_room(const Scene& scene, const std::vector<Rgb>& radiosity, Vec3 up)
+/// The part of a scene that rises above its ground; the whole scene if nothing does.
+Room above_ground(const Scene& scene, const Room& whole)
 {
-    constexpr double left_out = 0.02; // share of the power at either end
-    std::vector<double> power;        // [W] per patch
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        power.push_back(scene.area(i) * std::max(0.0, mean(radiosity[i] - scene.emittance(i))));
-    if (std::all_of(power.begin(), power.end(), [](double p) { return p == 0.0; }))
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            power[i] = scene.is_sky(scene.surface_of(i)) ? 0.0 : scene.area(i) * mean(radiosity[i]);
-    const double all = std::accumulate(power.begin(), power.end(), 0.0);
-
-    const auto range_along = [&](Vec3 axis) {
-        std::vector<std::pair<double, double>> positions; // along the axis, with the power [W] of the patch there
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            if (power[i] > 0.0)
-                positions.emplace_back(dot(scene.patch(i).shape.centre(), axis), power[i]);
-        if (positions.empty()) // no light anywhere
-            return std::pair<double, double>{0.0, 0.0};
-        std::sort(positions.begin(), positions.end());
-        std::pair<double, double> range{positions.front().first, positions.back().first};
-        double passed = 0.0;
-        for (const auto& [position, light] : positions) {
-            if (passed <= left_out * all)
-                range.first = position;
-            if (passed <= (1.0 - left_out) * all)
-                range.second = position;
-            passed += light;
-        }
-        return range;
-    };
-    Room room = room_of(scene, up);
-    std::tie(room.box.low.x, room.box.high.x) = range_along(room.axis_x);
-    std::tie(room.box.low.y, room.box.high.y) = range_along(room.axis_y);
-    std::tie(room.box.low.z, room.box.high.z) = range_along(room.axis_z);
+    std::vector<Bounds> boxes;
+    Bounds all;
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s) {
+        boxes.emplace_back();
+        for (const Vec3 corner : corners_of(scene.surfaces()[s]))
+            boxes.back().include(whole.place_of(corner));
+        all.include(boxes.back());
+    }
+    const double level = all.low.y + 0.05 * all.size().y;
+    Room room = whole;
+    room.box = {};
+    for (const Bounds& box : boxes)
+        if (box.high.y > level)
+            room.box.include(box);
+    if (room.box.empty())
+        return whole;
     grow_if_flat(room.box);
     return room;
+}
+
+/// The distance along each ray to the first surface; nothing where a ray leaves the scene or meets a transparent back.
+std::vector<std::optional<double>> free_paths(const Scene& scene, const std::vector<Line>& rays)
+{
+    VisibleHits visible(scene);
+    const std::vector<std::optional<Hit>>& hits = visible.first(rays);
+    std::vector<std::optional<double>> paths(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k)
+        if (hits[k] && !scene.is_sky(hits[k]->surface) && hits[k]->t == visible.nearest()[k].t)
+            paths[k] = hits[k]->t;
+    return paths;
+}
+
+/// The distance from a point to the wall ahead. Where this ray leaves the scene, as through a window, it is that to the
+/// farthest part of the wall that slanted rays meet. Nothing if there is none.
+std::optional<double> distance_to_wall(const Scene& scene, Vec3 from, Vec3 ahead, Vec3 aside, Vec3 upwards)
+{
+    std::vector<Line> rays = {{from, ahead}};
+    for (const double u : {-0.6, 0.6})
+        for (const double v : {-0.6, 0.6})
+            rays.push_back({from, normalized(ahead + u * aside + v * upwards)});
+    const std::vector<std::optional<double>> paths = free_paths(scene, rays);
+    std::optional<double> distance = paths[0];
+    for (std::size_t k = 1; k < rays.size() && !paths[0]; ++k)
+        if (paths[k])
+            distance = std::max(distance.value_or(0.0), *paths[k] * dot(rays[k].direction, ahead));
+    return distance;
+}
+
+/// The room around a point in free space: a box that extends along each axis to the first surface, as seen from the
+/// point and then once more from the middle of that box. Only walls have windows. In daylight a court without a
+/// ceiling, with windowless walls as high as the scene, is a room, too. Nothing if a side is missing.
+std::optional<Room> room_around(const Scene& scene, const Room& whole, Vec3 point)
+{
+    Room room = whole;
+    for (int pass = 0; pass < 2; ++pass) {
+        const Vec3 place = whole.place_of(point);
+        const auto path = [&](Vec3 ahead) { return free_paths(scene, {{point, ahead}})[0]; };
+        const std::optional<double> down = path(-whole.axis_y);
+        std::optional<double> to_ceiling = path(whole.axis_y);
+        const bool is_court = !to_ceiling && has_daylight(scene);
+        if (is_court)
+            to_ceiling = whole.box.high.y - place.y;
+        Bounds box;
+        for (const double sign : {1.0, -1.0}) {
+            const auto to_wall = [&](Vec3 ahead, Vec3 aside) {
+                return is_court ? path(ahead) : distance_to_wall(scene, point, ahead, aside, whole.axis_y);
+            };
+            const std::optional<double> to_x = to_wall(sign * whole.axis_x, whole.axis_z);
+            const std::optional<double> to_y = sign > 0.0 ? to_ceiling : down;
+            const std::optional<double> to_z = to_wall(sign * whole.axis_z, whole.axis_x);
+            if (!to_x || !to_y || !to_z)
+                return std::nullopt;
+            box.include(place + sign * Vec3{*to_x, *to_y, *to_z});
+        }
+        room.box = box;
+        point = room.at(0.5, 0.5, 0.5);
+    }
+    grow_if_flat(room.box);
+    return room;
+}
+
+/// Rooms with light, at most three. Those around points above patches that are chosen in proportion to their reflected
+/// power, or in daylight, which is nearly all outside, to their area. The rooms with most such points come first.
+std::vector<Room> lit_rooms(const LitScene& lit_scene, const Room& whole)
+{
+    constexpr int points = 64;
+    constexpr std::size_t most_rooms = 3;
+    const Scene& scene = lit_scene.scene;
+    const bool by_area = has_daylight(scene) || lit_scene.radiosity.empty();
+    std::vector<double> sums; // cumulative weights of the patches
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        if (lit_scene.is_lit[i] && !scene.is_sky(scene.surface_of(i)))
+            sum += scene.area(i) * (by_area ? 1.0 : std::max(0.0, mean(lit_scene.radiosity[i] - scene.emittance(i))));
+        sums.push_back(sum);
+    }
+    struct Found
+    {
+        Room room;
+        int points;
+    };
+    std::vector<Found> found;
+    for (int k = 0; k < points && sum > 0.0; ++k) {
+        const auto chosen = std::upper_bound(sums.begin(), sums.end() - 1, (k + 0.5) / points * sum);
+        const Patch patch = scene.patch(static_cast<std::uint32_t>(chosen - sums.begin()));
+        const Line away = {patch.shape.centre(), patch.shape.normal()};
+        const std::optional<Hit> opposite = scene.intersector().closest_hit_from(patch.surface, away);
+        const bool is_open = !opposite || scene.is_sky(opposite->surface);
+        const Vec3 middle = away.at(0.5 * (is_open ? 0.1 * whole.box.diagonal() : opposite->t));
+        const auto known =
+            std::find_if(found.begin(), found.end(), [&](const Found& f) { return f.room.contains(middle); });
+        if (known != found.end())
+            ++known->points;
+        else if (const std::optional<Room> room = room_around(scene, whole, middle))
+            found.push_back({*room, 1});
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.points > b.points; });
+    std::vector<Room> rooms;
+    for (std::size_t k = 0; k < std::min(most_rooms, found.size()); ++k)
+        rooms.push_back(found[k].room);
+    return rooms;
 }
 
 /// [degrees] Vertical field of view, reduced in wide pictures so that the horizontal one is at most `widest`: otherwise
@@ -313,6 +221,7 @@ double field_of_view(double vertical, double widest, double aspect)
 void append_inside(const Room& room, Vec3 up, double angle, std::vector<Camera>& cameras)
 {
     constexpr double inset = 0.05;
+    constexpr double steepest = 0.7; // in high rooms the cameras would look down too steeply
     constexpr double places[] = {inset, 0.3, 0.5, 0.7, 1.0 - inset};
     for (const double x : places)
         for (const double z : places) {
@@ -320,10 +229,14 @@ void append_inside(const Room& room, Vec3 up, double angle, std::vector<Camera>&
             if (!at_wall)
                 continue;
             for (const double eye_height : {0.55, 0.65, 0.75})
-                for (const double target_height : {0.35, 0.45})
-                    cameras.push_back({room.at(x, eye_height, z),
-                                       room.at(0.5 + 0.4 * (0.5 - x), target_height, 0.5 + 0.4 * (0.5 - z)), up,
-                                       angle});
+                for (const double target_height : {0.35, 0.45}) {
+                    const Vec3 eye = room.at(x, eye_height, z);
+                    const auto target = [&](double height) {
+                        return room.at(0.5 + 0.4 * (0.5 - x), height, 0.5 + 0.4 * (0.5 - z));
+                    };
+                    const double least = eye_height - steepest * length(target(eye_height) - eye) / room.box.size().y;
+                    cameras.push_back({eye, target(std::max(least, target_height)), up, angle});
+                }
         }
 }
 
@@ -360,26 +273,31 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
     return cameras;
 }
 
-/// The `count` cameras with the highest scores, best first; of equal ones the earlier.
-std::vector<Camera> best_cameras(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect, int rows,
-                                 std::size_t count)
+/// A candidate and the quality of its view.
+struct RatedCamera
 {
-    std::vector<std::pair<double, std::size_t>> ranking; // negative score, index
-    for (std::size_t i = 0; i < cameras.size(); ++i)
-        ranking.emplace_back(-view_quality(lit_scene, cameras[i], aspect, rows).score, i);
-    std::sort(ranking.begin(), ranking.end());
-    std::vector<Camera> best;
-    for (std::size_t i = 0; i < std::min(count, ranking.size()); ++i)
-        best.push_back(cameras[ranking[i].second]);
-    return best;
+    Camera camera;
+    ViewQuality quality;
+};
+
+/// The `count` cameras with the highest scores, best first; of equal ones the earlier.
+std::vector<RatedCamera> best_cameras(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect,
+                                      int rows, std::size_t count)
+{
+    std::vector<RatedCamera> rated;
+    for (const Camera& camera : cameras)
+        rated.push_back({camera, view_quality(lit_scene, camera, aspect, rows)});
+    std::stable_sort(rated.begin(), rated.end(),
+                     [](const RatedCamera& a, const RatedCamera& b) { return a.quality.score > b.quality.score; });
+    rated.resize(std::min(count, rated.size()));
+    return rated;
 }
 
 /// The cameras in `outside` that look through hardly any backs and whose picture is filled well: those in front of an
 /// open side, or of an object.
 std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Camera>& outside, double aspect)
 {
-    // Under a sky the outside is lit, so that more backs are acceptable.
-    const double most_backs = lit_scene.scene.file().sky_surfaces > 0 ? 0.15 : 0.01;
+    constexpr double most_backs = 0.01;
     std::vector<Camera> result;
     for (const Camera& camera : outside) {
         const ViewQuality quality = view_quality(lit_scene, camera, aspect, fine_rows);
@@ -389,20 +307,103 @@ std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Ca
     return result;
 }
 
+/// The best of the candidates, found in two steps.
+std::optional<RatedCamera> best_of(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect)
+{
+    const std::vector<RatedCamera> shortlist = best_cameras(lit_scene, cameras, aspect, coarse_rows, 8);
+    std::vector<Camera> finalists;
+    for (const RatedCamera& rated : shortlist)
+        finalists.push_back(rated.camera);
+    const std::vector<RatedCamera> best = best_cameras(lit_scene, finalists, aspect, fine_rows, 1);
+    return best.empty() ? std::nullopt : std::optional<RatedCamera>(best.front());
+}
+
+std::vector<Camera> inside_cameras(const Room& room, Vec3 up, double aspect)
+{
+    std::vector<Camera> cameras;
+    for (const double vertical : {58.0, 68.0})
+        append_inside(room, up, field_of_view(vertical, vertical + 20.0, aspect), cameras);
+    return cameras;
+}
+
 /// The best of all candidates in and around a room.
 Camera best_camera(const LitScene& lit_scene, const Room& room, double aspect, Vec3 up)
 {
     const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
     const std::vector<Camera> open = unobstructed(lit_scene, outside, aspect);
     if (!open.empty())
-        return best_cameras(lit_scene, open, aspect, fine_rows, 1).front();
+        return best_cameras(lit_scene, open, aspect, fine_rows, 1).front().camera;
 
     std::vector<Camera> cameras = outside;
-    for (const double vertical : {58.0, 68.0})
-        append_inside(room, up, field_of_view(vertical, vertical + 20.0, aspect), cameras);
+    for (const Camera& camera : inside_cameras(room, up, aspect))
+        cameras.push_back(camera);
     append_behind_walls(room, up, field_of_view(54.0, 74.0, aspect), cameras);
-    const std::vector<Camera> shortlist = best_cameras(lit_scene, cameras, aspect, coarse_rows, 8);
-    return best_cameras(lit_scene, shortlist, aspect, fine_rows, 1).front();
+    return best_of(lit_scene, cameras, aspect)->camera;
+}
+
+/// True if a camera is surrounded by walls: at least 14 of 16 level rays end at a visible surface.
+bool is_surrounded(const Scene& scene, const Room& axes, Vec3 eye)
+{
+    std::vector<Line> rays;
+    for (int k = 0; k < 16; ++k) {
+        const SinCos turn = sin_cos_of_turns((k + 0.5) / 16.0);
+        rays.push_back({eye, turn.cos * axes.axis_x + turn.sin * axes.axis_z});
+    }
+    const std::vector<std::optional<double>> paths = free_paths(scene, rays);
+    return std::count(paths.begin(), paths.end(), std::nullopt) <= 2;
+}
+
+/// The best of the cameras in rooms. Nothing if none is good.
+std::optional<RatedCamera> best_indoor_camera(LitScene lit_scene, const Room& whole, double aspect, Vec3 up)
+{
+    std::optional<RatedCamera> best;
+    for (const Room& room : lit_rooms(lit_scene, whole)) {
+        std::vector<Camera> cameras = inside_cameras(room, up, aspect);
+        cameras.erase(std::remove_if(cameras.begin(), cameras.end(),
+                                     [&](const Camera& c) { return !is_surrounded(lit_scene.scene, whole, c.eye); }),
+                      cameras.end());
+        lit_scene.box = room.in_space();
+        const std::optional<RatedCamera> found = best_of(lit_scene, cameras, aspect);
+        if (found && found->quality.is_good() && (!best || found->quality.score > best->quality.score))
+            best = found;
+    }
+    return best;
+}
+
+/// [scene units] The distance from the centre of a room at which a camera in this direction sees all of its box.
+double fitting_distance(const Room& room, Vec3 direction, double angle, double aspect)
+{
+    const double half_height = elementary::tan(0.5 * angle * radians_per_degree);
+    const Vec3 right = normalized(cross(room.axis_y, direction));
+    const Vec3 above = cross(direction, right);
+    const Vec3 centre = room.at(0.5, 0.5, 0.5);
+    double distance = 0.0;
+    for (const double x : {0.0, 1.0})
+        for (const double y : {0.0, 1.0})
+            for (const double z : {0.0, 1.0}) {
+                const Vec3 corner = room.at(x, y, z) - centre;
+                const double aside = std::max(std::abs(dot(corner, above)), std::abs(dot(corner, right)) / aspect);
+                distance = std::max(distance, aside / half_height + dot(corner, direction));
+            }
+    return distance;
+}
+
+/// The best of the cameras outdoors, around what rises above the ground.
+Camera best_outdoor_camera(const LitScene& lit_scene, const Room& whole, double aspect, Vec3 up)
+{
+    const Room room = above_ground(lit_scene.scene, whole);
+    const double angle = field_of_view(45.0, 60.0, aspect);
+    const Vec3 centre = room.at(0.5, 0.5, 0.5);
+    std::vector<Camera> cameras;
+    for (int k = 0; k < 8; ++k) {
+        const SinCos turn = sin_cos_of_turns((k + 0.5) / 8.0);
+        for (const double rise : {0.1, 0.4}) {
+            const Vec3 slant = normalized(turn.cos * room.axis_x + turn.sin * room.axis_z + rise * room.axis_y);
+            const double distance = fitting_distance(room, slant, angle, aspect);
+            cameras.push_back({centre + 1.1 * distance * slant, centre, up, angle});
+        }
+    }
+    return best_cameras(lit_scene, cameras, aspect, fine_rows, 1).front().camera;
 }
 
 } // namespace
@@ -411,21 +412,19 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::v
 {
     if (!(length(up) > 0.0) || !std::isfinite(length(up)))
         throw SettingsError("camera: the up direction must be a finite vector that is not zero");
-    // The solution is used only if necessary, so that a good view does not depend on its noise.
     const Room room = room_of(scene, up);
+    const LitScene lit_scene(scene, radiosity);
+    if (has_daylight(scene)) {
+        const std::optional<RatedCamera> indoors = best_indoor_camera(lit_scene, room, aspect, up);
+        return indoors ? indoors->camera : best_outdoor_camera(lit_scene, room, aspect, up);
+    }
+    // The solution is used only if necessary, so that a good view does not depend on its noise.
     const Camera plain = best_camera(LitScene(scene), room, aspect, up);
-    LitScene lit_scene(scene, radiosity);
-    if (view_quality(lit_scene, plain, aspect, fine_rows).is_lit())
+    if (view_quality(lit_scene, plain, aspect, fine_rows).is_good())
         return plain;
-    const Camera camera = best_camera(lit_scene, room, aspect, up);
-    const ViewQuality quality = view_quality(lit_scene, camera, aspect, fine_rows);
-    if (quality.is_lit() || radiosity.empty())
-        return camera;
-
-    const Room lit = lit_room(scene, radiosity, up);
-    lit_scene.box = lit.in_space();
-    const Camera closer = best_camera(lit_scene, lit, aspect, up);
-    return view_quality(lit_scene, closer, aspect, fine_rows).dark_share < quality.dark_share ? closer : camera;
+    if (const std::optional<RatedCamera> indoors = best_indoor_camera(lit_scene, room, aspect, up))
+        return indoors->camera;
+    return best_camera(lit_scene, room, aspect, up);
 }
 
 } // namespace multipath

@@ -3,6 +3,7 @@
 #include "geometry/elementary.h"
 #include "geometry/hit.h"
 #include "image/camera.h"
+#include "image/exposure.h"
 #include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
 #include "image/gather/source_light.h"
@@ -189,10 +190,14 @@ class Painter
 {
 public:
     Painter(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera, const RenderOptions& options)
-        : scene_(scene), radiosity_(radiosity), rays_(camera, options.width, options.height), options_(options)
+        : scene_(scene),
+          radiosity_(radiosity),
+          rays_(camera, options.width, options.height),
+          options_(options),
+          up_(normalized(camera.up))
     {
         if (scene.file().sky_surfaces > 0)
-            background_ = radiosity[scene.first_patch(scene.own_surfaces())];
+            sky_ = radiosity[scene.first_patch(scene.own_surfaces())];
         while (grid_ * grid_ < options.samples_per_pixel)
             ++grid_;
         if (options.shading == Shading::smooth)
@@ -209,7 +214,8 @@ public:
     {
         Tools tools{VisibleHits(scene_), {}, {}};
         for_each_hit(y, tools, [&](Sample sample, const std::optional<Hit>& hit) {
-            pixels[sample.x] += clipped(hit ? shade(*hit, sample, tools) : background_);
+            const bool is_sky = !hit || (options_.shaded_sky && scene_.is_sky(hit->surface));
+            pixels[sample.x] += clipped(is_sky ? sky(ray(sample).direction) : shade(*hit, sample, tools));
         });
         for (int x = 0; x < options_.width; ++x)
             pixels[x] = 1.0 / (grid_ * grid_) * pixels[x];
@@ -314,6 +320,19 @@ private:
         return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
     }
 
+    /// The sky in a direction. In pictures for a screen it is brighter towards the horizon; the mean over the upper
+    /// hemisphere is that of the solution. It is never quite white, so that its colour shows.
+    Rgb sky(Vec3 direction) const
+    {
+        if (!options_.shaded_sky)
+            return sky_;
+        constexpr double horizon = 1.424; // times the mean over the upper hemisphere
+        constexpr double brightest = 0.6; // of white
+        const double height = std::abs(dot(direction, up_));
+        const double most = horizon * std::max({sky_.r, sky_.g, sky_.b});
+        return std::min(1.0, brightest * options_.white / most) * (horizon - height * height / (height + 0.1)) * sky_;
+    }
+
     Rgb clipped(Rgb value) const
     {
         return {std::min(value.r, options_.white), std::min(value.g, options_.white),
@@ -329,7 +348,8 @@ private:
     std::optional<ShownRadiosity> smooth_;
     std::optional<FinalGather> gather_;
     int grid_ = 1;                     ///< k: samples along a side of a pixel
-    Rgb background_;                   ///< [W/m^2] of rays that meet nothing: the sky, or black
+    Rgb sky_;                          ///< [W/m^2] radiosity of the sky; black without one
+    Vec3 up_;                          ///< unit vector
     std::vector<std::uint32_t> found_; ///< per sample: the visible surface, or `nothing`; empty if not computed
 };
 
@@ -361,9 +381,7 @@ RenderOptions preview_options(RenderOptions options)
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                      const RenderOptions& options, const ToneMapOptions& tone)
 {
-    const double base = tone.scale
-                            ? *tone.scale
-                            : automatic_scale(render(scene, radiosity, camera, preview_options(options)), tone.tone);
+    const double base = tone.scale ? *tone.scale : automatic_exposure(scene, radiosity, camera, options, tone.tone);
     return base * elementary::exp2(tone.exposure);
 }
 
@@ -373,6 +391,7 @@ ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const
     const double scale = picture_scale(scene, radiosity, camera, options, tone);
     RenderOptions clipped = options;
     clipped.white = white_point(tone.tone) / scale;
+    clipped.shaded_sky = true;
     return tone_map(render(scene, radiosity, camera, clipped), tone.tone, scale);
 }
 

@@ -33,6 +33,7 @@ struct RenderOptions
     /// radiosity that is shown as white. Without the clamp, the edge of a lamp a thousand times brighter than the room
     /// would not be antialiased.
     double white = std::numeric_limits<double>::infinity();
+    bool shaded_sky = false; ///< the sky is brighter towards the horizon, and below `white`; false: uniform
 };
 
 /// Renders a scene with the given radiosity [W/m^2] per patch. Where a ray meets nothing, the picture is black, or
@@ -46,7 +47,7 @@ struct ToneMapOptions
 {
     ToneOperator tone = ToneOperator::reinhard;
     double exposure = 0.0; ///< [stops] the automatic or given scale is multiplied by 2^exposure
-    /// [m^2/W] Factor from radiosity to the tone operator's input; chosen by automatic_scale() if absent.
+    /// [m^2/W] Factor from radiosity to the tone operator's input; chosen by automatic_exposure() if absent.
     std::optional<double> scale = std::nullopt;
 };
 
@@ -54,13 +55,14 @@ struct ToneMapOptions
 /// flat shading, one sample per pixel, no clamping.
 RenderOptions preview_options(RenderOptions options);
 
-/// [m^2/W] The factor from radiosity to the input of the tone operator that picture() uses: the given or automatic
-/// scale, times 2^exposure.
+/// [m^2/W] The factor from radiosity to the input of the tone operator that picture() uses: the given scale or that of
+/// automatic_exposure(), times 2^exposure.
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                      const RenderOptions& options, const ToneMapOptions& tone);
 
-/// Renders a tone-mapped picture for the screen. options.white is ignored: samples are clamped to the radiosity that
-/// the tone operator shows as white at this exposure. Throws like render().
+/// Renders a tone-mapped picture for the screen. options.white and options.shaded_sky are ignored: samples are clamped
+/// to the radiosity that the tone operator shows as white at this exposure, and the sky is shaded. Throws like
+/// render().
 ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
                     const RenderOptions& options, const ToneMapOptions& tone);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace multipath {
 
@@ -136,6 +137,15 @@ double automatic_scale(const Image& image, ToneOperator tone)
     if (tone == ToneOperator::percentile)
         return 1.0 / brightest_of_room(luminances);
     return inverse_curve(tone, middle_grey) / middle_luminance(luminances);
+}
+
+double largest_scale(const Image& image, ToneOperator tone, double white_share)
+{
+    const std::vector<double> luminances = sorted_luminances(image);
+    if (luminances.empty())
+        return std::numeric_limits<double>::infinity();
+    const auto white = static_cast<std::size_t>(white_share * static_cast<double>(luminances.size()));
+    return white_point(tone) / luminances[luminances.size() - 1 - white];
 }
 
 Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale)

@@ -45,6 +45,10 @@ inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard"
 /// Black pixels are ignored, and lamps and dark corners have little influence. Returns 1 for a black image.
 double automatic_scale(const Image& image, ToneOperator tone);
 
+/// [m^2/W] The largest scale at which `tone` shows at most this share of the pixels that are not black as white.
+/// Infinite for a black image.
+double largest_scale(const Image& image, ToneOperator tone, double white_share);
+
 /// [1] The input at which the output of the tone operator reaches white (1).
 double white_point(ToneOperator tone);
 

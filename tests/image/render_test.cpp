@@ -1,8 +1,10 @@
 #include "image/render.h"
 
 #include "image/automatic_camera.h"
+#include "image/false_colour.h"
 #include "image/shading/smooth_shading.h"
 #include "radiosity/solve.h"
+#include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
@@ -281,6 +283,95 @@ TEST_CASE("of a model with very many surfaces every pixel shows the smooth value
     options.threads = 3;
     options.samples_per_pixel = 4;
     CHECK(mean_red(render(scene, values, camera, options)) == doctest::Approx(mean_red(image)).epsilon(0.02));
+}
+
+namespace {
+
+/// A small piece of ground under a coloured sky.
+Scene ground_under_sky()
+{
+    SceneBuilder builder;
+    builder.rectangle({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, builder.grey(0.5, 0.0));
+    SceneFile file = builder.file();
+    add_sky(file, {1.0, 2.0, 4.0});
+    return Scene(file, 2.0);
+}
+
+/// Linear light of one pixel that shows the sky at a height, the sine of the elevation.
+Rgb sky_at(const Scene& scene, double height, double scale)
+{
+    RenderOptions options;
+    options.width = options.height = 1;
+    const Vec3 ahead = {std::sqrt(1.0 - height * height), height, 0.0};
+    const Camera camera = {{0, 0.1, 0}, Vec3{0, 0.1, 0} + ahead, {0, 1, 0}, 0.01};
+    const ScreenImage image =
+        picture(scene, {{0.5, 1.0, 2.0}, {1, 2, 4}, {1, 2, 4}, {1, 2, 4}, {1, 2, 4}, {1, 2, 4}, {1, 2, 4}}, camera,
+                options, {ToneOperator::linear, 0.0, scale});
+    return srgb_decoded({image.bytes[0] / 255.0, image.bytes[1] / 255.0, image.bytes[2] / 255.0});
+}
+
+} // namespace
+
+// Bytes are rounded to about half a percent of the light, at random.
+TEST_CASE("a picture shows the sky brighter towards the horizon, on average over the upper hemisphere as it is")
+{
+    const Scene scene = ground_under_sky();
+    constexpr int heights = 200; // uniform by solid angle
+    constexpr double scale = 0.1;
+    Rgb sum;
+    for (int k = 0; k < heights; ++k) {
+        const Rgb here = sky_at(scene, (k + 0.5) / heights * 0.999, scale);
+        sum += 1.0 / (scale * heights) * here;
+        CHECK(here.b > 2.0 * 0.95 * here.g); // in its colour, up to the rounding of the smallest channel
+        CHECK(here.g > 2.0 * 0.95 * here.r);
+    }
+    CHECK(sum.r == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(sum.g == doctest::Approx(2.0).epsilon(0.01));
+    CHECK(sum.b == doctest::Approx(4.0).epsilon(0.01));
+    CHECK(sky_at(scene, 0.02, scale).b > 1.2 * sky_at(scene, 0.4, scale).b);
+    CHECK(sky_at(scene, 0.4, scale).b > 1.2 * sky_at(scene, 0.9, scale).b);
+}
+
+TEST_CASE("however long the exposure, the sky keeps its colour")
+{
+    const Scene scene = ground_under_sky();
+    const Rgb shown = sky_at(scene, 0.1, 1e6);
+    CHECK(shown.b < 0.9);
+    CHECK(shown.b > 0.3);
+    CHECK(shown.b == doctest::Approx(4.0 * shown.r).epsilon(0.03)); // bytes
+}
+
+TEST_CASE("the gradient of the sky goes with the camera's upward direction")
+{
+    SceneBuilder builder;
+    builder.rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, builder.grey(0.5, 0.0)); // faces z
+    SceneFile file = builder.file();
+    add_sky(file, {1.0, 2.0, 4.0});
+    const Scene scene(file, 2.0);
+    const std::vector<Rgb> radiosity(scene.patch_count(), {1.0, 2.0, 4.0});
+    const Camera camera = {{0, 0, 0.1}, {0.9, 0, 0.5}, {0, 0, 1}, 50.0};
+    const ScreenImage image =
+        picture(scene, radiosity, camera, small_picture(Shading::flat), {ToneOperator::linear, 0.0, 0.05});
+    const Camera y_up = {{0, 0.1, 0}, {0.9, 0.5, 0}, {0, 1, 0}, 50.0};
+    const Scene other = ground_under_sky();
+    CHECK(image.bytes ==
+          picture(other, radiosity, y_up, small_picture(Shading::flat), {ToneOperator::linear, 0.0, 0.05}).bytes);
+}
+
+TEST_CASE("values and plain colours of the sky are exact")
+{
+    const Scene scene = ground_under_sky();
+    std::vector<Rgb> radiosity;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        radiosity.push_back(i == 0 ? grey(0.5) : Rgb{1.0, 2.0, 4.0});
+    const std::vector<Rgb> colours(scene.patch_count(), grey(1.0));
+    for (const double height : {0.1, 50.0}) { // within the sky and beyond it
+        const Camera camera = {{0, height, 0}, {0.9, height + 0.4, 0}, {0, 1, 0}, 50.0};
+        for (const Rgb& pixel : render(scene, radiosity, camera, small_picture(Shading::smooth)).pixels)
+            CHECK(pixel == Rgb{1.0, 2.0, 4.0});
+        const ScreenImage image = flat_picture(scene, colours, camera, small_picture(Shading::flat));
+        CHECK(std::all_of(image.bytes.begin(), image.bytes.end(), [](std::uint8_t byte) { return byte == 255; }));
+    }
 }
 
 } // namespace render_test

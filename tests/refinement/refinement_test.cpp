@@ -202,6 +202,45 @@ TEST_CASE("bright patches do not count more than their area")
     CHECK(error.relative_mean_square == doctest::Approx((0.5 + 0.125) / (2.75 * 2.75)).epsilon(0.01));
 }
 
+// A large and a small sheet whose backs count as well; 3 is shown instead of 2 on one of the four sides.
+TEST_CASE("each side of each surface counts by its area")
+{
+    SceneBuilder builder;
+    builder.rectangle({0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 0.0));
+    builder.rectangle({5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, builder.grey(0.5, 3.0));
+    const Scene scene = builder.scene(0.5, true);
+    const std::vector<Rgb> shown(scene.patch_count(), grey(3.0));
+    const std::vector<Rgb> guide(scene.patch_count()); // nothing reflects: points by area and patches alone
+    for (const std::uint32_t surface : {0u, 1u})
+        for (const bool front : {true, false}) {
+            CAPTURE(surface);
+            CAPTURE(front);
+            const auto truth = [&](const Hit& hit, std::uint64_t) {
+                const Rgb value = grey(hit.surface == surface && hit.front == front ? 2.0 : 3.0);
+                return TruthAtPoint{value, value};
+            };
+            const ShownError error = shown_error(scene, shown, guide, truth, 16384, 1);
+            const double share = (surface == 0 ? 2.0 : 1.0) / 6.0;
+            const double mean_true = 3.0 - share;
+            CHECK(error.mean_true == doctest::Approx(mean_true).epsilon(1e-3)); // a low-discrepancy sequence
+            CHECK(error.relative_mean_square == doctest::Approx(share / (mean_true * mean_true)).epsilon(0.01));
+        }
+}
+
+// A box on a floor covers a quarter of it, and the floor covers the bottom of the box.
+TEST_CASE("the area of the error is that of what is not covered")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, builder.grey(0.5, 1.0));
+    builder.box({0.5, 0, 0.5}, {1.5, 1, 1.5}, builder.grey(0.5, 0.0));
+    const Scene scene = builder.scene(0.5);
+    const std::vector<Rgb> shown(scene.patch_count(), grey(3.0));
+    const auto truth = [](const Hit&, std::uint64_t) { return TruthAtPoint{grey(2.0), grey(2.0)}; };
+    const ShownError error = shown_error(scene, shown, shown, truth, 16384, 1);
+    CHECK(error.points < 16384);
+    CHECK(error.area == doctest::Approx(4.0 + 6.0 - 2.0).epsilon(5e-3)); // a low-discrepancy sequence
+}
+
 // With few rays, so that both estimates are noisy: the product of their deviations has the mean 0.
 TEST_CASE("the two estimates of a point are independent, and so are those of different points")
 {

@@ -4,6 +4,7 @@
 #include "cli/options/usage_error.h"
 #include "image/automatic_camera.h"
 #include "image/false_colour.h"
+#include "image/view_quality.h"
 #include "radiosity/reuse/gathered_light.h"
 #include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"

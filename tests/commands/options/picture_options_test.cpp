@@ -1,11 +1,13 @@
 #include "commands/options/picture_options.h"
 
 #include "scene/input_problem.h"
+#include "scene/scene_builder.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 namespace camera_file_test {
 
@@ -39,6 +41,35 @@ TEST_CASE("a view is read in any order and spacing, and what it leaves out has d
     CHECK(bare.up == Vec3{0, 1, 0});
     CHECK(bare.field_of_view == 60.0);
     CHECK(camera_of("\xef\xbb\xbf{\"eye\":[1,0,0],\"target\":[0,0,0]}").eye == Vec3{1, 0, 0});
+}
+
+TEST_CASE("a view from a file is the one that options give")
+{
+    const CommandTable table = {"solve", "solve a scene", {{"SCENE.obj"}}, {picture_option_group()}};
+    const auto options = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "room.obj");
+        return read_picture_options(CommandLine(table, arguments), 1);
+    };
+    const std::string path =
+        folder.write("slanted.json", "{\"eye\":[1,2,3],\"target\":[4,-5,6],\"up\":[1,0.5,2],\"fov\":35}");
+    const std::string other = folder.write("other.json", "{\"eye\":[0,0,0],\"target\":[0,0,1]}");
+    const PictureOptions given = options({"--eye", "1,2,3", "--target", "4,-5,6", "--up", "1,0.5,2", "--fov", "35"});
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.5, 1.0));
+    const Scene scene = builder.scene(1.0);
+    const Camera expected = camera_for(scene, given);
+    CHECK(length(normalized(expected.up) - normalized({1, 0.5, 2})) < 1e-15); // rounding
+    for (const PictureOptions& read : {options({"--camera", path}), options({"--camera", path, "--camera", other})}) {
+        std::vector<Camera> cameras = {camera_for(scene, read)};
+        if (!read.views.empty())
+            cameras.push_back(read.views.front().camera);
+        for (const Camera& camera : cameras) {
+            CHECK(camera.eye == expected.eye);
+            CHECK(camera.target == expected.target);
+            CHECK(length(normalized(camera.up) - normalized(expected.up)) < 1e-15); // the length has no meaning
+            CHECK(camera.field_of_view == expected.field_of_view);
+        }
+    }
 }
 
 TEST_CASE("what is no view is refused with its line")

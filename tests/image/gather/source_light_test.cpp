@@ -135,6 +135,29 @@ TEST_CASE("many sources give on the average what they give together")
     CHECK(sum / offsets == doctest::Approx(4.0 * corner_factor(0.5, 0.5)).epsilon(1e-4));
 }
 
+// A lamp that stands upright, most of it below the horizon, whole and cut into 40 upright strips: more than are looked
+// at from one receiver, all with their centres below the horizon.
+TEST_CASE("a lamp half below the horizon gives the same in one piece and in forty")
+{
+    const auto lit_by_strips = [](int count) {
+        SceneBuilder builder = with_floor();
+        const std::uint32_t lamp = builder.grey(0.0, 1.0);
+        for (int k = 0; k < count; ++k)
+            builder.rectangle({2.0 * k / count - 1.0, -1.5, -1.0}, {2.0 / count, 0, 0}, {0, 2.0, 0}, lamp);
+        const Scene scene = builder.scene(1.0);
+        const SourceLight light(scene);
+        double sum = 0.0;
+        constexpr int offsets = 1000;
+        for (int k = 0; k < offsets; ++k)
+            sum += irradiance_by(4, light, (k + 0.5) / offsets).r;
+        return sum / offsets;
+    };
+    const double whole = lit_by_strips(1);
+    CHECK(whole > 0.01);
+    CHECK(lit_by_strips(40) ==
+          doctest::Approx(whole).epsilon(1e-3).scale(0.0)); // a strip's share of the offsets, to a thousandth
+}
+
 // Lamps far away have most of the power, a small one close by gives most of the light: it is never left out.
 TEST_CASE("of many sources those are looked at that give the most here")
 {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <functional>
+#include <memory>
+#include <string>
 
 namespace denoising_test {
 
@@ -127,6 +129,45 @@ TEST_CASE("the border of a shadow stays where the noise is smaller than it")
         const double before = light.error();
         denoise(scene, 2, light.radiosity, light.variance);
         CHECK(light.error() < 0.6 * before);
+    }
+}
+
+// The light on a texture of d times the mean reflectance has d times the deviation. Without the texture it is the light
+// on a plain floor; so is the result.
+TEST_CASE("a texture does not change what is taken for noise")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 0.0));
+    builder.rectangle({0, 5, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 1.0));
+    SceneFile file = builder.file();
+    const Scene plain(file, 1.0 / 32.0);
+    std::string pixels = "P2 8 8 255\n";
+    for (int k = 0; k < 64; ++k)
+        pixels += std::to_string(40 + 3 * k) + " ";
+    const auto texture = std::make_shared<const Texture>("ramp.pgm", pixels, true);
+    file.textures = {texture};
+    file.materials[0].texture = 0;
+    file.materials[0].texture_scale = {1.0, 1.0, 1.0};
+    file.materials[0].reflectance = texture->mean();
+    file.texture_frames.assign(2, {{0, 0}, {1, 0}, {0, 1}, true});
+    const Scene painted(file, 1.0 / 32.0);
+    Noisy expected(
+        plain, 8, [](Vec3 p) { return 1.0 + p.x * p.z; }, [](Vec3 p) { return p.x < 0.5 ? 0.1 : 0.3; });
+    Noisy light = expected;
+    std::vector<Rgb> detail;
+    for (std::uint32_t i = 0; i < painted.patch_count(); ++i) {
+        const double d = i < painted.first_patch(1) ? painted.reflectance(i).g / texture->mean().g : 1.0;
+        detail.push_back({d, d, d});
+        if (i >= painted.first_patch(1))
+            expected.radiosity[i] = expected.radiosity[i] + plain.emittance(i);
+        light.radiosity[i] = detail[i] * expected.radiosity[i];
+        light.variance[i] = detail[i] * detail[i] * expected.variance[i];
+    }
+    denoise(plain, 2, expected.radiosity, expected.variance);
+    denoise(painted, 2, light.radiosity, light.variance);
+    for (std::uint32_t i = 0; i < painted.patch_count(); ++i) {
+        CHECK(light.radiosity[i].g == doctest::Approx(detail[i].g * expected.radiosity[i].g).epsilon(1e-9)); // rounding
+        CHECK(light.variance[i].g == doctest::Approx(detail[i].g * detail[i].g * expected.variance[i].g).epsilon(1e-9));
     }
 }
 

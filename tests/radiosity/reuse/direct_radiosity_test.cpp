@@ -1,7 +1,9 @@
 #include "radiosity/reuse/gathered_light.h"
 
 #include "scene/obj/obj_reader.h"
+#include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 namespace direct_radiosity_test {
@@ -29,6 +31,83 @@ TEST_CASE("in the furnace the direct radiosity is E (1 + rho)")
         CHECK(b.g == doctest::Approx(1.0 * 1.5).epsilon(1e-3));
         CHECK(b.b == doctest::Approx(0.5 * 1.75).epsilon(1e-3));
     }
+}
+
+namespace {
+
+/// A room with a box, a panel below the ceiling and an upright lamp, whose pieces look another way and are in part
+/// below the top of the box; each lamp is cut into n x n pieces.
+Scene room_with_cut_lamps(int n, double emittance)
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.room({0, 0, 0}, {6, 3, 5}, paint).box({2, 0, 2}, {3.5, 1, 3}, paint);
+    const std::uint32_t panel = builder.grey(0.0, emittance);
+    const std::uint32_t tube = builder.grey(0.0, 3.0 * emittance);
+    const double part = 1.0 / n;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            builder.rectangle({2 + 2 * i * part, 2.75, 1 + j * part}, {2 * part, 0, 0}, {0, 0, part}, panel);
+            builder.rectangle({5, 0.25 + j * part, 1 + 2 * i * part}, {0, 0, 2 * part}, {0, part, 0}, tube);
+        }
+    return builder.scene(0.5);
+}
+
+} // namespace
+
+// Single lamps are seen by the exact exchange area and the visible share, many by rays to a few of their clusters. The
+// noise of these is 0.8 % of the light here; a cluster that is left out, or counted twice, makes more than 5 %.
+TEST_CASE("lamps in pieces give the direct light of whole ones")
+{
+    const Scene whole = room_with_cut_lamps(1, 1.0);
+    const std::vector<Rgb> expected = direct_radiosity(whole, 2);
+    const std::uint32_t own = whole.first_patch(12); // the patches of the room and the box come first
+    for (const int n : {3, 7}) {
+        const Scene cut = room_with_cut_lamps(n, 1.0);
+        const std::vector<Rgb> found = direct_radiosity(cut, 2);
+        double difference = 0.0;
+        double square = 0.0;
+        double sum = 0.0;
+        double expected_sum = 0.0;
+        for (std::uint32_t i = 0; i < own; ++i) {
+            const double area = cut.area(i);
+            difference += area * (found[i].g - expected[i].g) * (found[i].g - expected[i].g);
+            square += area * expected[i].g * expected[i].g;
+            sum += area * found[i].g;
+            expected_sum += area * expected[i].g;
+        }
+        CHECK(sum == doctest::Approx(expected_sum).epsilon(0.01));
+        CHECK(std::sqrt(difference / square) < 0.02);
+    }
+}
+
+// An upright lamp so far away that its pieces are taken together, with its centre below the horizon of a plate.
+TEST_CASE("a far lamp that rises above the horizon by a fifth gives the same in pieces")
+{
+    const auto light_of_plate = [](int n) {
+        SceneBuilder builder;
+        builder.rectangle({0, 1, 0}, {0, 0, 0.1}, {0.1, 0, 0}, builder.grey(0.5, 0.0));
+        const std::uint32_t lamp = builder.grey(0.0, 1e3);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+                builder.rectangle({30, 0.2 + 1.0 * i / n, 1.0 * j / n}, {0, 0, 1.0 / n}, {0, 1.0 / n, 0}, lamp);
+        return direct_radiosity(builder.scene(1.0), 1)[0].g;
+    };
+    const double whole = light_of_plate(1);
+    CHECK(whole > 1e-4);
+    CHECK(light_of_plate(10) ==
+          doctest::Approx(whole).epsilon(0.1).scale(0.0)); // few rays, of which a fifth is above the horizon
+}
+
+// 2^7 is exact.
+TEST_CASE("lamps 128 times as bright give 128 times the direct light, and the same where they are not")
+{
+    const Scene scene = room_with_cut_lamps(7, 1.0);
+    const Scene bright = room_with_cut_lamps(7, 128.0);
+    const std::vector<Rgb> expected = direct_radiosity(scene, 2);
+    const std::vector<Rgb> found = direct_radiosity(bright, 2);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        CHECK(found[i] == 128.0 * expected[i]);
 }
 
 } // namespace direct_radiosity_test

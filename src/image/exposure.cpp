@@ -1,0 +1,114 @@
+// A point is outdoors, as seen from the camera, if it sees much more of the sky than the camera does. So all that a
+// window shows is outdoors, but nothing in a courtyard in which the camera stands.
+
+#include "image/exposure.h"
+
+#include "image/gather/gather_point.h"
+#include "parallel/blocks.h"
+#include "sampling/warp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+constexpr int sky_rays = 16;
+constexpr double much_more = 0.2;     // share of the hemisphere above
+constexpr double white_share = 0.125; // share of the surfaces in the picture
+
+/// [1] Share of the upper hemisphere in which a point sees the sky. `fan`: reusable buffers.
+double sky_share(const Scene& scene, const GatherPoint& point, Vec3 up, RayFan& fan)
+{
+    const Vec3 aside = normalized(cross(up, std::abs(up.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0}));
+    const Vec3 ahead = cross(aside, up);
+    fan.rays.clear();
+    for (int k = 0; k < sky_rays; ++k) { // a spiral, uniform by solid angle
+        const double rise = (k + 0.5) / sky_rays;
+        const SinCos turn = sin_cos_of_turns(std::fmod(k * 0.6180339887498949, 1.0)); // golden section
+        const Vec3 level = turn.cos * aside + turn.sin * ahead;
+        const Vec3 direction = std::sqrt(1.0 - rise * rise) * level + rise * up;
+        if (point.surface == GatherPoint::free || dot(direction, point.normal) > 0.0)
+            fan.rays.push_back({point.point, direction});
+    }
+    const FirstHits& hits = fan.trace(scene, point.surface);
+    int seen = 0;
+    for (std::size_t k = 0; k < fan.rays.size(); ++k)
+        seen += !hits.is_hit(k) || scene.is_sky(hits[k].surface) ? 1 : 0;
+    return static_cast<double>(seen) / sky_rays;
+}
+
+/// A preview: all that counts, and of this what does not emit. The rest is black.
+struct Preview
+{
+    Image all;
+    Image lit;
+
+    /// True if less than a twentieth of the picture counts.
+    bool shows_little() const
+    {
+        const auto black = std::count(all.pixels.begin(), all.pixels.end(), Rgb{});
+        return 20 * (static_cast<std::ptrdiff_t>(all.pixels.size()) - black) <
+               static_cast<std::ptrdiff_t>(all.pixels.size());
+    }
+};
+
+/// Points that see a larger share of the sky than `most_sky` do not count.
+Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                   const RenderOptions& options, double most_sky)
+{
+    constexpr int block = 4; // pixels along a side, which are outdoors or not like one of them
+    const PixelRays pixels(camera, options.width, options.height);
+    const Vec3 up = normalized(camera.up);
+    const Image black = {options.width, options.height,
+                         std::vector<Rgb>(pixel_index(options.width, 0, options.height))};
+    Preview preview = {black, black};
+    parallel_blocks(
+        static_cast<std::uint64_t>((options.height + block - 1) / block), options.threads, [&](std::uint64_t row) {
+            VisibleHits visible(scene);
+            RayFan fan;
+            std::vector<std::optional<bool>> outdoors(static_cast<std::size_t>(options.width / block + 1));
+            const int first = block * static_cast<int>(row);
+            for (int y = first; y < std::min(options.height, first + block); ++y)
+                for_each_visible(pixels, options.width, y, visible, [&](int x, const std::optional<Hit>& hit) {
+                    if (!hit || scene.is_sky(hit->surface))
+                        return;
+                    std::optional<bool>& is_outdoors = outdoors[static_cast<std::size_t>(x / block)];
+                    if (!is_outdoors)
+                        is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
+                    if (*is_outdoors)
+                        return;
+                    const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
+                    preview.all.at(x, y) = radiosity[patch];
+                    if (scene.emittance(patch) == Rgb{})
+                        preview.lit.at(x, y) = radiosity[patch];
+                });
+        });
+    return preview;
+}
+
+} // namespace
+
+double automatic_exposure(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
+                          const RenderOptions& options, ToneOperator tone)
+{
+    constexpr double all = 1.0;
+    const RenderOptions small = preview_options(options);
+    PixelRays(camera, small.width, small.height); // throws for an invalid camera
+    double most_sky = all;
+    if (scene.file().sky_surfaces > 0 || scene.file().sun) {
+        RayFan fan;
+        const Vec3 up = normalized(camera.up);
+        most_sky = sky_share(scene, {GatherPoint::free, camera.eye, up}, up, fan) + much_more;
+    }
+    Preview preview = preview_of(scene, radiosity, camera, small, most_sky);
+    if (most_sky < all && preview.shows_little()) // the camera looks out of a window
+        preview = preview_of(scene, radiosity, camera, small, all);
+    const double scale = automatic_scale(preview.all, tone);
+    return std::min(scale, largest_scale(preview.lit, tone, white_share));
+}
+
+} // namespace multipath
