@@ -134,7 +134,8 @@ with_mtl limited.mtl <room.obj >limited.obj
 # Textures: of many colours, with points as they are or transformed; and of one, whose values are decoded by IEC 61966-2-1.
 awk 'BEGIN { print "P3 4 3 255"; for (k = 0; k < 36; ++k) print (97 * k * k + 31 * k) % 256 }' >many.ppm
 echo "P3 2 1 255 200 100 50 200 100 50" >one.ppm
-awk '{ print } $2 == "south" || $2 == "chest" || $2 == "board" { print "map_Kd many.ppm" } $2 == "lamp" { print "map_Ke many.ppm" }' room.mtl >textured.mtl
+awk '{ print } $2 == "south" || $2 == "chest" { print "map_Kd many.ppm" } $2 == "board" { print "map_Kd -clamp on many.ppm" }
+    $2 == "lamp" { print "map_Ke many.ppm" }' room.mtl >textured.mtl
 sed 's/^map_K. /&-s 2 0.5 -o 0.25 -0.125 /' textured.mtl >mapped.mtl
 with_mtl textured.mtl <room.obj >textured.obj && with_mtl mapped.mtl <room.obj >mapped.obj
 awk '/^o / { out = $2 == "box" } !out' textured.obj >textured_no_box.obj
