@@ -268,8 +268,8 @@ TEST_CASE("what sees the sky alone keeps its light wherever gathering walks are 
     SceneFile file = builder.rectangle({0, 0, 0}, {0, 0, 10}, {10, 0, 0}, builder.grey(0.5, 0.0)).file();
     add_sky(file, {1, 1, 1});
     const Scene scene(file, 100.0);
-    const SolveOptions options = options_of(Method::gathering, "sobol", 1u << 16);
-    for (int pause = 1;; ++pause) {
+    const SolveOptions options = options_of(Method::gathering, "sobol", 1u << 18);
+    for (int pause = 1;; pause += 5) {
         CAPTURE(pause);
         TestCheckpoint left(pause);
         const Solution then = solved(scene, options, 1, &left);
