@@ -148,6 +148,7 @@ TEST_CASE("the standard error is that of the mean of independent runs")
             TestCheckpoint left(pause);
             const Solution then = solve_replicates(scene, prepare(scene, options), options, replicates, silent, &left);
             means[static_cast<std::size_t>(then.replicates) - 1] = then.radiosity;
+            CHECK(then.balance.emitted.g == doctest::Approx(3.0).epsilon(0.1)); // however many there are
             if (then.replicates < replicates)
                 continue;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
