@@ -47,6 +47,8 @@ TEST_CASE("a plate that sees nothing but the sky receives pi times its radiance 
         CHECK(solution.radiosity[0].g == doctest::Approx(4.0).epsilon(0.02));
         CHECK(solution.radiosity[scene.first_patch(0, false)].g == doctest::Approx(4.0).epsilon(0.02));
         CHECK(solution.balance.behind.g == 0.0);
+        // Half of 8 W/m^2 on 4 m^2. Gathering walks scale it by losses that have more noise.
+        CHECK(solution.balance.absorbed.g == doctest::Approx(16.0).epsilon(0.2));
     }
 }
 

@@ -7,7 +7,8 @@
 //     ./multipath_mini ../../scenes/5cubes.obj               writes mini.ppm and mini.csv
 //     ./multipath_mini ROOM.obj [LINES [PASSES [PATCH_SIZE [POWER_BY_LINE]]]]
 //
-// PASSES: 0 casts global lines only, 1 is the paper's first shot, more the extended first shot.
+// PASSES: 0 casts global lines only, 1 is the paper's first shot, more the extended first shot. POWER_BY_LINE [W] is
+// that of a ray of the shots; without it, (3) shares the lines.
 
 #include <algorithm>
 #include <array>
@@ -314,12 +315,17 @@ Vec turned(Vec p) // poles and meridians point nowhere in particular: a turn abo
     return (2.0 / 7) * p + std::sqrt(45.0) / 7 * cross(axis, p) + 5.0 / 7 * dot(axis, p) * axis;
 }
 
+double box_area()
+{
+    const Vec size = high - low;
+    return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
 void cast_global_lines(std::uint64_t lines)
 {
-    const Vec centre = 0.5 * (low + high), size = high - low;
-    const double radius = 0.5 * length(size), sphere = 4 * pi * radius * radius;
-    const double box = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
-    const auto cast = std::uint64_t(std::llround(double(lines) * sphere / box)); // (N1): so that `lines` meet the box
+    const Vec centre = 0.5 * (low + high);
+    const double radius = 0.5 * length(high - low), sphere = 4 * pi * radius * radius;
+    const auto cast = std::uint64_t(std::llround(double(lines) * sphere / box_area())); // (N1): `lines` meet the box
     for (Patch& p : patches) {
         const double crossings = 2 * p.area / sphere * double(cast); // (G1), a theorem of integral geometry
         p.forecast = 1 / crossings * p.unshot;                       // (G3)
@@ -351,7 +357,27 @@ void cast_global_lines(std::uint64_t lines)
         p.unshot = p.held;
 }
 
-// 7. Results.
+// 7. Shots and walk share the lines.
+
+// N_l / N_g, local lines for each global line (3), after a trial of the shots. In an extended first shot every patch
+// has a share: f = 1, and R_s' is the average. After a plain one, f and R_s' are those of the patches that light has
+// met.
+double optimal_ratio(bool extended, double average)
+{
+    double area = 0, lit = 0, arrived = 0, reflected = 0;
+    for (const Patch& p : patches) {
+        area += p.area, lit += mean(p.arrived) > 0 ? p.area : 0;
+        arrived += mean(p.arrived), reflected += mean(p.reflectance) * mean(p.arrived);
+    }
+    if (!(reflected > 0))
+        return 1;                           // nothing to share
+    const double n = 2 * area / box_area(); // (G2) of lines that meet the box, as if the room filled it
+    const double f = extended ? 1 : lit / area, secondary = extended ? average : reflected / arrived;
+    return std::sqrt(n * (1 - average * average) * (1 - average) /
+                     (secondary * secondary * (1 - average) / f + 2 * secondary * secondary * secondary));
+}
+
+// 8. Results.
 
 Vec radiosity(const Patch& p)
 {
@@ -397,30 +423,43 @@ int main(int count, char** words)
         return std::fprintf(stderr, "%s: no patch emits light\n", words[1]), 1;
     const double average = reflecting / area;
     const double threshold = average * power / (area * (1 - average)); // (4)
-    const double power_by_line = number(5, power / (0.5 * double(lines)));
 
-    std::uint64_t local_lines = 0;
+    std::uint64_t local_lines = 0, global_lines = 0;
     int done = 0;
-    for (; done < passes; ++done) {
-        const std::uint64_t rays = shoot_pass(done, threshold, power_by_line);
-        if (rays == 0)
-            break;
-        local_lines += rays;
+    const auto shoot = [&](double power_by_line) {
+        local_lines = next_item = 0;
+        for (done = 0; done < passes; ++done, local_lines = next_item)
+            if (shoot_pass(done, threshold, power_by_line) == 0)
+                break;
+    };
+    double power_by_line = number(5, 0);
+    if (passes > 0 && power_by_line == 0) { // chosen so that shots and walk share the lines by (3)
+        // How many rays a PowerByLine takes is not known beforehand. A trial with few rays tells: it is then forgotten.
+        const std::vector<Patch> before = patches;
+        const double trial = power / (double(lines) / 16);
+        shoot(trial);
+        const double ratio = optimal_ratio(passes > 1, average);
+        power_by_line = trial * std::max(1.0, double(local_lines)) / (double(lines) * ratio / (1 + ratio));
+        patches = before;
     }
+    shoot(power_by_line);
     if (local_lines < lines)
-        cast_global_lines(lines - local_lines);
+        cast_global_lines(global_lines = lines - local_lines);
+    else
+        std::fprintf(stderr, "no lines are left for the walk; expected more lines, or more power by line\n");
 
-    double light = 0;
+    double light = 0, unshot = 0;
     std::ofstream table("mini.csv");
     table.precision(17);
     table << "patch,area,radiosity_r,radiosity_g,radiosity_b\n";
     for (std::size_t i = 0; i < patches.size(); ++i) {
         const Vec b = radiosity(patches[i]);
-        light += patches[i].area * mean(b);
+        light += patches[i].area * mean(b), unshot += mean(patches[i].unshot);
         table << i << ',' << patches[i].area << ',' << b.x << ',' << b.y << ',' << b.z << '\n';
     }
     write_picture("mini.ppm", 3 * light / area);
-    std::printf("%zu surfaces, %zu patches; %llu rays in %d passes, %llu global lines; mean radiosity %.6g W/m^2\n",
-                surfaces.size(), patches.size(), static_cast<unsigned long long>(local_lines), done,
-                static_cast<unsigned long long>(lines - std::min(lines, local_lines)), light / area);
+    std::printf("%zu surfaces, %zu patches; %llu rays of %.17g W in %d passes, %llu global lines\n", surfaces.size(),
+                patches.size(), static_cast<unsigned long long>(local_lines), power_by_line, done,
+                static_cast<unsigned long long>(global_lines));
+    std::printf("mean radiosity %.6g W/m^2; %.3g W of %.6g W stay unshot\n", light / area, unshot, power);
 }

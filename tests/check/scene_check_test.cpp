@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <doctest/doctest.h>
 
 namespace scene_check_test {
@@ -165,6 +166,13 @@ TEST_CASE("walls left uncut for many small triangles are pointed out, unless the
     }
     const double size = default_patch_size(m.builder.file().surfaces);
     CHECK(mentions(find(findings_of(m.builder.scene(size)), "coarse-patches"), "--patch-size"));
+    const auto advised_patches = [&](bool two_sided) {
+        std::string text = find(findings_of(Scene(m.builder.file(), size, two_sided)), "coarse-patches").message;
+        text.erase(std::remove(text.begin(), text.end(), ','), text.end());
+        return std::strtod(text.c_str() + text.find("gives ") + 6, nullptr);
+    };
+    CHECK(advised_patches(false) > 4006.0);
+    CHECK(advised_patches(true) == 2.0 * advised_patches(false));
     CHECK(find(findings_of(m.builder.scene(1.01 * size)), "coarse-patches").kind.empty());
 }
 

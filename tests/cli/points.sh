@@ -31,9 +31,9 @@ check "-o writes a table and a drawing of every pair" files
 
 chosen_pairs() {
     ends 0 points --dims 4 --count 100 --pairs 0,1 --pairs 3,2 -o pairs.svg && [ "$(grep -o h0 pairs.svg | wc -l)" -eq 200 ] &&
-        says pairs.svg "--pairs 0,1 --pairs 3,2" && says pairs.svg ">x3<"
+        says pairs.svg "--pairs 0,1 --pairs 3,2" && grep ">x3<" pairs.svg | grep -qv rotate && grep ">x2<" pairs.svg | grep -q rotate
 }
-check "--pairs draws those pairs only" chosen_pairs
+check "--pairs draws those pairs only, the second dimension upwards" chosen_pairs
 
 order() { ends 0 points --sequence halton:2,3 --count 50 --order -o order.svg && [ "$(grep -o h0 order.svg | wc -l)" -eq 98 ]; }
 check "--order draws every step" order

@@ -49,6 +49,7 @@ TEST_CASE("the lines of a bundle are parallel, and cross surfaces in proportion 
     for (const GlobalLine& line : trace.lines) {
         CHECK(length(cross(line.to - line.from, trace.direction)) < 1e-12);
         crossed += static_cast<double>(line.crossings.size()) * trace.section;
+        CHECK((line.crossings.empty() || dot(line.to - line.crossings.back().point, trace.direction) > 0.0));
     }
     double across = 0.0;
     for (const Surface& surface : scene.surfaces())

@@ -50,4 +50,17 @@ TEST_CASE("the patches that stand for others are not chosen in step with them")
     CHECK(std::abs(measure_direct_light(scene, 4096, 1).lit_fraction - 0.5) < five_sigma);
 }
 
+// A screen just below the lamp takes all its light; what completes the lamp to a square would pass it.
+TEST_CASE("a triangle lights nothing from beside it")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.triangle({0, 4, 0}, {1, 4, 0}, {0, 4, 1}, builder.grey(0.0, 1.0)); // looks down
+    builder.triangle({-0.02, 3.99, -0.02}, {-0.02, 3.99, 1.06}, {1.06, 3.99, -0.02}, grey);
+    builder.rectangle({0.8, 0, 0.8}, {0, 0, 0.2}, {0.2, 0, 0}, grey);
+    const Scene scene = builder.scene(100.0);
+    CHECK(measure_direct_light(scene, 1u << 12, 1).lit_fraction ==
+          doctest::Approx(0.5 * 1.08 * 1.08 / scene.total_area()));
+}
+
 } // namespace direct_light_test

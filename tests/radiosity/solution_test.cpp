@@ -30,7 +30,7 @@ Solution part(std::uint64_t lines, double radiosity, double error)
 {
     Solution solution;
     solution.radiosity = {grey(radiosity), grey(2.0 * radiosity)};
-    solution.unshot = {Rgb{}, Rgb{}};
+    solution.unshot = {grey(0.01 * radiosity), Rgb{}};
     solution.all_lines = solution.local_lines = lines;
     solution.replicates = 4;
     solution.standard_error = {grey(error), grey(3.0 * error)};
@@ -48,6 +48,7 @@ TEST_CASE("independent results are averaged by their lines, and so are the squar
     const double error = std::sqrt(std::pow(0.25 * 0.4, 2) + std::pow(0.75 * 0.1, 2));
     CHECK(sum.radiosity[0].g == doctest::Approx(4.0));
     CHECK(sum.radiosity[1].g == doctest::Approx(8.0));
+    CHECK(sum.unshot[0].g == doctest::Approx(0.04));
     REQUIRE(sum.standard_error.size() == 2);
     CHECK(sum.standard_error[0].r == doctest::Approx(error));
     CHECK(sum.standard_error[1].b == doctest::Approx(3.0 * error));

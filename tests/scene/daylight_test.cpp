@@ -93,6 +93,17 @@ TEST_CASE("the shadow of a cube has the area of its parallel projection")
     CHECK(coarse.hash() != cube_on_floor().sun(corner).scene(0.31).hash());
 }
 
+// The roof covers the other half of the square that the edges of the triangle span.
+TEST_CASE("a triangle beside a shadow is sunlit as a whole")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.triangle({0, 0, 0}, {0, 0, 4}, {4, 0, 0}, grey);
+    builder.triangle({4, 1, 4}, {4, 1, 0.1}, {0.1, 1, 4}, grey);
+    const Scene scene = builder.sun(sun_at(0, 90, {0, 1, 0}, white)).scene(100);
+    CHECK(sun_on_floor(scene) == doctest::Approx(8.0));
+}
+
 TEST_CASE("the sky surrounds the scene, emits inward, and is no part of it")
 {
     SceneFile file = cube_on_floor().file();

@@ -108,7 +108,8 @@ TEST_CASE("of two houses on a plain each is turned that surrounds its lamp; the 
     builder.room({6, 0.5, 0}, {10, 4, 4}, wall);
     builder.rectangle({7, 3, 1}, {1, 0, 0}, {0, 0, 1}, lamp);
     builder.box({12, 2, 0}, {13, 2.1, 1}, wall);
-    builder.rectangle({12.02, 2.05, 0.02}, {0.96, 0, 0}, {0, 0, 0.96}, lamp);
+    for (int strip = 0; strip < 40; ++strip) // more than are looked at
+        builder.rectangle({12.02 + 0.024 * strip, 2.05, 0.02}, {0.024, 0, 0}, {0, 0, 0.96}, lamp);
     std::vector<bool> which;
     CHECK(turn(builder.file(), which) == 6);
     for (std::size_t s = 0; s < which.size(); ++s)

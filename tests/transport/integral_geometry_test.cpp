@@ -5,6 +5,7 @@
 #include "statistics.h"
 #include "test_scenes.h"
 #include "transport/exchange/pair_counts.h"
+#include "transport/lines/depth_complexity.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
 
@@ -120,6 +121,16 @@ TEST_CASE("rays from either of two unlike rectangles and lines through both find
             CHECK(estimate(samples).agrees_with(exchange));
         }
     }
+}
+
+// A line from the box crosses two walls of the room that fills it: one pair.
+TEST_CASE("the crossings of a line make as many pairs as can be chosen among them")
+{
+    SceneBuilder builder;
+    const Scene room = builder.room({0, 0, 0}, {3, 2, 1}, builder.grey(0.5, 1.0)).scene(1.0);
+    const GlobalLines lines(room.bounds(), Chords::box);
+    CHECK(pairs_along_line(room, lines) == doctest::Approx(1.0));
+    CHECK(crossings_per_line(room, lines) == doctest::Approx(2.0));
 }
 
 } // namespace integral_geometry_test

@@ -239,6 +239,10 @@ TEST_CASE("a legend reaches to the 99th percentile, and says where there is more
     CHECK(last_number() == "2.0");
     values[5] = {1000, 1000, 1000};
     CHECK(last_number() == "2.0+");
+    for (std::size_t patch = 0; patch < values.size(); patch += 20)
+        values[patch] = {4, 4, 4};
+    values[5] = {2, 2, 2};
+    CHECK(last_number() == "4");
     values.assign(values.size(), {std::nan(""), 0, 0});
     CHECK(last_number().find('+') == std::string::npos);
 }

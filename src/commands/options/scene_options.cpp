@@ -206,7 +206,8 @@ Scene read_scene(const CommandLine& line, int threads)
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     double patch_size = given_size;
     if (line.has("patches"))
-        patch_size = patch_size_for_count(file.surfaces, wanted);
+        patch_size = patch_size_for_count(
+            file.surfaces, std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(wanted) / sides)));
     else if (!line.has("patch-size")) {
         const std::uint64_t adaptive = adaptive_patches(line, file.surfaces);
         patch_size = adaptive > 0

@@ -1,9 +1,12 @@
 #include "commands/solve/solve_job.h"
 
+#include "scene/daylight.h"
 #include "test_scenes.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <doctest/doctest.h>
-
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -70,6 +73,36 @@ TEST_CASE("the error is told with its parts, and what keeps it above the toleran
     CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 4.9 %: the limit of lines or time"));
     accuracy.tolerance = 0.02;
     CHECK(warns(summary_of(0.0, 0.0, 0.5, accuracy, 0.04), "above the tolerance of 2 %: there are too few patches"));
+}
+
+// Of patches of 1 and 3 m^2 and 1 W/m^2, with errors of 0.1 and 0.3: the root of (1 0.1^2 + 3 0.3^2) / 4.
+TEST_CASE("the error of what is important counts patches by their area")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, paint);
+    builder.rectangle({0, 0, 1}, {0, 1, 0}, {3, 0, 0}, paint);
+    const Scene scene = builder.scene(10.0);
+    SolveOptions options;
+    options.importance = std::make_shared<const Importance>(Importance{{1.0, 1.0}});
+    Solution solution;
+    solution.radiosity = {{1, 1, 1}, {1, 1, 1}};
+    solution.standard_error = {{0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}};
+    CHECK(SolveSummary{scene, options, solution, "sobol"}.error_of_important() == doctest::Approx(std::sqrt(0.07)));
+}
+
+TEST_CASE("the sky has no part in the mean reflectance that is told")
+{
+    SceneBuilder builder;
+    SceneFile file = builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.25, 0.0)).file();
+    add_sky(file, {1, 1, 1});
+    const Scene scene(file, 1.0);
+    const SolveOptions options;
+    Solution solution;
+    solution.radiosity.resize(scene.patch_count());
+    const std::string json = summary_json({scene, options, solution, "sobol"}).document();
+    CHECK(std::strtod(json.substr(json.find("\"average_reflectance\": ") + 23).c_str(), nullptr) ==
+          doctest::Approx(0.25));
 }
 
 } // namespace solve_job_test

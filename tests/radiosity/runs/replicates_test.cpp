@@ -4,6 +4,7 @@
 #include "radiosity/runs/replicates.h"
 
 #include "paused_work.h"
+#include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
@@ -147,6 +148,7 @@ TEST_CASE("the standard error is that of the mean of independent runs")
             TestCheckpoint left(pause);
             const Solution then = solve_replicates(scene, prepare(scene, options), options, replicates, silent, &left);
             means[static_cast<std::size_t>(then.replicates) - 1] = then.radiosity;
+            CHECK(then.balance.emitted.g == doctest::Approx(3.0).epsilon(0.1)); // however many there are
             if (then.replicates < replicates)
                 continue;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -164,6 +166,30 @@ TEST_CASE("the standard error is that of the mean of independent runs")
             break;
         }
     }
+}
+
+// The squares of the errors, by the areas of the patches, over the power that leaves them: without the sky's.
+TEST_CASE("the sky has no part in the error of the whole")
+{
+    SceneBuilder builder;
+    SceneFile file = builder.rectangle({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, builder.grey(0.5, 0.0)).file();
+    file.sun = sun_at(90, 45, {0, 1, 0}, {1, 1, 1});
+    add_sky(file, {1, 1, 1});
+    const Scene scene(file, 0.5, true);
+    const SolveOptions options = options_of(Method::first_shot, "random", 4000);
+    const Solution solution = solve_replicates(scene, prepare(scene, options), options, 2, silent);
+    double squares = 0.0;
+    double power = 0.0;
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (!scene.is_sky(scene.surface_of(i))) {
+            const Rgb error = solution.standard_error[i];
+            squares += scene.area(i) * mean(error * error);
+            power += scene.area(i) * mean(solution.radiosity[i]);
+            area += scene.area(i);
+        }
+    REQUIRE(solution.relative_standard_error);
+    CHECK(*solution.relative_standard_error == doctest::Approx(std::sqrt(squares * area) / power));
 }
 
 } // namespace replicates_test

@@ -2,6 +2,7 @@
 #include "paused_work.h"
 #include "radiosity/memory_estimate.h"
 #include "radiosity/runs/replicates.h"
+#include "scene/daylight.h"
 #include "test_scenes.h"
 
 #include <string>
@@ -257,6 +258,26 @@ TEST_CASE("gathering walks that are left have asked all patches alike, or say th
         ++told;
     }
     CHECK(told > 10);
+}
+
+// Every walk from the floor gathers the sky's emittance of 1. Particles, which carry the light until the first round of
+// walks is done, have some noise.
+TEST_CASE("what sees the sky alone keeps its light wherever gathering walks are left")
+{
+    SceneBuilder builder;
+    SceneFile file = builder.rectangle({0, 0, 0}, {0, 0, 10}, {10, 0, 0}, builder.grey(0.5, 0.0)).file();
+    add_sky(file, {1, 1, 1});
+    const Scene scene(file, 100.0);
+    const SolveOptions options = options_of(Method::gathering, "sobol", 1u << 18);
+    for (int pause = 1;; pause += 5) {
+        CAPTURE(pause);
+        TestCheckpoint left(pause);
+        const Solution then = solved(scene, options, 1, &left);
+        if (!(mean(then.balance.unshot) > 0.5 * mean(then.balance.emitted)))
+            CHECK(then.radiosity[0].g == doctest::Approx(0.5).epsilon(0.01));
+        if (left.finished())
+            break;
+    }
 }
 
 TEST_CASE("state of other work is refused")

@@ -1,0 +1,275 @@
+# Two ways to say the same give the same light: most faults of readers, options and states change only one of them. The
+# room is slanted and off the origin, has triangles, covered faces and thin sheets, and each wall is of another colour.
+. "$2/tests/cli/check.sh"
+
+cat >grid.obj <<'END'
+mtllib room.mtl
+v 0 0 0
+v 4 0 0
+v 4 0 3
+v 0 0 3
+v 0 2.5 0
+v 4 2.5 0
+v 4 2.5 3
+v 0 2.5 3
+v 1 2.2 0.8
+v 2 2.2 0.8
+v 2 2.2 1.6
+v 1 2.2 1.6
+v 2.5 0 0.5
+v 3.5 0 0.5
+v 3.5 0 1.5
+v 2.5 0 1.5
+v 2.5 0.9 0.5
+v 3.5 0.9 0.5
+v 3.5 0.9 1.5
+v 2.5 0.9 1.5
+v 0.5 0.6 2.5
+v 1.9 0.5 2.2
+v 0.8 1.4 1.4
+vt 0 0
+vt 2 0.5
+vt 2.5 1.5
+vt 0.5 1
+o floor
+usemtl floor
+f 1 4 3 2
+o box
+usemtl chest
+f 17/2 20/1 19/4 18/3
+f 13 17 18 14
+f 16 15 19 20
+f 13 16 20 17
+f 14 18 19 15
+o walls
+usemtl ceiling
+f 5 6 7 8
+usemtl north
+f 1 2 6 5
+usemtl south
+f 4/1 8/2 7/3 3/4
+usemtl west
+f 1 5 8 4
+usemtl east
+f 2 3 7 6
+o lights
+usemtl lamp
+f 9/1 10/2 11/3 12/4
+o board
+usemtl board
+f 21/1 22/2 23/4
+o backs
+usemtl back
+f 21 23 22
+usemtl plate
+f 9 12 11 10
+END
+cat >room.mtl <<'END'
+newmtl floor
+Kd 0.6 0.5 0.4
+newmtl chest
+Kd 0.4 0.25 0.1
+newmtl ceiling
+Kd 0.8 0.85 0.75
+newmtl north
+Kd 0.7 0.3 0.2
+newmtl south
+Kd 0.5 0.45 0.55
+newmtl west
+Kd 0.2 0.4 0.7
+newmtl east
+Kd 0.55 0.6 0.5
+newmtl lamp
+Kd 0.1 0.15 0.1
+Ke 32 28 20
+newmtl board
+Kd 0.65 0.1 0.5
+newmtl back
+Kd 0.25 0.6 0.3
+newmtl plate
+Kd 0.3 0.35 0.3
+END
+
+# Vertices times a matrix, row by row, plus a shift; faces with their corners in the other order; texture points scaled and shifted.
+# usage: placed MATRIX SHIFT
+placed() {
+    awk -v matrix="$1" -v shift="$2" 'BEGIN { split(matrix, a, " "); split(shift, b, " ") }
+        $1 == "v" { $0 = sprintf("v %.17g %.17g %.17g", a[1] * $2 + a[2] * $3 + a[3] * $4 + b[1],
+            a[4] * $2 + a[5] * $3 + a[6] * $4 + b[2], a[7] * $2 + a[8] * $3 + a[9] * $4 + b[3]) } { print }'
+}
+turned_over() { awk '$1 == "f" { face = "f " $2; for (k = NF; k > 2; --k) face = face " " $k; $0 = face } { print }'; }
+# usage: with_mtl NAME
+with_mtl() { sed "s/^mtllib .*/mtllib $1/"; }
+
+slanted="1.1 0.2 -0.3  0.15 0.9 0.25  0.2 -0.1 1.3" shift="0.3 0.7 -1.7"
+placed "$slanted" "$shift" <grid.obj >room.obj
+placed "2 -1 2  2 2 -1  -1 2 2" "300.3 -50.7 20.1" <room.obj >turned.obj # and three times as large
+placed "0 1 0  0 0 1  1 0 0" "0 0 0" <room.obj >exchanged.obj
+placed "1 0 0  0 0 -1  0 1 0" "0 0 0" <room.obj >z_up.obj
+placed "-1 0 0  0 1 0  0 0 1" "0 0 0" <room.obj | turned_over >mirrored.obj
+placed "128 0 0  0 128 0  0 0 128" "0 0 0" <room.obj >large.obj
+placed "100 0 0  0 100 0  0 0 100" "0 0 0" <room.obj >centimetres.obj
+turned_over <room.obj >inside_out.obj
+awk '/^o / { out = $2 == "box" } !out' room.obj >no_box.obj
+awk '$1 == "f" { for (k = 2; k <= NF; ++k) { split($k, n, "/"); $k = n[1] - 24 (n[2] ? "/" n[2] - 5 : "") } } { print }' room.obj >backwards.obj
+awk '$1 == "usemtl" { name = $2 } { text[name] = text[name] "\n" $0 } { names[name] }
+    END { print text[""]; for (name in names) if (name != "") print text[name] }' room.obj >shuffled.obj
+# The lamp in 40 pieces.
+awk '/^f 9\/1/ { for (i = 0; i < 8; ++i) for (j = 0; j < 5; ++j) { k = 24 + 6 * i + j; print "f", k, k + 6, k + 7, k + 1 }; next }
+    /^vt/ && !any { any = 1; for (i = 0; i <= 8; ++i) for (j = 0; j <= 5; ++j) print "v", 1 + i / 8, 2.2, 0.8 + 0.16 * j } { print }' \
+    grid.obj | placed "$slanted" "$shift" >pieces.obj
+# Surfaces with two sides: by an option, or as two faces.
+awk '/^o backs/ { exit } { print }' room.obj >fronts.obj
+{
+    with_mtl plain.mtl <fronts.obj
+    turned_over <fronts.obj | sed -n '/^f /p; s/^usemtl lamp/usemtl plain/p; /^usemtl/p'
+} >doubled.obj
+{ cat room.mtl; printf 'newmtl plain\nKd 0.1 0.15 0.1\n'; } >plain.mtl
+# Light in other words.
+sed '/^Ke/d' room.mtl >dark.mtl && with_mtl dark.mtl <room.obj >dark.obj
+sed 's/^Ke/Ka/' room.mtl >ambient.mtl && with_mtl ambient.mtl <room.obj >ambient.obj
+sed 's/^Ke .*/Ke 4096 3584 2560/' room.mtl >bright.mtl && with_mtl bright.mtl <room.obj >bright.obj
+sed 's/^Kd 0.8 0.85 0.75/Kd 0.62 0.62 0.62/; s/^Kd 0.7 /Kd 0.62 /; s/^Kd 0.2 0.4 0.7/Kd 0.2 0.4 0.62/; s/^Kd 0.65/Kd 0.62/' room.mtl >limited.mtl
+with_mtl limited.mtl <room.obj >limited.obj
+# Textures: of many colours, with points as they are or transformed; and of one, whose values are decoded by IEC 61966-2-1.
+awk 'BEGIN { print "P3 4 3 255"; for (k = 0; k < 36; ++k) print (97 * k * k + 31 * k) % 256 }' >many.ppm
+echo "P3 2 1 255 200 100 50 200 100 50" >one.ppm
+awk '{ print } $2 == "south" || $2 == "chest" { print "map_Kd many.ppm" } $2 == "board" { print "map_Kd -clamp on many.ppm" }
+    $2 == "lamp" { print "map_Ke many.ppm" }' room.mtl >textured.mtl
+sed 's/^map_K. /&-s 2 0.5 -o 0.25 -0.125 /' textured.mtl >mapped.mtl
+with_mtl textured.mtl <room.obj >textured.obj && with_mtl mapped.mtl <room.obj >mapped.obj
+awk '/^o / { out = $2 == "box" } !out' textured.obj >textured_no_box.obj
+awk '$1 == "f" && NF == 5 { print "f", $2, $3, $4; $3 = $4; $4 = $5; NF = 4 } { print }' textured.obj >triangles.obj
+awk '$1 == "vt" { $2 = 2 * $2 + 0.25; $3 = 0.5 * $3 - 0.125 } { print }' textured.obj >transformed.obj
+sed 's/many/one/' textured.mtl >one.mtl && with_mtl one.mtl <room.obj >one.obj
+awk 'function linear(value) { return exp(2.4 * log((value / 255 + 0.055) / 1.055)) }
+    $1 == "newmtl" { name = $2 }
+    $1 == "Ke" || ($1 == "Kd" && (name == "south" || name == "chest" || name == "board")) {
+        $0 = sprintf("%s %.17g %.17g %.17g", $1, $2 * linear(200), $3 * linear(100), $4 * linear(50)) } { print }' room.mtl >coloured.mtl
+with_mtl coloured.mtl <room.obj >coloured.obj
+echo '{"eye": [1.5, 2, -0.5], "target": [3, 1.5, 0.7], "up": [0.2, 1, 0.1], "fov": 70}' >view.json
+
+rows() { grep -v '^#' "$1" | cut -d, -f1,2,4-; } # without the names of materials
+
+# The values of two tables, the same to rounding. The factors are those of lengths and of light in the second.
+# usage: near A.csv B.csv LENGTH LIGHT
+near() {
+    rows "$1" >first && rows "$2" | paste -d, first - | awk -F, -v length_factor="$3" -v light="$4" 'NR == 1 { next }
+        { for (k = 3; k <= 18; ++k) { factor = k < 6 ? length_factor : k == 9 ? length_factor ^ 2 : k > 12 ? light : 1
+              d = $(k + 18) - factor * $k; size = factor * ($k < 0 ? -$k : $k); if (d < 0) d = -d; if (d > 1e-9 * (size + factor) && !bad++) print "row " $1 ", column " k ":", $k, $(k + 18) } }
+        END { print NR, "rows"; exit bad || NR < 100 || NF != 36 }'
+}
+
+# Mean radiosity by reflectance, and the area as a share of all: the same within the tolerance.
+# usage: means A.csv B.csv TOLERANCE
+means() {
+    awk -F, -v tolerance="$3" 'FNR == 1 { ++file } !/^[0-9]/ { next }
+        { key = sprintf("%.3g %.3g %.3g", $11, $12, $13); keys[key]; area[file, key] += $10; all[file] += $10
+          for (k = 0; k < 3; ++k) { light[file, key, k] += $10 * $(17 + k); sum[file, k] += $10 * $(17 + k) } }
+        function apart(what, a, b, limit) { d = a - b; if (d < 0) d = -d; if (d > limit) { print key ":", what, a, b; bad = 1 } if (limit && d / limit > worst) worst = d / limit }
+        END { for (key in keys) { ++count; apart("area", area[1, key] / all[1], area[2, key] / all[2], 1e-9)
+                  for (k = 0; k < 3; ++k) apart("light", light[1, key, k] / area[1, key], light[2, key, k] / area[2, key],
+                      tolerance * (light[1, key, k] / area[1, key] + sum[1, k] / all[1]) / 2) }
+              print count, "colours,", worst, "of the tolerance"; exit bad || count < 9 }' "$1" "$2"
+}
+
+# usage: pair HOW "SCENE OPTIONS" "SCENE OPTIONS"
+# HOW: `bytes` of the rows; `near`, or `near:LENGTH:LIGHT` with these factors; or a tolerance for means.
+solved() {
+    case $2 in *--patch-size*) ;; *) set -- "$1" "$2 --patch-size 0.7" ;; esac
+    case $2 in *--lines*) ;; *) set -- "$1" "$2 --lines $lines" ;; esac
+    ends 0 solve -q -o "$1.csv" $2
+}
+pair() {
+    solved a "$2" && solved b "$3" || return
+    case $1 in
+    bytes) rows a.csv >first && rows b.csv >second && cmp first second && [ "$(wc -l <first)" -gt 100 ] ;;
+    near) near a.csv b.csv 1 1 ;;
+    near:*) near a.csv b.csv $(echo "$1" | sed 's/near//; s/:/ /g') ;;
+    *) means a.csv b.csv "$1" ;;
+    esac
+}
+lines=2^15
+while IFS='|' read -r how sentence first second; do
+    check "$sentence" pair $how "$first" "$second"
+done <<'END'
+bytes|a material emits by Ke or by --lamp                     |room.obj|dark.obj --lamp lamp=32,28,20
+bytes|an object emits by Ke or by --lamp                      |room.obj|dark.obj --lamp lights=32,28,20
+bytes|emission comes from Ke or from Ka                       |room.obj|ambient.obj --emission-from Ka
+bytes|an object is ignored or not in the file                 |no_box.obj|room.obj --ignore box
+bytes|so is one before textured faces                         |textured_no_box.obj|textured.obj --ignore box
+bytes|--flip and faces in the other order                     |room.obj|inside_out.obj --flip
+bytes|reflectances are limited by the option or in the file   |limited.obj|room.obj --reflectance-limit 0.62
+bytes|faces count back or forth                               |room.obj|backwards.obj
+bytes|texture points are transformed by the map or in the file|transformed.obj|mapped.obj
+bytes|watts and lumens                                        |room.obj|room.obj --unit-light lux
+near:1:128|128 times the light                                |room.obj|bright.obj
+near:128:1|a large room has the light of a small one          |room.obj|large.obj --patch-size 89.6
+0.01|turned, moved and three times as large                   |room.obj|turned.obj --patch-size 2.1
+0.01|with axes exchanged                                      |room.obj|exchanged.obj
+0.01|mirrored                                                 |room.obj|mirrored.obj
+0.01|in triangles                                             |textured.obj|triangles.obj
+0.01|a texture of one colour is that colour                   |coloured.obj|one.obj
+0.01|in another order                                         |room.obj|shuffled.obj
+0.01|a lamp in 40 pieces                                      |room.obj|pieces.obj
+0.01|by surfaces with two sides or by two faces               |fronts.obj --two-sided|doubled.obj
+0.02|with a table of pairs and without                        |room.obj --patch-size 0.3|room.obj --patch-size 0.3 --memory 9MB --lines 2^17
+0.001|--unit and scaled coordinates                            |room.obj|centimetres.obj --unit cm
+END
+
+# The other methods, and other ways of the default one. Tolerances are about twice what the noise makes at this number of lines;
+# global lines alone and gathering walks seldom meet the lamp.
+lines=2^18
+while IFS='|' read -r how options; do
+    check "like the default: $options" pair $how room.obj "room.obj $options"
+done <<'END'
+0.02|--method local
+0.04|--method local --estimator absorption --sequence random
+0.07|--method global
+0.10|--method global --bidirectional no --chords box
+0.02|--method first-shot
+0.02|--method extended
+0.02|--method extended --threshold 0
+0.02|--method jacobi
+0.02|--method jacobi --bidirectional no
+0.03|--method transillumination
+0.05|--method gathering --lines 2^20
+0.05|--method gathering --lines 2^20 --estimator absorption
+0.01|--direct shoot
+0.01|--sequence halton --chords sphere
+0.01|--important board
+0.01|--replicates 2
+END
+
+# What a state must keep, all at once.
+outside="textured.obj --ignore ceiling --lamp floor=1,2,3 --sky 3,2,1 --sun 130,50,20,19,18 --unit-light lux --unit cm --two-sided"
+outside="$outside --reflectance-limit 0.6 --adaptive 500 --lines 2^13 --state" view="-q --size 40x30 --samples 1 --camera view.json"
+same_files() {
+    for kind in csv pfm png glb ply obj html; do
+        [ -s "$1.$kind" ] && cmp "$1.$kind" "$2.$kind" || return
+    done
+}
+from_state() {
+    outputs() { for kind in csv pfm png glb ply obj html; do echo "-o $1.$kind"; done; }
+    ends 0 solve $outside whole.state $view $(outputs solved) && ends 0 render whole.state $view $(outputs again) && same_files solved again
+}
+check "all that a file and options say comes back from a state" from_state
+in_shards() {
+    ends 0 solve $outside first.state -q --shard 1/2 && ends 0 solve $outside second.state -q --shard 2/2 &&
+        ends 0 merge first.state second.state $view -o merged.csv && rows merged.csv >first && rows solved.csv >second && cmp first second
+}
+check "and from shards" in_shards
+
+# Sun and camera where z points up: the same picture. Pixels are rounded otherwise at edges.
+upwards() {
+    light="-q --ignore ceiling --patch-size 0.7 --lines 2^15 --size 40x30 --samples 4 --fov 65"
+    ends 0 solve room.obj $light --sun 130,50,20 --eye 1.5,3,1 --target 3,1,-0.2 -o y.pfm -o y.csv &&
+        ends 0 solve z_up.obj $light --sun 130,50,20 --up 0,0,1 --eye 1.5,-1,3 --target 3,0.2,1 -o z.pfm -o z.csv && means y.csv z.csv 0.01 || return
+    for axis in y z; do # sums over 4 x 3 parts
+        tail -c 14400 $axis.pfm | od -An -v -tf4 -w12 | awk '{ part = int((NR - 1) % 40 / 10) + 4 * int((NR - 1) / 400); sum[part] += $1 + 2 * $2 + 4 * $3 }
+            END { for (k = 0; k < 12; ++k) print sum[k] }' >$axis.parts
+    done
+    paste y.parts z.parts | awk '{ d = $1 / $2 - 1; if (d * d > 0.0009) { print; bad = 1 } sum += $1 } END { exit bad || NR != 12 || sum == 0 }'
+}
+check "--up turns camera and sun with the scene" upwards
+finish
