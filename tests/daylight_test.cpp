@@ -43,6 +43,7 @@ TEST_CASE("a plate that sees nothing but the sky receives pi times its radiance 
     builder.rectangle({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, builder.grey(0.5, 0.0));
     const Scene scene = under_sky(builder.file(), {8.0, 8.0, 8.0}, 10.0, true);
     for (const Method method : all_methods()) {
+        CAPTURE(method->name);
         const Solution solution = solve(scene, random_lines(method, 1u << 16, 1), silent);
         CHECK(solution.radiosity[0].g == doctest::Approx(4.0).epsilon(0.02));
         CHECK(solution.radiosity[scene.first_patch(0, false)].g == doctest::Approx(4.0).epsilon(0.02));

@@ -43,7 +43,8 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         const CountRow row = counts_.row(i);
         const double cast = density[i] * area[i] + unseen_rays;
-        lost_part[i] = cast > 0.0 ? part_lost(i, cast) : lost_share;
+        const bool is_known = row.first != row.last; // backs of the sky see nothing
+        lost_part[i] = cast > 0.0 ? part_lost(i, cast) : is_known ? lost_share : 0.0;
         lost_[i] = area[i] * lost_part[i];
         const double left = area[i] - lost_[i];
         const auto joining = static_cast<double>(row.last - row.first);
@@ -58,7 +59,8 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         const double left = area_[i] - joined(i);
         lost_[i] = std::min(lost_[i], left);
         const double lacks = left - lost_[i];
-        if (lacks <= rounding_of_rows * area_[i] || is_sky(i)) {
+        const bool is_unknown = density[i] == 0.0 && unseen_rays == 0.0 && counts_.row(i).first == counts_.row(i).last;
+        if (lacks <= rounding_of_rows * area_[i] || is_sky(i) || is_unknown) {
             own_[i] = lacks;
             return 0.0;
         }
@@ -241,7 +243,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         const auto density = static_cast<double>(factors_[i].density);
         const double back = behind(i);
         double area = lost_[i]; // of all rays
-        double squares = quotient(lost_[i] * lost_[i], lost_rays(i));
+        double squares = 0.0;
         for (const std::uint32_t j : counts_.row(i)) {
             const Factors& other = factors_[j];
             const double ray = unit_ * static_cast<double>(factors_[i].scale) * static_cast<double>(other.scale) /
@@ -249,6 +251,11 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
             area += ray;
             squares += ray * ray;
         }
+        // Lost rays, too, if few of many rays are the patch's own: what is lost was found from all of them.
+        const CountRow row = counts_.row(i);
+        const double joined_ray = quotient(area - lost_[i], static_cast<double>(row.last - row.first));
+        const double lost_ray = quotient(lost_[i], lost_rays(i));
+        squares += lost_[i] * (joined_ray > 0.0 ? std::min(lost_ray, 2.0 * joined_ray) : lost_ray);
         if (!(area > 0.0))
             return {};
         constexpr double most = 0.5; // of 1 / (n - 1): a patch of one or two rays has no other ones
