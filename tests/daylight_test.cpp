@@ -53,6 +53,53 @@ TEST_CASE("a plate that sees nothing but the sky receives pi times its radiance 
     }
 }
 
+// No surface of a convex body sees another, so B = rho E. Line reuse finds it with any number of lines and of patches.
+TEST_CASE("convex bodies under a sky have B = rho E by line reuse, whatever the patches and lines")
+{
+    for (const bool two_sided : {false, true})
+        for (const double patch_size : {10.0, 0.5, 0.1})
+            for (const std::uint64_t lines : {50u, 3000u, 40000u}) {
+                CAPTURE(two_sided);
+                CAPTURE(patch_size);
+                CAPTURE(lines);
+                SceneBuilder builder;
+                builder.triangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.7, 0.0));
+                if (!two_sided)
+                    builder.box({1e4, 0, 5}, {1e4 + 1, 2, 6}, builder.grey(0.4, 0.0)); // far away
+                const Scene scene = under_sky(builder.file(), {10, 10, 10}, patch_size, two_sided);
+                SolveOptions options = random_lines(Method::reuse, lines, 1);
+                options.sequence = "sobol";
+                const Solution solution = solve(scene, options, silent);
+                for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+                    if (!scene.is_sky_patch(i))
+                        CHECK(solution.radiosity[i].g ==
+                              doctest::Approx(10.0 * scene.reflectance(i).g).epsilon(1e-3).scale(0.0));
+            }
+}
+
+// What enters a black box through its open side is absorbed: E times the area of the opening.
+TEST_CASE("an open box under a sky takes in E times its opening, with a table, counts or particles")
+{
+    for (const double patch_size : {1.0, 0.25, 0.0625})
+        for (const std::uint64_t lines : {1u << 11, 1u << 14, 1u << 17}) {
+            CAPTURE(patch_size);
+            CAPTURE(lines);
+            SceneBuilder builder;
+            const std::uint32_t black = builder.grey(0.0, 0.0);
+            builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, black).rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, black);
+            builder.rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}, black).rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, black);
+            builder.rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0}, black);
+            const Scene scene = under_sky(builder.file(), {10, 10, 10}, patch_size);
+            SolveOptions options = random_lines(Method::reuse, lines, 1);
+            options.sequence = "sobol-owen";
+            const Solution solution = solve(scene, options, silent);
+            // Rays of the walls find the opening with p = 1/5: the standard deviation of independent ones.
+            const double deviation = std::sqrt(0.2 * 0.8 / (0.5 * static_cast<double>(lines))) / 0.2;
+            CHECK(solution.balance.absorbed.g == doctest::Approx(10.0).epsilon(4.0 * deviation + 2e-3).scale(0.0));
+            CHECK(solution.balance.escaped.g >= 0.0);
+        }
+}
+
 // The sun in the zenith lights the floor alone, and this the wall: b_f = rho (E + F b_w), b_w = rho F b_f.
 TEST_CASE("the floor in the sun lights the wall" * doctest::test_suite("statistics"))
 {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int sky_rays = 16;
 constexpr double much_more = 0.2;     // share of the hemisphere above
-constexpr double white_share = 0.125; // share of the surfaces in the picture
+constexpr double most_white = 0.125; // share of the surfaces in the picture
 
 /// [1] Share of the upper hemisphere in which a point sees the sky. `fan`: reusable buffers.
 double sky_share(const Scene& scene, const GatherPoint& point, Vec3 up, RayFan& fan)
@@ -108,7 +108,7 @@ double automatic_exposure(const Scene& scene, const std::vector<Rgb>& radiosity,
     if (most_sky < all && preview.shows_little()) // the camera looks out of a window
         preview = preview_of(scene, radiosity, camera, small, all);
     const double scale = automatic_scale(preview.all, tone);
-    return std::min(scale, largest_scale(preview.lit, tone, white_share));
+    return std::min(scale, largest_scale(preview.lit, tone, most_white));
 }
 
 } // namespace multipath

@@ -365,4 +365,13 @@ adaptive_from() {
         ends 2 solve "$scene" --adaptive 0 -o b.csv && says err "--adaptive"
 }
 check "the coarse patches may be given; there must be fewer of them" adaptive_from
+white_sky() {
+    printf '%s\n' 'mtllib white.mtl' 'v 0 0 0' 'v 0 0 1' 'v 1 0 1' 'usemtl white' 'f 1 2 3' >white.obj
+    printf '%s\n' 'newmtl white' 'Kd 1 1 1' >white.mtl
+    for lines in 2^8 2^16; do
+        ends 0 solve white.obj --sky 3 --lines $lines --json -o white.csv && grep -qE '"mean_radiosity": (3,|3\.00000|2\.99999)' out ||
+            return
+    done
+}
+check "what is white and absorbs nothing is lit by the sky all the same" white_sky
 finish

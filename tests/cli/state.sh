@@ -140,7 +140,7 @@ merged() {
         ends 0 merge count-3.state count-1.state count-2.state --quiet -o sum.csv && cmp whole.csv sum.csv
 }
 fresh() { rm -f count-*.state ray-*.state counted.state; }
-merge_reuse() { fresh; merged --lines 1000 && fresh && merged --lines 50000 && fresh && merged --lines 50001 --memory 2MB --sequence random; }
+merge_reuse() { fresh; merged --lines 10000 && fresh && merged --lines 50000 && fresh && merged --lines 50001 --memory 2MB --sequence random; }
 check "merged shards of reuse give the bytes of one run" merge_reuse
 
 rounds() {

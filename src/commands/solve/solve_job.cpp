@@ -280,6 +280,15 @@ bool everything_shines(const Scene& scene)
     return true;
 }
 
+/// True if some surface sends more light than it emits. White ones absorb nothing, however bright they are.
+bool reflects_light(const Scene& scene, const Solution& solution)
+{
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (mean(solution.radiosity[i] - scene.emittance(i)) > 1e-9 * mean(solution.radiosity[i]))
+            return true;
+    return false;
+}
+
 /// Throws SettingsError or InputError, with the reason, if no light has reached any surface: a black picture is not a
 /// result.
 void require_light(const Scene& scene, const Solution& solution, int threads)
@@ -290,7 +299,7 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
             scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
             (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "see 'multipath check'"));
     const double rounding = 1e-9 * mean(balance.emitted); // line reuse gets some powers as differences
-    if (mean(balance.absorbed) > rounding || everything_shines(scene))
+    if (mean(balance.absorbed) > rounding || reflects_light(scene, solution) || everything_shines(scene))
         return;
     if (solution.all_lines < scene.patch_count())
         throw SettingsError(scene.path() + ": " + grouped(solution.all_lines) +
