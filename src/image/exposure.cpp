@@ -17,7 +17,7 @@ namespace multipath {
 namespace {
 
 constexpr int sky_rays = 16;
-constexpr double much_more = 0.2;     // share of the hemisphere above
+constexpr double much_more = 0.2;    // share of the hemisphere above
 constexpr double most_white = 0.125; // share of the surfaces in the picture
 
 /// [1] Share of the upper hemisphere in which a point sees the sky. `fan`: reusable buffers.
