@@ -79,7 +79,7 @@ Mask coarser(const Mask& fine, unsigned level)
             balance[static_cast<std::size_t>(y * mask.height / fine.height * mask.width +
                                              x * mask.width / fine.width)] += fine.at(x, y) ? 1 : -1;
     for (const std::int64_t sum : balance)
-        mask.opaque.push_back(sum >= 0);
+        mask.opaque.push_back(sum >= 0 ? 1 : 0);
     note_uniformity(mask);
     return mask;
 }
@@ -145,7 +145,7 @@ std::vector<PixelRectangle> opaque_rectangles(const Mask& mask, const PixelRecta
     };
     for (std::int64_t y = bounds.y0; y < bounds.y1; ++y)
         for (std::int64_t x = bounds.x0; x < bounds.x1; ++x)
-            free_at(x, y) = mask.at(x, y);
+            free_at(x, y) = mask.at(x, y) ? 1 : 0;
     std::vector<PixelRectangle> rectangles;
     for (std::int64_t y = bounds.y0; y < bounds.y1; ++y)
         for (std::int64_t x = bounds.x0; x < bounds.x1; ++x) {

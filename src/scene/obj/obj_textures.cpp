@@ -181,8 +181,10 @@ private:
         const std::uint32_t colour = cut_.pieces[surface].colour;
         const bool has_kd = definitions_[scene_.material[surface]].kd_line != 0;
         const std::size_t pixel = colour != Piece::no_colour ? colour : cut_.colours.size() + (has_kd ? 0 : 1);
-        return {{(static_cast<double>(pixel % bitmap.width) + 0.5) / bitmap.width,
-                 1.0 - (static_cast<double>(pixel / bitmap.width) + 0.5) / bitmap.height},
+        const std::size_t row = pixel / bitmap.width;
+        const std::size_t column = pixel % bitmap.width;
+        return {{(static_cast<double>(column) + 0.5) / bitmap.width,
+                 1.0 - (static_cast<double>(row) + 0.5) / bitmap.height},
                 {},
                 {},
                 true};

@@ -266,7 +266,7 @@ private:
             else if (colour_type_ == indexed)
                 *alpha = samples[i] < transparency_.size() ? static_cast<std::uint8_t>(transparency_[samples[i]]) : 255;
             else
-                *alpha = transparency_.size() >= 2 * samples_ && is_transparent(i) ? 0 : 255;
+                *alpha = transparency_.size() >= std::size_t{2} * samples_ && is_transparent(i) ? 0 : 255;
     }
 
     ByteReader file_;
