@@ -13,8 +13,9 @@ namespace multipath {
 /// conserved: symmetric, nowhere negative but for rounding, and with row sums equal to the areas of the patches. A row
 /// sum here includes the losses (escaping and behind). With d_i rays per m^2 of patch i, and C_ij rays between i and j,
 /// started at either end, the estimate of A_i F_ij is C_ij / (d_i + d_j): the balance heuristic of Veach and Guibas
-/// (1995), which is never much worse than the best combination of the two kinds of rays. What is lost is known from the
-/// patch's own rays alone: the fraction of them that reached no patch. Two steps close the estimate:
+/// (1995), which is never much worse than the best combination of the two kinds of rays. What is lost is known from
+/// the patch's own rays, the fraction of them that reached no patch, unless the patches around cast far more rays.
+/// Two steps close the estimate:
 ///
 /// Step 1: G_ij = x_i x_j C_ij / (d_i + d_j), with one factor x per patch, by symmetric matrix balancing after Sinkhorn
 /// and Knopp (1967). The factors remove the noise of how many rays of other patches happened to meet each patch. After
