@@ -31,6 +31,8 @@ const Shot& Particles::shot_of(std::uint64_t particle) const
 namespace {
 
 constexpr std::uint64_t numbers_per_step = 5; // one number decides on survival, four on the next ray
+/// No path is longer: one that gathers light in a white cavity without light would never end.
+constexpr std::uint32_t longest_path = 1u << 14;
 
 double random_number(std::uint64_t key, std::uint64_t particle, std::uint64_t counter)
 {
@@ -59,7 +61,7 @@ ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::u
 {
     const double chance = survival(scene_, where);
     const double drawn = random_number(key_, particle, numbers_per_step * depth);
-    const bool goes_on = drawn < chance;
+    const bool goes_on = drawn < chance && depth + 1 < longest_path;
     return {from, item, where, power, drawn, goes_on ? (1.0 / chance) * (scene_.reflectance(where) * power) : Rgb{}};
 }
 

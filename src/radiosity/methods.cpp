@@ -90,10 +90,10 @@ void reuse_pairs(Run& run)
 }
 
 /// Lets the sky light the patches along rays of theirs, half of all, if the particles are to carry its light further:
-/// of those that leave the sky themselves, most would meet nothing else.
+/// of those that leave the sky themselves, most would meet nothing else. After shots the light has left the sky.
 void rays_to_sky(Run& run)
 {
-    if (run.scene.file().sky_surfaces == 0 || !are_few(run))
+    if (run.scene.file().sky_surfaces == 0 || !gathers(run) || !are_few(run))
         return;
     const std::uint64_t rays = run.lines_left() / 2;
     const SceneLights lights(run.scene, run.options.threads);

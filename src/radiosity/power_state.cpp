@@ -79,14 +79,22 @@ PowerBalance power_balance(const Scene& scene, const PowerState& state)
     balance.emitted = state.emitted;
     balance.emitted_error = std::sqrt(state.emitted_variance);
     balance.source = scene.source_power();
-    balance.escaped = state.escaped;
     balance.behind = state.behind;
-    balance.absorbed = -1.0 * state.surplus;
+    Rgb at_sky;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        Rgb& where = scene.is_sky(scene.surface_of(i)) ? balance.escaped : balance.absorbed;
+        Rgb& where = scene.is_sky_patch(i) ? at_sky : balance.absorbed;
         where += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
         balance.unshot += state.unshot[i];
     }
+    Rgb noise = state.surplus; // of what arrives anywhere
+    for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b})
+        if (balance.unshot.*c < 0.0) { // the residual of a linear system
+            noise.*c -= balance.unshot.*c;
+            balance.unshot.*c = 0.0;
+        }
+    const Rgb share = at_sky == Rgb{} ? Rgb{1.0, 1.0, 1.0} : quotient(balance.absorbed, balance.absorbed + at_sky);
+    balance.absorbed = balance.absorbed - share * noise;
+    balance.escaped = state.escaped + at_sky - (Rgb{1.0, 1.0, 1.0} - share) * noise;
     return balance;
 }
 

@@ -164,15 +164,16 @@ void Intersector::Core::take(const Hit& hit, NearestHit& nearest) const
     }
 }
 
-/// Updates `nearest` with a hit at the same t as nearest.best.
+/// Updates `nearest` with a hit at the same t as nearest.best. Of faces that look the same way the ray meets, as a whole
+/// line does (order_coincident_hits), the first front or the last back.
 void Intersector::Core::take_coincident(const Hit& hit, NearestHit& nearest) const
 {
     if (hit.front == nearest.best.front) {
-        nearest.best = comes_before(hit, nearest.best) ? hit : nearest.best;
+        nearest.best = comes_before(hit, nearest.best) == hit.front ? hit : nearest.best;
         return;
     }
     const Hit& back = hit.front ? nearest.best : hit;
-    nearest.back = nearest.has_back && comes_before(nearest.back, back) ? nearest.back : back;
+    nearest.back = nearest.has_back && comes_before(back, nearest.back) ? nearest.back : back;
     nearest.has_back = true;
     nearest.best = hit.front ? hit : nearest.best;
 }

@@ -363,7 +363,7 @@ private:
 
     /// Sets the number of parts of the last round, so that the counts of each part fit into the memory, but with at
     /// least 24 rays per patch. Throws InputError if a shard would need more than one part.
-    void cut_into_parts(const std::vector<double>& hemisphere)
+    void cut_into_parts(std::vector<double>& hemisphere)
     {
         double rays = 0.0;
         for (std::uint32_t i = 0; i < n_; ++i)
@@ -374,6 +374,24 @@ private:
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
                              "shared; expected more --memory, or no --shard");
+        if (parts_ > 1)
+            give_rays_in_all_parts(hemisphere);
+    }
+
+    /// Raises the numbers of rays to a few in each part, and lowers the larger ones as much: each part has to find light
+    /// by its own rays, at patches whose early rays have all found the same, too.
+    void give_rays_in_all_parts(std::vector<double>& hemisphere) const
+    {
+        const double least = 4.0 * static_cast<double>(parts_);
+        double lacking = 0.0;
+        double above = 0.0;
+        for (std::uint32_t i = 0; i < n_; ++i)
+            if (!scene_.is_sky_patch(i))
+                (hemisphere[i] < least ? lacking : above) += std::abs(hemisphere[i] - least);
+        const double kept = std::max(0.0, 1.0 - quotient(lacking, above));
+        for (std::uint32_t i = 0; i < n_; ++i)
+            if (!scene_.is_sky_patch(i))
+                hemisphere[i] = least + kept * std::max(0.0, hemisphere[i] - least);
     }
 
     void cast()

@@ -304,47 +304,58 @@ std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patche
                                    std::uint64_t first_item, std::uint64_t rays, const RunControl& run)
 {
     const std::uint32_t n = scene.patch_count();
-    std::vector<Rgb> result = large_vector<Rgb>(n);
+    struct Group // the patches of one material on one side
+    {
+        double area = 0.0;     // [m^2]
+        double expected = 0.0; // number of rays
+        RaySums own;           // of them
+        double found = 0.0;    // [m^2] sum of area times fraction
+    };
+    std::vector<Group> groups(2 * scene.materials().size());
+    const auto group_of = [&](std::uint32_t i) -> Group& {
+        return groups[2 * scene.file().material[scene.surface_of(i)] + (scene.is_front(i) ? 0 : 1)];
+    };
+    for (std::uint32_t i = 0; i < n; ++i)
+        group_of(i).area += scene.is_sky_patch(i) ? 0.0 : scene.area(i);
+    double sum = 0.0;
+    for (Group& group : groups) { // at least a ray for each, so that its light is right on the average
+        const double share = static_cast<double>(rays) * group.area / scene.own_area();
+        group.expected = group.area > 0.0 ? std::max(1.0, share) : 0.0;
+        sum += group.expected;
+    }
     std::vector<double> expected(n);
     for (std::uint32_t i = 0; i < n; ++i)
-        expected[i] = scene.is_sky_patch(i) ? 0.0 : static_cast<double>(rays) * scene.area(i) / scene.own_area();
-    const Allotment allotment(expected, 0.5);
+        if (!scene.is_sky_patch(i))
+            expected[i] =
+                static_cast<double>(rays) / sum * group_of(i).expected * scene.area(i) / group_of(i).area;
+    const Allotment allotment(expected, bits_to_unit(bits_from(sequence.item(first_item))));
     LineCounts counts(n);
     ShardRange range = ShardRange::of(ray_blocks(allotment).count(), {});
     count_rays(scene, allotment, sequence, first_item, range, run, counts);
+    std::vector<Rgb> result = large_vector<Rgb>(n);
     if (run.stopped())
         return result;
-    struct OfMaterial
-    {
-        RaySums own;        // of its rays
-        double area = 0.0;  // [m^2]
-        double found = 0.0; // [m^2] sum of area times fraction
-    };
-    std::vector<OfMaterial> materials(scene.materials().size());
-    const auto of_patch = [&](std::uint32_t i) -> OfMaterial& {
-        return materials[scene.file().material[scene.surface_of(i)]];
-    };
     std::vector<RaySums> own = large_vector<RaySums>(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const auto cast = static_cast<double>(allotment.rays_of(i));
         const auto open = static_cast<double>(counts.escaped(i));
         own[i] = {cast, cast, open, open};
-        of_patch(i).own += own[i];
+        group_of(i).own += own[i];
     }
     const std::vector<RaySums> around = pooled(patches, own, enough_rays, run.threads);
     const auto fraction = [&](std::uint32_t i) { return quotient(around[i].value, around[i].weight); };
-    for (std::uint32_t i = 0; i < n; ++i) {
-        of_patch(i).area += scene.area(i);
-        of_patch(i).found += scene.area(i) * fraction(i);
-    }
+    for (std::uint32_t i = 0; i < n; ++i)
+        group_of(i).found += scene.area(i) * fraction(i);
     const Rgb sky = scene.emittance(scene.first_patch(scene.own_surfaces()));
     for (std::uint32_t i = 0; i < n; ++i) {
         if (scene.is_sky_patch(i))
             continue;
-        const OfMaterial& material = of_patch(i);
-        const double right = quotient(material.own.value, material.own.weight) * material.area;
-        const double correction = material.own.weight > 0.0 ? quotient(right, material.found) : 1.0;
-        result[i] = (scene.area(i) * std::min(1.0, correction * fraction(i))) * sky;
+        const Group& group = group_of(i);
+        const double mean = quotient(group.own.value, group.own.weight);
+        const double share = group.own.weight == 0.0 ? fraction(i)
+                             : group.found > 0.0     ? fraction(i) * mean * group.area / group.found
+                                                     : mean;
+        result[i] = (scene.area(i) * share) * sky;
     }
     return result;
 }

@@ -38,13 +38,15 @@ public:
         order_coincident_hits(hits, outside_is_solid_);
     }
 
-    /// The closest of the hits of a line: at equal t a front, then the smaller.
+    /// The closest of the hits of a line: at equal t a front, then the smaller of fronts and the larger of backs.
     std::optional<Hit> closest(const std::vector<Hit>& hits) const
     {
         const auto best = std::min_element(hits.begin(), hits.end(), [this](const Hit& a, const Hit& b) {
             if (a.t != b.t)
                 return a.t < b.t;
-            return a.front != b.front ? a.front : rank_[a.surface] < rank_[b.surface];
+            if (a.front != b.front)
+                return a.front;
+            return a.front ? rank_[a.surface] < rank_[b.surface] : rank_[a.surface] > rank_[b.surface];
         });
         return best == hits.end() ? std::optional<Hit>() : *best;
     }
