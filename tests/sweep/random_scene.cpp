@@ -239,7 +239,7 @@ private:
             const Vec3 u = {0.2 * inside_.x, 0, 0};
             const Vec3 v = {0, 0, 0.2 * inside_.z};
             builder_.rectangle(corner, u, v, lamp); // shines down
-            if (random_.chance(0.7)) { // its cover
+            if (random_.chance(0.7)) {              // its cover
                 const Vec3 above = {0, two_sided_ ? 0.05 * inside_.y : 0.0, 0};
                 builder_.rectangle(corner + above, v, u, builder_.grey(0.5, 0.0));
             }

@@ -162,6 +162,7 @@ public:
           hemisphere_(n_),
           expected_(large_vector<double>(n_)),
           rays_of_counts_(large_vector<double>(n_)),
+          first_losses_(large_vector<SparseExchange::LossCounts>(n_)),
           counts_(n_),
           fresh_(n_),
           source_(large_vector<Rgb>(n_)),
@@ -202,6 +203,7 @@ private:
         hemisphere_.visit(archive, "hemisphere");
         archive.list<double>("expected", expected_);
         archive.list<double>("rays of counts", rays_of_counts_);
+        archive.list<double>("first losses", first_losses_);
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
         archive.list<double>("variance", variance_);
@@ -353,6 +355,27 @@ private:
         return result;
     }
 
+    SparseExchange::LossCounts losses(std::uint32_t i) const
+    {
+        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i))};
+    }
+
+    /// The losses of each patch without the rays of the first round, if it has others. What these rays have found
+    /// decides, through the patches around, how many more a patch gets: light that a ray finds by chance would count
+    /// less, among many, than darkness found by the few rays of other patches.
+    std::vector<SparseExchange::LossCounts> later_losses() const
+    {
+        auto result = large_vector<SparseExchange::LossCounts>(n_);
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            const SparseExchange::LossCounts& first = first_losses_[i];
+            result[i] = losses(i);
+            if (result[i].cast > first.cast)
+                result[i] = {result[i].cast - first.cast, result[i].escaped - first.escaped,
+                             result[i].behind - first.behind};
+        }
+        return result;
+    }
+
     std::vector<double> densities() const
     {
         std::vector<double> result = large_vector<double>(n_);
@@ -374,15 +397,22 @@ private:
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
                              "shared; expected more --memory, or no --shard");
-        if (parts_ > 1)
-            give_rays_in_all_parts(hemisphere);
+        const auto loses = [&](std::uint32_t i) { return first_losses_[i].lost() > 0.0; };
+        bool any_lost = false;
+        for (std::uint32_t i = 0; i < n_; ++i)
+            any_lost = any_lost || loses(i);
+        if (any_lost || parts_ > 1)
+            give_all_some(hemisphere);
     }
 
-    /// Raises the numbers of rays to a few in each part, and lowers the larger ones as much: each part has to find light
-    /// by its own rays, at patches whose early rays have all found the same, too.
-    void give_rays_in_all_parts(std::vector<double>& hemisphere) const
+    /// Raises the numbers of rays to a few in each part, and lowers the larger ones as much: the losses, and each part,
+    /// have to be found by rays that are not those of the first round, at patches whose early rays all agreed, too.
+    void give_all_some(std::vector<double>& hemisphere) const
     {
-        const double least = 4.0 * static_cast<double>(parts_);
+        double all = 0.0;
+        for (const double rays : hemisphere)
+            all += rays;
+        const double least = std::min(4.0 * static_cast<double>(parts_), 0.25 * all / n_);
         double lacking = 0.0;
         double above = 0.0;
         for (std::uint32_t i = 0; i < n_; ++i)
@@ -423,6 +453,9 @@ private:
     {
         take_fresh_counts();
         if (!is_last()) {
+            if (round_ == 0)
+                for (std::uint32_t i = 0; i < n_; ++i)
+                    first_losses_[i] = losses(i);
             if (rays_.indirect)
                 guess_ = rough_radiosity();
             ++round_;
@@ -432,6 +465,7 @@ private:
         if (++part_ < parts_) {
             counts_ = LineCounts(n_);
             std::fill(rays_of_counts_.begin(), rays_of_counts_.end(), 0.0);
+            std::fill(first_losses_.begin(), first_losses_.end(), SparseExchange::LossCounts{});
         }
     }
 
@@ -501,7 +535,8 @@ private:
         if (!rays_.indirect)
             return;
         const auto solved = [&](double unseen_rays) {
-            const SparseExchange exchange(counts_, scene_.areas(), densities(), sky_, unseen_rays, run_.threads);
+            const SparseExchange exchange(counts_, scene_.areas(), densities(), later_losses(), sky_, unseen_rays,
+                                          run_.threads);
             ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
             if (solution.converged) {
                 const double share = 1.0 / static_cast<double>(parts_);
@@ -675,6 +710,7 @@ private:
     RayBatch hemisphere_;
     std::vector<double> expected_;       ///< rays over the hemispheres, for all parts of the last round
     std::vector<double> rays_of_counts_; ///< number of rays that left each patch
+    std::vector<SparseExchange::LossCounts> first_losses_; ///< of the first round, as far as they are in the counts
     LineCounts counts_;
     LineCounts fresh_; ///< of the current round
     Field source_;     ///< [W/m^2] unshot after the direct light has arrived

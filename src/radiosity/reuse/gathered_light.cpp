@@ -326,8 +326,7 @@ std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patche
     std::vector<double> expected(n);
     for (std::uint32_t i = 0; i < n; ++i)
         if (!scene.is_sky_patch(i))
-            expected[i] =
-                static_cast<double>(rays) / sum * group_of(i).expected * scene.area(i) / group_of(i).area;
+            expected[i] = static_cast<double>(rays) / sum * group_of(i).expected * scene.area(i) / group_of(i).area;
     const Allotment allotment(expected, bits_to_unit(bits_from(sequence.item(first_item))));
     LineCounts counts(n);
     ShardRange range = ShardRange::of(ray_blocks(allotment).count(), {});

@@ -15,36 +15,34 @@ constexpr double rounding_of_rows = 1e-6; // of the area of a patch
 } // namespace
 
 SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<double>& area,
-                               const std::vector<double>& density, std::vector<std::uint32_t> sky, double unseen_rays,
-                               int threads)
+                               const std::vector<double>& density, std::vector<LossCounts> losses,
+                               std::vector<std::uint32_t> sky, double unseen_rays, int threads)
     : counts_(counts),
       area_(area),
       factors_(vector_with_capacity<Factors>(area.size())),
+      losses_(std::move(losses)),
       sky_(std::move(sky)),
       lost_(large_vector<double>(area.size())),
       own_(large_vector<double>(area.size())),
       unseen_(large_vector<double>(area.size()))
 {
-    double rays = 0.0; // that left patches
-    double escaped = 0.0;
-    double behind = 0.0;
+    LossCounts all = {0.0, 0.0, 0.0};
     for (std::uint32_t i = 0; i < size(); ++i) {
         unit_ += area[i];
-        rays += density[i] * area[i];
-        escaped += static_cast<double>(counts_.escaped(i));
-        behind += static_cast<double>(counts_.behind(i));
+        all.cast += losses_[i].cast;
+        all.escaped += losses_[i].escaped;
+        all.behind += losses_[i].behind;
     }
-    const double lost_share = quotient(escaped + behind, rays);
-    escaping_share_ = escaped + behind > 0.0 ? escaped / (escaped + behind) : 1.0;
+    const double lost_share = quotient(all.lost(), all.cast);
+    escaping_share_ = all.lost() > 0.0 ? all.escaped / all.lost() : 1.0;
     for (const double d : density)
         factors_.push_back({static_cast<float>(d * unit_), 1.0f});
     std::vector<double> wanted = large_vector<double>(size()); // [m^2] of rays that join patches
     std::vector<double> lost_part = large_vector<double>(size());
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         const CountRow row = counts_.row(i);
-        const double cast = density[i] * area[i] + unseen_rays;
         const bool is_known = row.first != row.last; // backs of the sky see nothing
-        lost_part[i] = cast > 0.0 ? part_lost(i, cast) : is_known ? lost_share : 0.0;
+        lost_part[i] = losses_[i].cast + unseen_rays > 0.0 ? part_lost(i, unseen_rays) : is_known ? lost_share : 0.0;
         lost_[i] = area[i] * lost_part[i];
         const double left = area[i] - lost_[i];
         const auto joining = static_cast<double>(row.last - row.first);
@@ -74,10 +72,10 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
 }
 
-/// [1] Part of the exchange of a patch that reaches no patch, if it has cast this number of rays. Their own fraction is
-/// unbiased. But if the patches around cast far more rays, what these say of the patch says more, and the ratio of its
-/// lost exchange to all of it counts.
-double SparseExchange::part_lost(std::uint32_t i, double cast) const
+/// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased. But if the
+/// patches around cast far more rays, what these say of the patch says more, and the ratio of its lost exchange to all
+/// of it counts.
+double SparseExchange::part_lost(std::uint32_t i, double unseen_rays) const
 {
     const auto density = static_cast<double>(factors_[i].density);
     double hits = 0.0;     // exchange by rays that join patches
@@ -88,18 +86,19 @@ double SparseExchange::part_lost(std::uint32_t i, double cast) const
         own_hits += share * density;
     }
     const CountRow row = counts_.row(i);
-    const double own = lost_rays(i) / cast;
+    const LossCounts& losses = losses_[i];
+    const double own = losses.lost() / (losses.cast + unseen_rays);
     const double weight =
         row.first == row.last ? 1.0 : std::min(1.0, 2.0 * own_hits / static_cast<double>(row.last - row.first));
-    const double lost = quotient(lost_rays(i), density);
+    const double lost = quotient(losses.lost() * area_[i], losses.cast) / unit_;
     return weight * own + (1.0 - weight) * quotient(lost, lost + hits);
 }
 
 /// [m^2] Exchange area of a patch with the sky, or with the outside of the scene.
 double SparseExchange::open(std::uint32_t patch) const
 {
-    const double rays = lost_rays(patch);
-    return lost_[patch] * (rays > 0.0 ? static_cast<double>(counts_.escaped(patch)) / rays : escaping_share_);
+    const LossCounts& losses = losses_[patch];
+    return lost_[patch] * (losses.lost() > 0.0 ? losses.escaped / losses.lost() : escaping_share_);
 }
 
 /// [m^2] Exchange area of patch i with all patches after step 1.
@@ -254,7 +253,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         // Lost rays, too, if few of many rays are the patch's own: what is lost was found from all of them.
         const CountRow row = counts_.row(i);
         const double joined_ray = quotient(area - lost_[i], static_cast<double>(row.last - row.first));
-        const double lost_ray = quotient(lost_[i], lost_rays(i));
+        const double lost_ray = quotient(lost_[i], losses_[i].lost());
         squares += lost_[i] * (joined_ray > 0.0 ? std::min(lost_ray, 2.0 * joined_ray) : lost_ray);
         if (!(area > 0.0))
             return {};

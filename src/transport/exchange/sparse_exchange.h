@@ -14,7 +14,8 @@ namespace multipath {
 /// sum here includes the losses (escaping and behind). With d_i rays per m^2 of patch i, and C_ij rays between i and j,
 /// started at either end, the estimate of A_i F_ij is C_ij / (d_i + d_j): the balance heuristic of Veach and Guibas
 /// (1995), which is never much worse than the best combination of the two kinds of rays. What is lost is known from
-/// the patch's own rays, the fraction of them that reached no patch, unless the patches around cast far more rays.
+/// the patch's own rays (LossCounts), the fraction of them that reached no patch, unless the patches around cast far
+/// more rays.
 /// Two steps close the estimate:
 ///
 /// Step 1: G_ij = x_i x_j C_ij / (d_i + d_j), with one factor x per patch, by symmetric matrix balancing after Sinkhorn
@@ -33,19 +34,29 @@ namespace multipath {
 class SparseExchange : public Exchange
 {
 public:
+    /// Rays that left a patch, and those of them that escaped or met a side without a patch.
+    struct LossCounts
+    {
+        double cast;
+        double escaped;
+        double behind;
+        double lost() const { return escaped + behind; }
+    };
+
     /// Keeps a reference to the counts, which must be merged. `area` [m^2] is per patch, and so is `density`
-    /// [rays/m^2], the number of rays that left the patch over its area. The patches `sky`, whose emission is uniform,
-    /// are those of the sky; no ray may start or count as ending there. `unseen_rays` is a pseudo-count: so many rays
-    /// per patch, besides the counted ones, are taken to have reached unknown patches. A positive number lets light get
-    /// from every patch to every other, however few rays there are, at the price of a bias.
+    /// [rays/m^2], the number of rays that left the patch over its area. `losses`, per patch, may leave out rays that
+    /// decided how many others the patch cast: with them the losses would be biased. The patches `sky`, whose emission
+    /// is uniform, are those of the sky; no ray may start or count as ending there. `unseen_rays` is a pseudo-count: so
+    /// many rays per patch, besides the counted ones, are taken to have reached unknown patches. A positive number lets
+    /// light get from every patch to every other, however few rays there are, at the price of a bias.
     SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& density,
-                   std::vector<std::uint32_t> sky, double unseen_rays, int threads);
+                   std::vector<LossCounts> losses, std::vector<std::uint32_t> sky, double unseen_rays, int threads);
 
     std::uint32_t size() const override { return counts_.size(); }
     void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
     double self_exchange(std::uint32_t patch) const override;
     double escaping(std::uint32_t patch) const override { return sky_.empty() ? open(patch) : 0.0; }
-    double behind(std::uint32_t patch) const override { return lost_[patch] - open(patch); }
+    double behind(std::uint32_t patch) const override { return std::max(0.0, lost_[patch] - open(patch)); }
     double row_area(std::uint32_t patch) const override { return area_[patch]; }
 
     /// [1] Fraction of the total area that step 2 adds: exchange that no ray has sampled.
@@ -79,12 +90,8 @@ private:
         float scale;   ///< x [1]
     };
 
-    double lost_rays(std::uint32_t patch) const
-    {
-        return static_cast<double>(counts_.escaped(patch) + counts_.behind(patch));
-    }
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
-    double part_lost(std::uint32_t i, double cast) const;
+    double part_lost(std::uint32_t i, double unseen_rays) const;
     double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
@@ -96,6 +103,7 @@ private:
     std::vector<double> area_;
     double unit_ = 0.0; ///< [m^2] total area, the unit of areas that keeps numbers within the range of floats
     std::vector<Factors> factors_;
+    std::vector<LossCounts> losses_;
     std::vector<std::uint32_t> sky_;
     double sky_area_ = 0.0;       ///< [m^2]
     std::vector<double> lost_;    ///< [m^2] exchange area with no patch
