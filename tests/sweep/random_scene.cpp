@@ -204,6 +204,8 @@ private:
             Surface face = file.surfaces[again];
             if (cross(face.edge_u, face.edge_v).x == 0.0 && cross(face.edge_u, face.edge_v).z == 0.0)
                 continue; // something may stand on it: which of three coincident faces is hidden is a matter of taste
+            if (mean(file.materials[file.material[again]].reflectance) == 1.0)
+                continue; // a gap between white faces traps the walks that gather light
             // Back to back only where lines pass solids: elsewhere they do not tell a sheet from a gap.
             const bool turned = shape_ == closed_room && !two_sided_ && random_.chance(0.5);
             if (turned)

@@ -351,7 +351,16 @@ private:
         });
         found = pooled_around(patches_, found, enough, run_.threads);
         std::vector<double> result = large_vector<double>(n_);
-        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) { result[i] = found[i].standard_deviation(); });
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            result[i] = found[i].standard_deviation();
+            sum += scene_.is_sky_patch(i) ? 0.0 : scene_.area(i) * result[i];
+        }
+        // Where all rays have found the same, others may find what these have missed.
+        constexpr double least = 0.1; // of the mean
+        const double floor = sum > 0.0 ? least * sum / scene_.own_area() : 1.0;
+        for (double& deviation : result)
+            deviation = std::max(deviation, floor);
         return result;
     }
 
