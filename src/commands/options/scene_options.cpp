@@ -4,8 +4,8 @@
 #include "cli/options/usage_error.h"
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"
+#include "scene/facing.h"
 #include "scene/obj/obj_reader.h"
-#include "scene/room_shell.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
 
@@ -160,6 +160,21 @@ ObjChanges read_changes(const CommandLine& line)
     return changes;
 }
 
+/// The scene with the surfaces turned over that look away from its light, and with a warning of it.
+Scene turned_to_light(Scene scene, int threads)
+{
+    const std::vector<std::uint32_t> turned = surfaces_to_turn(scene.file(), scene.intersector(), scene.two_sided());
+    if (turned.empty())
+        return scene;
+    SceneFile file = scene.file();
+    for (const std::uint32_t surface : turned)
+        turn_over(file, surface);
+    file.warnings.push_back(
+        file.path + ": surfaces that look away from the light were turned over: " + grouped(turned.size()) +
+        " (--flip turns all faces instead" + (scene.two_sided() ? ")" : ", --two-sided gives them backs)"));
+    return Scene(std::move(file), scene.patch_size(), scene.two_sided(), threads);
+}
+
 } // namespace
 
 std::vector<GivenOption> reading_options(const CommandLine& line)
@@ -200,9 +215,6 @@ Scene read_scene(const CommandLine& line, int threads)
     SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
-    else if (const std::size_t turned = turn_shells_inward(file))
-        file.warnings.push_back(path + ": the room looks outward, away from its light: its " + grouped(turned) +
-                                " outer surfaces were turned over (--flip turns all instead)");
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     double patch_size = given_size;
     if (line.has("patches"))
@@ -220,7 +232,8 @@ Scene read_scene(const CommandLine& line, int threads)
     if (line.has("sky"))
         add_sky(file, sky);
     require_memory_for_patches(line, file, sides * cell_count(file, patch_size));
-    return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
+    Scene scene(std::move(file), patch_size, line.has("two-sided"), threads);
+    return line.has("flip") ? scene : turned_to_light(std::move(scene), threads);
 }
 
 std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces)
