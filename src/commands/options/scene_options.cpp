@@ -233,7 +233,12 @@ Scene read_scene(const CommandLine& line, int threads)
         add_sky(file, sky);
     require_memory_for_patches(line, file, sides * cell_count(file, patch_size));
     Scene scene(std::move(file), patch_size, line.has("two-sided"), threads);
-    return line.has("flip") ? scene : turned_to_light(std::move(scene), threads);
+    if (!line.has("flip"))
+        scene = turned_to_light(std::move(scene), threads);
+    if (!(mean(scene.source_power()) > 0.0))
+        throw InputError(path +
+                         ": no light reaches any surface: the sun shines on no front; --two-sided gives them backs");
+    return scene;
 }
 
 std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces)
