@@ -139,7 +139,7 @@ struct Shells
     std::vector<Shell> shells;
     std::vector<Vec3> lamps; ///< squares of 0.5 x 0.5 that shine down
     Source source = Source::none;
-    std::uint64_t lit; ///< bit k: light reaches the front of shell k
+    std::uint64_t lit; ///< bit k: light reaches the front of shell k, and its front only
 
     /// Moved by `offset`, then scaled; bit k of `reversed` turns shell k inside out.
     SceneFile file(double scale, Vec3 offset, bool triangles, std::uint64_t reversed) const
@@ -178,7 +178,7 @@ std::vector<Shells> nested_shells()
     const Shells::Shell inside{{0, 0, 0}, {4, 3, 4}, false}, outside{{-0.3, -0.3, -0.3}, {4.3, 3.3, 4.3}, true};
     const Shells::Shell second_inside{{10, 0, 0}, {14, 3, 4}, false}, second{{9.7, -0.3, -0.3}, {14.3, 3.3, 4.3}, true};
     const Shells::Shell hall{{-10, -10, -10}, {20, 10, 20}, false}, building{{-11, -11, -11}, {21, 11, 21}, true};
-    const Vec3 in{1.5, 2.9, 1.5}, in_second{11.5, 2.9, 1.5}, above{1.5, 8, 1.5};
+    const Vec3 in{1.5, 2.9, 1.5}, in_second{11.5, 2.9, 1.5}, above{1.5, 8, 1.5}, below{1.5, -5, 1.5};
     return {{"a room", {inside}, {in}, Source::none, 1},
             {"a solid below a lamp", {outside}, {above}, Source::none, 1},
             {"a house, lit in it", {inside, outside}, {in}, Source::none, 1},
@@ -189,8 +189,13 @@ std::vector<Shells> nested_shells()
             {"two houses", {inside, outside, second_inside, second}, {in, in_second}, Source::sky, 15},
             {"two houses, one dark", {inside, outside, second_inside, second}, {in}, Source::sun, 11},
             {"a house in a hall", {inside, outside, hall}, {in, above}, Source::none, 7},
+            {"a house above the lamp of a hall", {inside, outside, hall}, {in, below}, Source::none, 7},
             {"a house in a building", {inside, outside, hall, building}, {in, above}, Source::sky, 15},
-            {"a solid and a lamp in a hall", {outside, hall}, {above}, Source::none, 3}};
+            {"a solid and a lamp in a hall", {outside, hall}, {above}, Source::none, 3},
+            // Whichever way these look, their fronts are lit.
+            {"a wall of one sheet between two lamps", {outside}, {in, above}, Source::none, 0},
+            {"a room of one sheet under the sky", {inside}, {in}, Source::sky, 0},
+            {"a room of one sheet in the sun", {inside}, {in}, Source::sun, 0}};
 }
 
 } // namespace

@@ -67,8 +67,9 @@ OptionGroup scene_option_group()
           "Largest number of patches, instead of --patch-size; there are never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
          {"flip", 0, "", "",
-          "Turn every face over, for a scene that was modelled to be seen from outside. Without this option, only the "
-          "walls of a closed room that look away from its lamps are turned."},
+          "Turn every face over, for a scene that was modelled to be seen from outside. Without this option, what "
+          "light "
+          "meets only from behind is turned: closed shells such as rooms, and the faces of scenes with no lit front."},
          {"unit", 0, "UNIT", "m",
           "Unit of the coordinates in the file. Everything printed, written or given as an option, such as --eye, is "
           "in metres.",
