@@ -132,7 +132,14 @@ lit_from_behind() {
             ends 1 $command below.obj --flip && ! grep -q -e --flip err out || return
     done
 }
+# It absorbs nothing, yet is lit: its radiosity is that of the sky.
+white_sheet() {
+    sed 's/^Kd 0.5/Kd 1/' cube.mtl >white.mtl && sed 's/cube.mtl/white.mtl/' 'sheet 1 2 3.obj' >white.obj &&
+        ends 0 solve white.obj --sky 1 --lines 4096 -o a.csv &&
+        awk -F, '/^[0-9]/ && $3 == "wall" { ++n; wrong += $17 < 1 - 1e-9 || $17 > 1 + 1e-9 } END { exit n == 0 || wrong > 0 }' a.csv
+}
 check "what light meets only from behind is turned over, unless --flip or --two-sided is given" lit_from_behind
+check "a white sheet under the sky is not taken for dark" white_sheet
 
 # A house with walls 0.3 m thick, its lamp inside, under the sky: the outer side of each wall has the radiosity E / 2.
 thick_walls() {
