@@ -237,15 +237,29 @@ private:
         }
     }
 
-    /// Light from outside is followed backwards, from both sides of the receivers, so that small ones count, too.
+    /// Light from outside is followed backwards, from both sides of the receivers, so that small ones count, too: half
+    /// of the paths are spread over their number, the others over their area.
     void start_outside(std::size_t count, const std::vector<std::uint32_t>& receivers)
     {
         if (file_.sky_surfaces == 0 && !file_.sun)
             return;
+        std::vector<double> area_before; // [m^2]
+        double area = 0.0;
+        for (const std::uint32_t s : receivers) {
+            area_before.push_back(area);
+            area += file_.surfaces[s].area();
+        }
+        const auto chosen = [&](std::size_t k) {
+            if (k % 2 == 0)
+                return k * receivers.size() / count;
+            const double here = area * static_cast<double>(k) / static_cast<double>(count);
+            const auto after = std::upper_bound(area_before.begin(), area_before.end(), here);
+            return static_cast<std::size_t>(after - area_before.begin()) - 1;
+        };
         std::vector<std::uint32_t> from;
         std::vector<Line> rays;
         for (std::size_t k = 0; k < count; ++k) {
-            from.push_back(receivers[k * receivers.size() / count]);
+            from.push_back(receivers[chosen(k)]);
             const bool to_sun = file_.sun && (file_.sky_surfaces == 0 || random_.number() < 0.5);
             const Vec3 side = normal(from.back(), random_.number() < 0.5);
             const Vec3 point = random_.point(file_.surfaces[from.back()]);

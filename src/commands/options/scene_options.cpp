@@ -5,6 +5,7 @@
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"
 #include "scene/facing.h"
+#include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
