@@ -509,6 +509,8 @@ std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report)
 
 bool is_inside_out(const Scene& scene, const LineSurvey& survey)
 {
+    if (scene.file().is_flipped)
+        return false;
     bool sees_backs = false;
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
         if (!emits(scene, s))

@@ -55,7 +55,7 @@ struct Finding
 std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report);
 
 /// True if no emitter lights anything, but some emitter would if all faces were flipped: a room modelled inside out.
-/// Always false for a two-sided scene.
+/// Always false for a two-sided scene and for one that was flipped.
 bool is_inside_out(const Scene& scene, const LineSurvey& survey);
 
 } // namespace multipath

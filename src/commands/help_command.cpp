@@ -33,8 +33,10 @@ The front of a face is the side from which its corners run counter-clockwise.
 Only fronts reflect, emit and receive light, unless --two-sided gives every
 surface a back, which does not emit. So the faces of solids must look outward
 and those of a room inward; light that meets the back of a surface is lost, and
-the loss is reported. --flip turns all faces over, for a room that was modelled
-to be seen from outside.
+the loss is reported. A closed shell that light meets only from behind is turned
+over, with a message; so are all faces that do not emit if no front is lit.
+--flip turns all faces over instead, for a scene modelled to be seen from
+outside.
 
 A quad that is a parallelogram is one surface, and so are two triangles that
 form one. Other polygons are cut into triangles. Faces without area are dropped,

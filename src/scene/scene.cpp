@@ -131,6 +131,7 @@ SceneFile flipped(SceneFile file)
 {
     for (std::size_t s = 0; s < file.surfaces.size(); ++s)
         turn_over(file, s);
+    file.is_flipped = !file.is_flipped;
     return file;
 }
 

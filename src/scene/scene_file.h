@@ -73,6 +73,7 @@ struct SceneFile
     std::uint32_t sky_surfaces = 0; ///< number of surfaces of the sky, which encloses the scene
     std::optional<Sun> sun;
     bool photometric = false; ///< true if emittances are in lm/m^2; then W stands for lm everywhere
+    bool is_flipped = false;  ///< true after flipped(); not known for a scene from a state
 
     /// True if the surface belongs to the object or group of this name.
     bool is_named(std::size_t surface, const std::string& name) const

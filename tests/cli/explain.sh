@@ -26,10 +26,10 @@ about() {
     [ "$count" -gt $(($1 - 63)) ] && [ "$count" -lt $(($1 + 63)) ] || { echo "$count times '$2' instead of $1"; return 1; }
 }
 lost_power() {
-    cp "$root/scenes/squares.obj" "$root/scenes/squares.mtl" . && sed 's/^f 5 6 7 8/f 8 7 6 5/' squares.obj >away.obj
+    cp "$root/scenes/squares.obj" "$root/scenes/squares.mtl" . && sed 's/^f 1 2 3 4/f 4 3 2 1/' squares.obj >away.obj
     rays_of="--patch-size 1 --stage first-shot --of 2^14 --lines 1000"
     ends 0 explain squares.obj $rays_of && about 800 "which is lost: it leaves the scene" && about 200 " receives " || return
-    ends 0 explain away.obj $rays_of && about 800 "lost: it leaves the scene" && about 200 "lost: it meets the back of a surface"
+    ends 0 explain away.obj --flip $rays_of && about 800 "lost: it leaves the scene" && about 200 "lost: it meets the back of a surface"
 }
 check "rays that leave an open scene, or meet the back of a surface, are told as lost, as many as form factors say" lost_power
 

@@ -104,13 +104,56 @@ inside_out() {
         ends 0 study outward.obj --flip --methods extended --sequences random --from 1000 --to 2000 -o s.csv --quiet &&
         ends 0 explain outward.obj --flip -o e.svg || return
     { cat outward.obj && printf '%s\n' 'usemtl wall' 'f 1 2 3 4'; } >closed.obj
-    ends 0 solve closed.obj --lines 4096 -o a.csv && says err "its 6 outer surfaces were turned over" && says err "0.00 % escaped" &&
+    ends 0 solve closed.obj --lines 4096 -o a.csv && says err "away from the light were turned over: 6 " && says err "0.00 % escaped" &&
         ends 0 solve closed.obj --lines 4096 --flip -o b.csv && ! grep -q "turned over" err && same_patches a.csv b.csv &&
         ends 0 check closed.obj --lines 5000 && says out "turned over" && ! grep -q WRONG out &&
         ends 0 solve closed.obj --lines 4096 --two-sided -o a.csv && says err "0.00 % escaped"
 }
 same_patches() { grep -v '^#' "$1" >one && grep -v '^#' "$2" >two && cmp -s one two; }
 check "--flip lights a room that was modelled inside out, and is named where it helps; closed walls turn without it" inside_out
+
+# A sheet in the sun or below a lamp, either side up: E cos / 2 in the sun. An option of the user is not overridden.
+lit_from_behind() {
+    for order in '1 2 3 4' '4 3 2 1'; do
+        printf '%s\n' 'mtllib cube.mtl' 'v 0 0 0' 'v 0 0 2' 'v 2 0 2' 'v 2 0 0' 'usemtl wall' "f $order" >"sheet ${order% *}.obj"
+    done
+    { cat 'sheet 4 3 2.obj' && printf '%s\n' 'v 0 1 0' 'v 2 1 0' 'v 2 1 2' 'v 0 1 2' 'usemtl lamp' 'f 5 6 7 8'; } >below.obj
+    turned="away from the light were turned over: 1 (--flip turns all faces instead, --two-sided gives them backs)"
+    for sheet in 'sheet 1 2 3.obj' 'sheet 4 3 2.obj'; do
+        ends 0 solve "$sheet" --sun 30,30,10 --lines 4096 --patches 4 -o "$sheet.csv" &&
+            awk -F, '/^[0-9]/ { n += $17 < 2.4999 || $17 > 2.5001 } END { exit n > 0 }' "$sheet.csv" || return
+    done
+    says err "$turned" && ends 0 check 'sheet 4 3 2.obj' --sun 30,30,10 --lines 1000 && says out "$turned" && ! grep -q WRONG out &&
+        ends 0 solve 'sheet 1 2 3.obj' --sun 30,30,10 --lines 4096 -o a.csv && ! grep -q "turned over" err &&
+        ends 0 solve below.obj --lines 4096 -o a.csv && says err "$turned" &&
+        ends 0 solve below.obj --lines 4096 -o a.csv --two-sided && ! grep -q "turned over" err || return
+    for command in solve check; do
+        ends 1 $command 'sheet 1 2 3.obj' --sun 30,30,10 --flip && says err "the sun shines on no front" && ! grep -q -e --flip err out &&
+            ends 1 $command below.obj --flip && ! grep -q -e --flip err out || return
+    done
+}
+# It absorbs nothing, yet is lit: its radiosity is that of the sky.
+white_sheet() {
+    sed 's/^Kd 0.5/Kd 1/' cube.mtl >white.mtl && sed 's/cube.mtl/white.mtl/' 'sheet 1 2 3.obj' >white.obj &&
+        ends 0 solve white.obj --sky 1 --lines 4096 -o a.csv &&
+        awk -F, '/^[0-9]/ && $3 == "wall" { ++n; wrong += $17 < 1 - 1e-9 || $17 > 1 + 1e-9 } END { exit n == 0 || wrong > 0 }' a.csv
+}
+check "what light meets only from behind is turned over, unless --flip or --two-sided is given" lit_from_behind
+check "a white sheet under the sky is not taken for dark" white_sheet
+
+# A house with walls 0.3 m thick, its lamp inside, under the sky: the outer side of each wall has the radiosity E / 2.
+thick_walls() {
+    awk 'function shell(low, high, faces, i) {
+            for (i = 0; i < 8; ++i) print "v", (i % 2 ? high : low), (i % 4 > 1 ? high : low), (i > 3 ? high : low)
+            split(faces, f, ";"); for (i = 1; i <= 6; ++i) print "f", f[i] }
+        BEGIN { out = "-8 -6 -5 -7;-4 -3 -1 -2;-8 -7 -3 -4;-6 -2 -1 -5;-8 -4 -2 -6;-7 -5 -1 -3"
+                inward = "-7 -5 -6 -8;-2 -1 -3 -4;-4 -3 -7 -8;-5 -1 -2 -6;-6 -2 -4 -8;-3 -1 -5 -7"
+                print "mtllib cube.mtl\nusemtl wall"; shell(0, 3, inward); shell(-0.3, 3.3, out)
+                print "usemtl lamp\nv 1 2.5 1\nv 2 2.5 1\nv 2 2.5 2\nv 1 2.5 2\nf -4 -3 -2 -1" }' >house.obj
+    ends 0 solve house.obj --sky 10 --lines 2^14 --patches 300 -o a.csv && ! grep -q "turned over" err &&
+        awk -F, '/^[0-9]/ && $3 == "wall" && ($4 < -0.2 || $4 > 3.2) { ++n; wrong += $17 < 4.9 || $17 > 5.1 } END { exit n == 0 || wrong > 0 }' a.csv
+}
+check "the outer walls of a lit house look outwards, where the sky shines on them" thick_walls
 
 without_effect() { ends 2 solve "$scene" --method local --ratio 2 && says err "no effect" && ends 2 solve "$scene" --json -o - && says err "standard output"; }
 check "options that would do nothing or collide are refused" without_effect

@@ -4,8 +4,9 @@
 #include "cli/options/usage_error.h"
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"
+#include "scene/facing.h"
+#include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
-#include "scene/room_shell.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
 
@@ -67,8 +68,9 @@ OptionGroup scene_option_group()
           "Largest number of patches, instead of --patch-size; there are never fewer than surfaces."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
          {"flip", 0, "", "",
-          "Turn every face over, for a scene that was modelled to be seen from outside. Without this option, only the "
-          "walls of a closed room that look away from its lamps are turned."},
+          "Turn every face over, for a scene that was modelled to be seen from outside. Without this option, what "
+          "light "
+          "meets only from behind is turned: closed shells such as rooms, and the faces of scenes with no lit front."},
          {"unit", 0, "UNIT", "m",
           "Unit of the coordinates in the file. Everything printed, written or given as an option, such as --eye, is "
           "in metres.",
@@ -160,6 +162,21 @@ ObjChanges read_changes(const CommandLine& line)
     return changes;
 }
 
+/// The scene with the surfaces turned over that look away from its light, and with a warning of it.
+Scene turned_to_light(Scene scene, int threads)
+{
+    const std::vector<std::uint32_t> turned = surfaces_to_turn(scene.file(), scene.intersector(), scene.two_sided());
+    if (turned.empty())
+        return scene;
+    SceneFile file = scene.file();
+    for (const std::uint32_t surface : turned)
+        turn_over(file, surface);
+    file.warnings.push_back(
+        file.path + ": surfaces that look away from the light were turned over: " + grouped(turned.size()) +
+        " (--flip turns all faces instead" + (scene.two_sided() ? ")" : ", --two-sided gives them backs)"));
+    return Scene(std::move(file), scene.patch_size(), scene.two_sided(), threads);
+}
+
 } // namespace
 
 std::vector<GivenOption> reading_options(const CommandLine& line)
@@ -200,9 +217,6 @@ Scene read_scene(const CommandLine& line, int threads)
     SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
-    else if (const std::size_t turned = turn_shells_inward(file))
-        file.warnings.push_back(path + ": the room looks outward, away from its light: its " + grouped(turned) +
-                                " outer surfaces were turned over (--flip turns all instead)");
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     double patch_size = given_size;
     if (line.has("patches"))
@@ -220,7 +234,13 @@ Scene read_scene(const CommandLine& line, int threads)
     if (line.has("sky"))
         add_sky(file, sky);
     require_memory_for_patches(line, file, sides * cell_count(file, patch_size));
-    return Scene(std::move(file), patch_size, line.has("two-sided"), threads);
+    Scene scene(std::move(file), patch_size, line.has("two-sided"), threads);
+    if (!line.has("flip"))
+        scene = turned_to_light(std::move(scene), threads);
+    if (!(mean(scene.source_power()) > 0.0))
+        throw InputError(path +
+                         ": no light reaches any surface: the sun shines on no front; --two-sided gives them backs");
+    return scene;
 }
 
 std::uint64_t adaptive_patches(const CommandLine& line, const SurfaceList& surfaces)

@@ -290,8 +290,8 @@ bool reflects_light(const Scene& scene, const Solution& solution)
 }
 
 /// Throws SettingsError or InputError, with the reason, if no light has reached any surface: a black picture is not a
-/// result.
-void require_light(const Scene& scene, const Solution& solution, int threads)
+/// result. `may_flip`: the command has the option --flip.
+void require_light(const Scene& scene, const Solution& solution, bool may_flip, int threads)
 {
     const PowerBalance& balance = solution.balance;
     if (!(mean(balance.absorbed + balance.escaped + balance.behind) > 0.0))
@@ -305,11 +305,11 @@ void require_light(const Scene& scene, const Solution& solution, int threads)
         throw SettingsError(scene.path() + ": " + grouped(solution.all_lines) +
                             " lines found no light on any surface; expected more with --lines");
     constexpr std::uint64_t lines_to_look = 1 << 16;
-    const bool inside_out = is_inside_out(scene, survey_lines(scene, scene_hull(scene), lines_to_look, threads));
     const std::string dark = scene.path() + ": no light reaches any surface: ";
     if (mean(balance.behind) > rounding)
-        throw InputError(dark + "it meets all of them from behind; " +
-                         (inside_out ? "--flip turns all faces over, " : "") + "--two-sided gives them backs");
+        throw InputError(dark + "it meets all of them from behind; --two-sided gives them backs");
+    const bool inside_out =
+        may_flip && is_inside_out(scene, survey_lines(scene, scene_hull(scene), lines_to_look, threads));
     throw InputError(dark + (inside_out ? "the scene is inside out; --flip turns all its faces over"
                                         : "the emitters face away from everything; see 'multipath check'"));
 }
@@ -423,7 +423,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     if (keeper.stopped())
         report_interruption(job, solution, keeper); // before the outputs, which a second signal may end
     else
-        require_light(scene, solution, job.options.threads);
+        require_light(scene, solution, job.line.knows("flip"), job.options.threads);
     const SolveJob::Clock::time_point outputs_start = SolveJob::Clock::now();
     write_results(job, scene, solution, outputs, keeper.last_bytes());
     const double seconds_outputs = seconds_since(outputs_start);

@@ -5,9 +5,9 @@
 
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
-#include "parallel/mix_bits.h"
 #include "scene/daylight.h"
-#include "scene/room_shell.h"
+#include "scene/facing.h"
+#include "scene/random_ray.h"
 #include "scene/text/text_format.h"
 
 #include <algorithm>
@@ -98,26 +98,16 @@ public:
                 chosen.push_back(s);
         constexpr std::size_t most = 4096;
         const std::size_t rays_per_surface = std::max(std::size_t{8}, 8 * most / std::max(chosen.size(), most / 64));
-        std::uint64_t bits = 1;
-        const auto next = [&bits] { // in [0, 1)
-            bits = mix_bits(bits);
-            return static_cast<double>(bits >> 11) * 0x1p-53;
-        };
+        RandomRay random;
         for (std::size_t k = 0; k < std::min(chosen.size(), most); ++k) {
             const std::uint32_t s = chosen[k * chosen.size() / std::min(chosen.size(), most)];
             const Surface& surface = surfaces[s];
             for (std::size_t ray = 0; ray < rays_per_surface; ++ray) {
-                const double u = next();
-                const double v = next() * (surface.shape == Shape::triangle ? 1.0 - u : 1.0);
-                // The normal plus a point of the unit sphere: a cosine-weighted direction if that point is uniform. It
-                // is not quite, since x is uniform instead of the azimuth: cheaper, and good enough here.
-                const double z = 2.0 * next() - 1.0;
-                const double x = 2.0 * next() - 1.0;
-                const double y = (next() < 0.5 ? -1.0 : 1.0) * std::sqrt(std::max(0.0, 1.0 - x * x));
-                const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+                const Vec3 point = random.point(surface);
+                const Vec3 diffuse = random.direction(surface.normal());
                 from_.push_back(s);
                 weights_.push_back(surface.area() * (direction ? dot(surface.normal(), *direction) : 1.0));
-                lines_.push_back({surface.at(u, v), direction.value_or(surface.normal() + Vec3{r * x, r * y, z})});
+                lines_.push_back({point, direction.value_or(diffuse)});
             }
         }
     }
@@ -143,8 +133,8 @@ private:
     FirstHits hits_;
 };
 
-/// [1] The share of a lamp's light that reaches fronts of other surfaces, after walls that face outward were turned
-/// over.
+/// [1] The share of a lamp's light that reaches fronts of other surfaces, after surfaces that look away from the light
+/// were turned over.
 double lit_share(const SceneFile& scene, const LampCandidate& lamp)
 {
     SceneFile lit;
@@ -155,10 +145,14 @@ double lit_share(const SceneFile& scene, const LampCandidate& lamp)
         lit.material.push_back(numbers[s] == lamp.number ? 1 : 0);
     lit.group.assign(scene.surfaces.size(), 0);
     lit.line.assign(scene.surfaces.size(), 0);
-    turn_shells_inward(lit);
+    std::optional<Intersector> intersector(std::in_place, lit.surfaces);
+    const std::vector<std::uint32_t> turned = surfaces_to_turn(lit, *intersector, false);
+    for (const std::uint32_t s : turned)
+        turn_over(lit, s);
+    if (!turned.empty())
+        intersector.emplace(lit.surfaces);
     return Rays(lit.surfaces, [&](std::uint32_t s) { return lit.material[s] == 1; })
-        .share(Intersector(lit.surfaces),
-               [&](const Hit* hit) { return hit && hit->front && lit.material[hit->surface] == 0; });
+        .share(*intersector, [&](const Hit* hit) { return hit && hit->front && lit.material[hit->surface] == 0; });
 }
 
 /// [1] The share of light from all fronts that leaves the scene; by reciprocity, how much of a sky they see.

@@ -1,0 +1,464 @@
+// Light is followed from lamps, sky and sun along random paths, which go on where they meet a front and end where they
+// meet a back. A closed part of the scene that light meets only from behind is turned over. Whether a part is closed is
+// seen from its winding number around points at its surfaces: the sum of the solid angles of its surfaces, over 4 pi,
+// with a sign, positive for a surface seen from behind (Jacobson, Kavan and Sorkine-Hornung 2013 generalise the winding
+// number to meshes with holes). Inside a closed part it is 1 if the part faces outward and -1 if it faces inward;
+// outside it is 0.
+
+#include "scene/facing.h"
+
+#include "geometry/elementary.h"
+#include "geometry/intersector/hit_lists.h"
+#include "geometry/polygon.h"
+#include "scene/random_ray.h"
+#include "scene/vertex_weld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace multipath {
+
+namespace {
+
+/// [sr] Solid angle of a triangle at the origin, positive if it is seen from behind (van Oosterom and Strackee 1983).
+double solid_angle(Vec3 a, Vec3 b, Vec3 c)
+{
+    const double la = length(a), lb = length(b), lc = length(c);
+    return 2.0 *
+           elementary::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+double solid_angle(const Surface& surface, Vec3 from)
+{
+    const Vec3 a = surface.origin - from;
+    const Vec3 b = a + surface.edge_u;
+    const Vec3 d = a + surface.edge_v;
+    if (surface.shape == Shape::triangle)
+        return solid_angle(a, b, d);
+    const Vec3 c = b + surface.edge_v;
+    return solid_angle(a, b, c) + solid_angle(a, c, d);
+}
+
+/// The connected parts of a scene: for each surface the index of the first surface of its part (union-find). Surfaces
+/// are connected if exactly two of them have an edge, in opposite directions. An object that touches a wall either
+/// shares no edge with it or is a third surface at an edge, so it is not connected to the wall.
+std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bounds& bounds)
+{
+    LargeVector<Vec3> corners;
+    std::vector<std::size_t> first_corner;
+    for (const Surface& surface : surfaces) {
+        first_corner.push_back(corners.size());
+        for (const Vec3 corner : corners_of(surface))
+            corners.push_back(snapped(corner, bounds));
+    }
+    first_corner.push_back(corners.size());
+    const LargeVector<std::uint32_t> welded = weld(corners);
+
+    struct Edge
+    {
+        std::uint32_t low, high; ///< corners
+        std::uint32_t surface;
+        bool upward;
+    };
+    std::vector<Edge> edges;
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+        for (std::size_t k = first_corner[s]; k < first_corner[s + 1]; ++k) {
+            const std::uint32_t from = welded[k];
+            const std::uint32_t to = welded[k + 1 < first_corner[s + 1] ? k + 1 : first_corner[s]];
+            edges.push_back({std::min(from, to), std::max(from, to), s, from < to});
+        }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::tie(a.low, a.high, a.surface) < std::tie(b.low, b.high, b.surface);
+    });
+
+    std::vector<std::uint32_t> parent(surfaces.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](std::uint32_t s) {
+        while (parent[s] != s)
+            s = parent[s] = parent[parent[s]];
+        return s;
+    };
+    for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+        while (end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high)
+            ++end;
+        if (end - first != 2 || edges[first].upward == edges[first + 1].upward)
+            continue;
+        const std::uint32_t a = root(edges[first].surface);
+        const std::uint32_t b = root(edges[first + 1].surface);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+    for (std::uint32_t s = 0; s < parent.size(); ++s)
+        parent[s] = root(s);
+    return parent;
+}
+
+double small_distance(const Bounds& scene)
+{
+    return 1e-5 * scene.diagonal();
+}
+
+/// The connected parts of a scene, without the sky. A part is named by the index of its first surface.
+class Parts
+{
+public:
+    /// `all`: the bounds of the scene without the sky.
+    Parts(const SceneFile& file, const Bounds& all) : surfaces_(file.surfaces), all_(all)
+    {
+        part_ = connected_parts(surfaces_, all_);
+        part_.resize(file.own_surfaces());
+        members_.resize(part_.size());
+        for (std::uint32_t s = 0; s < part_.size(); ++s)
+            members_[part_[s]].push_back(s);
+    }
+
+    std::uint32_t of(std::uint32_t surface) const { return part_[surface]; }
+    /// The surfaces of a part; empty for an index that names no part.
+    const std::vector<std::uint32_t>& members(std::uint32_t part) const { return members_[part]; }
+    std::uint32_t end() const { return static_cast<std::uint32_t>(members_.size()); }
+
+    double area(std::uint32_t part) const
+    {
+        double sum = 0.0;
+        for (const std::uint32_t s : members_[part])
+            sum += surfaces_[s].area();
+        return sum;
+    }
+
+    /// True if the winding number is an integer directly behind up to 16 surfaces of the part.
+    bool is_closed(std::uint32_t part) const
+    {
+        const std::vector<std::uint32_t>& own = members_[part];
+        for (std::size_t k = 0; k < own.size(); k += (own.size() + 15) / 16) {
+            const double winding = winding_behind(own[k]);
+            if (std::abs(winding - std::round(winding)) > 0.01)
+                return false;
+        }
+        return true;
+    }
+
+    /// The winding number of a surface's part around a point directly behind the surface.
+    double winding_behind(std::uint32_t surface) const
+    {
+        const Surface& face = surfaces_[surface];
+        const Vec3 point = face.centre() - small_distance(all_) * face.normal();
+        double sum = 0.0;
+        for (const std::uint32_t s : members_[part_[surface]])
+            sum += solid_angle(surfaces_[s], point);
+        return sum / (4.0 * pi);
+    }
+
+    bool reaches_all_sides(std::uint32_t part) const
+    {
+        Bounds bounds;
+        for (const std::uint32_t s : members_[part])
+            bounds.include(surfaces_[s].bounds());
+        const double tolerance = 1e-3 * all_.diagonal();
+        return length(bounds.low - all_.low) <= tolerance && length(bounds.high - all_.high) <= tolerance;
+    }
+
+private:
+    const SurfaceList& surfaces_;
+    Bounds all_;
+    std::vector<std::uint32_t> part_;
+    std::vector<std::vector<std::uint32_t>> members_; ///< indexed by part
+};
+
+/// Where light arrives in a scene.
+struct Arrivals
+{
+    std::vector<std::uint32_t> fronts; ///< paths that met the front of each surface
+    std::vector<std::uint32_t> backs;
+    std::vector<double> lamps; ///< [m^2] of the lamps that shine directly on the back of each surface
+
+    explicit Arrivals(std::size_t surfaces) : fronts(surfaces), backs(surfaces), lamps(surfaces) {}
+    bool any(const std::vector<std::uint32_t>& side) const
+    {
+        return std::any_of(side.begin(), side.end(), [](std::uint32_t count) { return count > 0; });
+    }
+};
+
+/// Random paths of light through a scene some of whose surfaces are turned over.
+class LightPaths
+{
+public:
+    /// `aside`: distance that is small in this scene.
+    LightPaths(const SceneFile& file, const Intersector& intersector, bool two_sided, const std::vector<char>& turned,
+               double aside)
+        : file_(file),
+          intersector_(intersector),
+          two_sided_(two_sided),
+          turned_(turned),
+          aside_(aside),
+          arrivals_(turned.size())
+    {
+    }
+
+    /// Follows `count` paths from the lamps, and as many from sky and sun to the `receivers`.
+    Arrivals follow(std::size_t count, const std::vector<std::uint32_t>& lamps,
+                    const std::vector<std::uint32_t>& receivers)
+    {
+        start_at_lamps(count, lamps);
+        meet_surfaces();
+        start_outside(count, receivers);
+        constexpr int most_reflections = 8;
+        for (int reflection = 0; reflection < most_reflections && !rays_.empty(); ++reflection)
+            meet_surfaces();
+        return std::move(arrivals_);
+    }
+
+private:
+    Vec3 normal(std::uint32_t surface, bool front) const
+    {
+        const Vec3 normal = file_.surfaces[surface].normal();
+        return front != (turned_[surface] != 0) ? normal : -normal;
+    }
+
+    void start(std::uint32_t surface, const Line& ray)
+    {
+        from_.push_back(surface);
+        rays_.push_back(ray);
+    }
+
+    /// Every lamp, however weak, begins as many paths, or every k-th lamp begins one. They begin a little in front,
+    /// since a lamp in the plane of a ceiling that looks upward would touch its front.
+    void start_at_lamps(std::size_t count, const std::vector<std::uint32_t>& lamps)
+    {
+        for (std::size_t k = 0; k < count && !lamps.empty(); ++k) {
+            const std::uint32_t lamp = lamps[k * lamps.size() / count];
+            const Surface& surface = file_.surfaces[lamp];
+            const Vec3 front = normal(lamp, true);
+            const Vec3 point = random_.point(surface) + aside_ * front;
+            start(Intersector::no_surface, {point, random_.direction(front)});
+            lamp_areas_.push_back(surface.area() * static_cast<double>(lamps.size()) / static_cast<double>(count));
+        }
+    }
+
+    /// Light from outside is followed backwards, from both sides of the receivers, so that small ones count, too: half
+    /// of the paths are spread over their number, the others over their area.
+    void start_outside(std::size_t count, const std::vector<std::uint32_t>& receivers)
+    {
+        if (file_.sky_surfaces == 0 && !file_.sun)
+            return;
+        std::vector<double> area_before; // [m^2]
+        double area = 0.0;
+        for (const std::uint32_t s : receivers) {
+            area_before.push_back(area);
+            area += file_.surfaces[s].area();
+        }
+        const auto chosen = [&](std::size_t k) {
+            if (k % 2 == 0)
+                return k * receivers.size() / count;
+            const double here = area * static_cast<double>(k) / static_cast<double>(count);
+            const auto after = std::upper_bound(area_before.begin(), area_before.end(), here);
+            return static_cast<std::size_t>(after - area_before.begin()) - 1;
+        };
+        std::vector<std::uint32_t> from;
+        std::vector<Line> rays;
+        for (std::size_t k = 0; k < count; ++k) {
+            from.push_back(receivers[chosen(k)]);
+            const bool to_sun = file_.sun && (file_.sky_surfaces == 0 || random_.number() < 0.5);
+            const Vec3 side = normal(from.back(), random_.number() < 0.5);
+            const Vec3 point = random_.point(file_.surfaces[from.back()]);
+            rays.push_back({point, to_sun ? file_.sun->direction : random_.direction(side)});
+        }
+        intersector_.closest_hits_from(from.data(), rays.data(), count, hits_);
+        for (std::size_t k = 0; k < count; ++k)
+            if (!hits_.is_hit(k) || hits_[k].surface >= file_.own_surfaces())
+                arrive(from[k], dot(rays[k].direction, normal(from[k], true)) > 0.0, rays[k].origin, 0.0);
+    }
+
+    void meet_surfaces()
+    {
+        const std::vector<std::uint32_t> from = std::move(from_);
+        const std::vector<Line> rays = std::move(rays_);
+        const std::vector<double> lamp_areas = std::move(lamp_areas_);
+        from_.clear();
+        rays_.clear();
+        lamp_areas_.clear();
+        intersector_.closest_hits_from(from.data(), rays.data(), rays.size(), hits_);
+        for (std::size_t k = 0; k < rays.size(); ++k)
+            if (hits_.is_hit(k) && hits_[k].surface < file_.own_surfaces())
+                arrive(hits_[k].surface, hits_[k].front != (turned_[hits_[k].surface] != 0), rays[k].at(hits_[k].t),
+                       k < lamp_areas.size() ? lamp_areas[k] : 0.0);
+    }
+
+    /// Counts the arrival, and reflects a share of the paths by Russian roulette.
+    void arrive(std::uint32_t surface, bool front, Vec3 point, double lamp_area)
+    {
+        if (!front && !two_sided_) {
+            ++arrivals_.backs[surface];
+            arrivals_.lamps[surface] += lamp_area;
+            return;
+        }
+        ++arrivals_.fronts[surface];
+        if (random_.number() < mean(file_.materials[file_.material[surface]].reflectance))
+            start(surface, {point, random_.direction(normal(surface, front))});
+    }
+
+    const SceneFile& file_;
+    const Intersector& intersector_;
+    bool two_sided_;
+    const std::vector<char>& turned_; ///< per surface
+    double aside_;
+    Arrivals arrivals_;
+    RandomRay random_;
+    std::vector<std::uint32_t> from_; ///< per ray: the surface on which it starts
+    std::vector<Line> rays_;
+    std::vector<double> lamp_areas_; ///< [m^2] per ray that comes from a lamp: the area for which it stands
+    FirstHits hits_;
+};
+
+/// Decides which surfaces of a scene are turned over.
+class Facing
+{
+public:
+    Facing(const SceneFile& file, const Intersector& intersector, bool two_sided)
+        : file_(file),
+          intersector_(intersector),
+          two_sided_(two_sided),
+          turned_(file.surfaces.size()),
+          all_(file.own_surfaces())
+    {
+        std::iota(all_.begin(), all_.end(), 0u);
+        for (const std::uint32_t s : all_) {
+            bounds_.include(file.surfaces[s].bounds());
+            if (emits(s))
+                lamps_.push_back(s);
+        }
+    }
+
+    std::vector<std::uint32_t> turned()
+    {
+        if (lamps_.size() == all_.size())
+            return {};
+        bool changed = true; // what was turned may reflect light to other surfaces
+        while (changed) {
+            const Arrivals light = follow(few_paths, all_);
+            changed = turn_closed_parts(light) || (!light.any(light.fronts) && turn_dark_scene(light));
+        }
+        std::vector<std::uint32_t> result;
+        std::copy_if(all_.begin(), all_.end(), std::back_inserter(result), [&](std::uint32_t s) { return turned_[s]; });
+        return result;
+    }
+
+private:
+    static constexpr std::size_t few_paths = 1 << 12;  ///< to find what may look away from the light
+    static constexpr std::size_t many_paths = 1 << 14; ///< to decide
+
+    Arrivals follow(std::size_t paths, const std::vector<std::uint32_t>& receivers) const
+    {
+        return LightPaths(file_, intersector_, two_sided_, turned_, small_distance(bounds_))
+            .follow(paths, lamps_, receivers);
+    }
+
+    bool emits(std::uint32_t s) const { return file_.materials[file_.material[s]].emittance != Rgb{}; }
+
+    const Parts& parts()
+    {
+        if (!parts_)
+            parts_.emplace(file_, bounds_);
+        return *parts_;
+    }
+
+    /// True if light meets the part from behind, and so little in front that it comes through cracks.
+    bool is_lit_from_behind(std::uint32_t part, const Arrivals& light)
+    {
+        std::uint64_t fronts = 0, backs = 0;
+        for (const std::uint32_t s : parts().members(part)) {
+            fronts += light.fronts[s];
+            backs += light.backs[s];
+        }
+        return backs > 1000 * fronts;
+    }
+
+    bool is_housing(std::uint32_t part, const Arrivals& light)
+    {
+        double lamps = 0.0; // [m^2]
+        for (const std::uint32_t s : parts().members(part))
+            lamps += light.lamps[s];
+        return parts().area(part) <= 4.0 * lamps;
+    }
+
+    // The cases (a) to (c) of the header; each returns true if it has turned anything.
+
+    bool turn_closed_parts(const Arrivals& seen)
+    {
+        if (!seen.any(seen.backs))
+            return false;
+        std::vector<std::uint32_t> candidates, receivers;
+        for (std::uint32_t part = 0; part < parts().end(); ++part)
+            if (is_lit_from_behind(part, seen) && !turned_[part] && parts().is_closed(part)) {
+                candidates.push_back(part);
+                receivers.insert(receivers.end(), parts().members(part).begin(), parts().members(part).end());
+            }
+        if (candidates.empty())
+            return false;
+        const Arrivals light = follow(many_paths, receivers);
+        bool any = false;
+        for (const std::uint32_t part : candidates)
+            if (is_lit_from_behind(part, light) && !is_housing(part, light)) {
+                turn(parts().members(part));
+                any = true;
+            }
+        return any;
+    }
+
+    bool turn_dark_scene(const Arrivals& seen) { return seen.any(seen.backs) ? turn_open_parts() : turn_bright_room(); }
+
+    bool turn_open_parts()
+    {
+        std::vector<std::uint32_t> open;
+        for (std::uint32_t part = 0; part < parts().end(); ++part)
+            if (!parts().members(part).empty() && !parts().is_closed(part))
+                for (const std::uint32_t s : parts().members(part))
+                    if (!emits(s) && !turned_[s])
+                        open.push_back(s);
+        const Arrivals light = follow(many_paths, all_);
+        if (light.any(light.fronts) ||
+            std::none_of(open.begin(), open.end(), [&](std::uint32_t s) { return light.backs[s] > 0; }))
+            return false;
+        turn(open);
+        return true;
+    }
+
+    bool turn_bright_room()
+    {
+        if (lamps_.empty())
+            return false;
+        const std::uint32_t part = parts().of(lamps_[0]);
+        const auto is_own = [&](std::uint32_t lamp) { return parts().of(lamp) == part; };
+        if (turned_[part] || !std::all_of(lamps_.begin(), lamps_.end(), is_own) || !parts().reaches_all_sides(part) ||
+            !parts().is_closed(part) || parts().winding_behind(lamps_[0]) < 0.5)
+            return false;
+        turn(parts().members(part));
+        return true;
+    }
+
+    void turn(const std::vector<std::uint32_t>& surfaces)
+    {
+        for (const std::uint32_t s : surfaces)
+            turned_[s] = 1;
+    }
+
+    const SceneFile& file_;
+    const Intersector& intersector_;
+    bool two_sided_;
+    std::vector<char> turned_;         ///< per surface
+    Bounds bounds_;                    ///< without the sky
+    std::vector<std::uint32_t> all_;   ///< surfaces without the sky
+    std::vector<std::uint32_t> lamps_; ///< those that emit
+    std::optional<Parts> parts_;       ///< costly, and seldom needed
+};
+
+} // namespace
+
+std::vector<std::uint32_t> surfaces_to_turn(const SceneFile& file, const Intersector& intersector, bool two_sided)
+{
+    return Facing(file, intersector, two_sided).turned();
+}
+
+} // namespace multipath
