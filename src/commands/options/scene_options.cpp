@@ -5,6 +5,7 @@
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
+#include "scene/partitions.h"
 #include "scene/room_shell.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
@@ -203,6 +204,9 @@ Scene read_scene(const CommandLine& line, int threads)
     else if (const std::size_t turned = turn_shells_inward(file))
         file.warnings.push_back(path + ": the room looks outward, away from its light: its " + grouped(turned) +
                                 " outer surfaces were turned over (--flip turns all instead)");
+    if (const PartitionCuts cuts = cut_at_partitions(file, line.has("two-sided")); cuts.surfaces > 0)
+        file.counts +=
+            "; " + counted(cuts.surfaces, "surface") + " cut into " + grouped(cuts.pieces) + " where partitions stand";
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     double patch_size = given_size;
     if (line.has("patches"))
