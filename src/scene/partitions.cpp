@@ -61,7 +61,7 @@ double cross(Point2 a, Point2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-struct Stretch
+struct Span
 {
     double low;
     double high;
@@ -74,9 +74,9 @@ struct ContactLine
     Point2 origin;
     Point2 along; ///< unit vector
     bool faces_left = false;
-    bool faces_right = false;      ///< some partition has its front on this side
-    std::vector<Stretch> contacts; ///< along the line; disjoint once joined
-    Stretch longest = {0.0, 0.0};
+    bool faces_right = false;   ///< some partition has its front on this side
+    std::vector<Span> contacts; ///< along the line; disjoint once joined
+    Span longest = {0.0, 0.0};
 
     double height(Point2 p) const { return cross(along, p - origin); } ///< distance, positive to the left
     double place(Point2 p) const { return dot(along, p - origin); }
@@ -138,11 +138,11 @@ std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& ot
 }
 
 /// Sorts intervals and joins those with gaps of at most `gap`.
-void join_stretches(std::vector<Stretch>& intervals, double gap)
+void join_spans(std::vector<Span>& intervals, double gap)
 {
-    std::sort(intervals.begin(), intervals.end(), [](Stretch a, Stretch b) { return a.low < b.low; });
-    std::vector<Stretch> joined;
-    for (const Stretch& next : intervals)
+    std::sort(intervals.begin(), intervals.end(), [](Span a, Span b) { return a.low < b.low; });
+    std::vector<Span> joined;
+    for (const Span& next : intervals)
         if (!joined.empty() && next.low <= joined.back().high + gap)
             joined.back().high = std::max(joined.back().high, next.high);
         else
@@ -170,18 +170,21 @@ std::vector<ContactLine> contact_lines(const std::vector<Contact>& contacts, con
         line->contacts.push_back({low, high});
     }
     for (ContactLine& line : lines) {
-        join_stretches(line.contacts, 2.0 * limits.touching);
+        join_spans(line.contacts, 2.0 * limits.touching);
         line.longest = *std::max_element(line.contacts.begin(), line.contacts.end(),
-                                         [](Stretch a, Stretch b) { return a.size() < b.size(); });
+                                         [](Span a, Span b) { return a.size() < b.size(); });
     }
     return lines;
 }
 
-/// True if the line is one side of a solid that is not slim: the nearest parallel contact behind faces away from it.
-bool is_side_of_body(const ContactLine& line, const std::vector<ContactLine>& lines, const PartitionLimits& limits)
+/// The other side of the solid of which the line is one side: the nearest parallel contact behind that faces away from
+/// it. Null for a sheet.
+const ContactLine* other_side(const ContactLine& line, const std::vector<ContactLine>& lines,
+                              const PartitionLimits& limits)
 {
     if (line.faces_left == line.faces_right)
-        return false;
+        return nullptr;
+    const ContactLine* found = nullptr;
     double nearest = Bounds::infinity;
     for (const ContactLine& other : lines) {
         const double turn = dot(line.along, other.along);
@@ -190,18 +193,25 @@ bool is_side_of_body(const ContactLine& line, const std::vector<ContactLine>& li
         const double left = line.height(other.origin);
         const double depth = line.faces_left ? -left : left;
         const bool faces_away = (turn > 0.0) == line.faces_left ? other.faces_right : other.faces_left;
-        if (!(depth > limits.touching) || !faces_away)
+        if (!(depth > limits.touching && depth < nearest) || !faces_away)
             continue;
-        for (const Stretch& part : other.contacts) {
+        for (const Span& part : other.contacts) {
             const double start = line.place(other.origin) + turn * part.low;
             const double end = line.place(other.origin) + turn * part.high;
             const double common =
                 std::min(std::max(start, end), line.longest.high) - std::max(std::min(start, end), line.longest.low);
-            if (common >= 0.5 * std::min(part.size(), line.longest.size()))
-                nearest = std::min(nearest, depth);
+            if (common >= 0.5 * std::min(part.size(), line.longest.size())) {
+                nearest = depth;
+                found = &other;
+            }
         }
     }
-    return nearest < Bounds::infinity && nearest > slim_width * line.longest.size();
+    return found;
+}
+
+bool is_slim(const ContactLine& one, const ContactLine& other)
+{
+    return std::abs(one.height(other.origin)) <= slim_width * one.longest.size();
 }
 
 /// A point (u, v) of a surface.
@@ -229,7 +239,7 @@ std::optional<std::pair<Part, Part>> divided(const Part& part, const SurfacePlan
     if (!(*low<-limits.width&& * high> limits.width))
         return std::nullopt;
     std::pair<Part, Part> sides;
-    Stretch chord = {Bounds::infinity, -Bounds::infinity};
+    Span chord = {Bounds::infinity, -Bounds::infinity};
     const auto on_line = [&](SurfacePoint p) {
         const double place = line.place(plane.flat(surface.at(p.u, p.v)));
         chord = {std::min(chord.low, place), std::max(chord.high, place)};
@@ -250,7 +260,7 @@ std::optional<std::pair<Part, Part>> divided(const Part& part, const SurfacePlan
             on_line({part[k].u + t * (part[next].u - part[k].u), part[k].v + t * (part[next].v - part[k].v)});
         }
     }
-    const bool reached = std::any_of(line.contacts.begin(), line.contacts.end(), [&](Stretch contact) {
+    const bool reached = std::any_of(line.contacts.begin(), line.contacts.end(), [&](Span contact) {
         return std::min(contact.high, chord.high) - std::max(contact.low, chord.low) > limits.width;
     });
     return reached ? std::optional(sides) : std::nullopt;
@@ -374,11 +384,17 @@ private:
         const Surface& surface = surfaces_[s];
         const SurfacePlane plane(surface);
         const std::vector<ContactLine> all = contact_lines(contacts, limits_);
+        const auto divides = [&](const ContactLine& line) {
+            return line.longest.size() >= limits_.contact &&
+                   divided(whole(surface.shape), plane, surface, line, limits_).has_value();
+        };
+        // One cut is enough for a slim solid, and none if the solid covers the surface up to its border.
         std::vector<ContactLine> lines;
-        for (const ContactLine& line : all)
-            if (line.longest.size() >= limits_.contact &&
-                divided(whole(surface.shape), plane, surface, line, limits_) && !is_side_of_body(line, all, limits_))
+        for (const ContactLine& line : all) {
+            const ContactLine* other = divides(line) ? other_side(line, all, limits_) : nullptr;
+            if (other ? is_slim(line, *other) && divides(*other) && &line < other : divides(line))
                 lines.push_back(line);
+        }
         std::stable_sort(lines.begin(), lines.end(), [](const ContactLine& a, const ContactLine& b) {
             return a.longest.size() > b.longest.size();
         });

@@ -29,7 +29,8 @@ struct PartitionLines
 ///   comes closer to it than D/10,000;
 /// - it is not one side of a solid as wide as a quarter of the contact or wider: light goes round the foot of a cube
 ///   or cupboard;
-/// - on both of its sides the surface is wider than D/500: strips behind skirting boards stay.
+/// - on both of its sides the surface is wider than D/500.
+/// Of the two sides of a slim solid only one counts, and none if the solid covers the surface up to its border.
 /// Surfaces smaller than D/64 across are not searched. The time is bounded: if the number of surfaces is so large that
 /// 2^26 box tests do not suffice for all, only the largest surfaces are searched, and each for its 2048 longest
 /// contacts.
