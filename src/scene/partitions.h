@@ -32,7 +32,7 @@ struct PartitionLines
 /// - on both of its sides the surface is wider than D/500.
 /// Of the two sides of a slim solid only one counts, and none if the solid covers the surface up to its border.
 /// Surfaces smaller than D/64 across are not searched. The time is bounded: if the number of surfaces is so large that
-/// 2^26 box tests do not suffice for all, only the largest surfaces are searched, and each for its 2048 longest
+/// 2^26 box tests do not suffice for all, only the largest surfaces are searched, and each for its 1024 longest
 /// contacts.
 PartitionLines find_partition_lines(const SurfaceList& surfaces, bool two_sided);
 
