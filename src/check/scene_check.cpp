@@ -3,7 +3,9 @@
 #include "geometry/elementary.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
+#include "geometry/polygon.h"
 #include "parallel/memory.h"
+#include "scene/partitions.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
 #include "scene/vertex_weld.h"
@@ -176,6 +178,7 @@ public:
         reader_flaws();
         scale();
         coarse_patches();
+        partitions();
         std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
             if (a.makes_wrong_result != b.makes_wrong_result)
                 return a.makes_wrong_result;
@@ -492,6 +495,50 @@ private:
                         longest, 100.0 * longest / diagonal, finer,
                         grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))).c_str(),
                         grouped(scene_.patch_count()).c_str()));
+    }
+
+    /// Reports patches that reach below partitions: those of surfaces that cut_at_partitions() left whole.
+    void partitions()
+    {
+        const SurfaceList& all = scene_.surfaces();
+        const PartitionLines found =
+            find_partition_lines({all.begin(), all.end() - file_.sky_surfaces}, scene_.two_sided());
+        std::size_t surfaces = 0;
+        std::size_t patches = 0;
+        double patch_area = 0.0;
+        for (std::size_t first = 0, end = 0; first < found.lines.size(); first = end, ++surfaces) {
+            const std::uint32_t s = found.lines[first].surface;
+            while (end < found.lines.size() && found.lines[end].surface == s)
+                ++end;
+            const Tessellation& cells = scene_.tessellation(s);
+            for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
+                const Surface shape = cells.cell(all[s], cell);
+                const bool parted = std::any_of(&found.lines[first], &found.lines[first] + (end - first),
+                                                [&](const PartitionLine& line) { return parts(line, shape); });
+                patches += parted ? 1 : 0;
+                patch_area += parted ? shape.area() : 0.0;
+            }
+        }
+        if (surfaces == 0 && found.complete)
+            return;
+        findings_.push_back({"partition", false, surfaces > 0 ? place_of(found.lines[0].surface) : file_.path,
+                             (found.complete ? "" : "too many faces touch to test all; at least ") + grouped(patches) +
+                                 (patches == 1 ? " patch" : " patches") + " of " + counted(surfaces, "face") +
+                                 " below partitions carry light to the other side" +
+                                 (surfaces > 0 ? ", as on " + name_of(found.lines[0].surface) + "; cut it there" : ""),
+                             0.0, patch_area / area_of_surfaces()});
+    }
+
+    /// True if the line divides the patch.
+    static bool parts(const PartitionLine& line, const Surface& patch)
+    {
+        const Vec3 along = normalized(line.to - line.from);
+        const FlatPolygon outline = polygon_of(patch);
+        const HeightRange across = heights(outline, line.from, cross(patch.normal(), along));
+        const HeightRange beside = heights(outline, line.from, along);
+        const double little = 1e-3 * std::sqrt(patch.area());
+        return across.low < -little && across.high > little && beside.high > little &&
+               beside.low < length(line.to - line.from) - little;
     }
 
     const Scene& scene_;

@@ -190,6 +190,7 @@ pair() {
     esac
 }
 lines=2^15
+# Of two faces back to back none has an inside, so the floor is cut along them as along partitions: the patches differ, and are small.
 while IFS='|' read -r how sentence first second; do
     check "$sentence" pair $how "$first" "$second"
 done <<'END'
@@ -212,7 +213,7 @@ near:128:1|a large room has the light of a small one          |room.obj|large.ob
 0.01|a texture of one colour is that colour                   |coloured.obj|one.obj
 0.01|in another order                                         |room.obj|shuffled.obj
 0.01|a lamp in 40 pieces                                      |room.obj|pieces.obj
-0.01|by surfaces with two sides or by two faces               |fronts.obj --two-sided|doubled.obj
+0.01|by surfaces with two sides or by two faces               |fronts.obj --two-sided --patch-size 0.1 --lines 2^19|doubled.obj --patch-size 0.1 --lines 2^19
 0.02|with a table of pairs and without                        |room.obj --patch-size 0.3|room.obj --patch-size 0.3 --memory 9MB --lines 2^17
 0.001|--unit and scaled coordinates                            |room.obj|centimetres.obj --unit cm
 END

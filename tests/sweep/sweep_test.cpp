@@ -4,7 +4,6 @@
 #include "radiosity/trapped_light.h"
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
-#include "scene/room_shell.h"
 #include "sweep/random_scene.h"
 #include "sweep/scene_judge.h"
 
@@ -51,8 +50,6 @@ void judge_file(const std::string& path, bool two_sided)
     if (std::none_of(file.materials.begin(), file.materials.end(),
                      [](const Material& m) { return mean(m.emittance) > 0.0; }))
         add_sky(file, {1.0, 1.0, 1.0});
-    else
-        turn_shells_inward(file);
     const double size = patch_size_for_count(file.surfaces, 2000);
     const Scene scene(std::move(file), size, two_sided);
     if (patch_of_trapped_light(scene)) {

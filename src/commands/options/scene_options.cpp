@@ -7,6 +7,7 @@
 #include "scene/facing.h"
 #include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
+#include "scene/partitions.h"
 #include "scene/tessellation.h"
 #include "scene/text/text_format.h"
 
@@ -217,6 +218,10 @@ Scene read_scene(const CommandLine& line, int threads)
     SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
+    constexpr bool either_side = true; // which way surfaces face is decided when their light is known
+    if (const PartitionCuts cuts = cut_at_partitions(file, either_side); cuts.surfaces > 0)
+        file.counts +=
+            "; " + counted(cuts.surfaces, "surface") + " cut into " + grouped(cuts.pieces) + " where partitions stand";
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     double patch_size = given_size;
     if (line.has("patches"))

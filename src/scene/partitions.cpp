@@ -1,0 +1,481 @@
+// A floor that runs on below a wall is cut where the wall stands. Contacts are the segments in which the plane of the
+// floor meets other surfaces. Contacts on a common line are joined, since a wall may consist of many triangles. The
+// pieces of a surface form a binary space partition (Fuchs, Kedem and Naylor 1980), whose longest lines come first.
+
+#include "scene/partitions.h"
+
+#include "geometry/intersector/surface_sizes.h"
+#include "geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace multipath {
+
+namespace {
+
+/// The limits that find_partition_lines() states [scene units].
+struct PartitionLimits
+{
+    explicit PartitionLimits(double diagonal)
+        : touching(1e-4 * diagonal),
+          rise(1e-3 * diagonal),
+          contact(diagonal / 20.0),
+          width(diagonal / 500.0),
+          surface(diagonal / 64.0)
+    {
+    }
+
+    double touching;
+    double rise;
+    double contact;
+    double width;
+    double surface;
+};
+constexpr double slim_width = 0.25; ///< [1] largest width of a solid partition over its length
+constexpr double most_box_tests = 1u << 26;
+constexpr std::size_t most_contacts = 1024; ///< per surface
+constexpr double nearly_parallel = 1e-3;    ///< [radian]
+constexpr std::size_t most_parts = 256;     ///< of a surface
+
+/// A point of the plane of a surface, along two perpendicular unit vectors [scene units].
+struct Point2
+{
+    double x;
+    double y;
+};
+Point2 operator-(Point2 a, Point2 b)
+{
+    return {a.x - b.x, a.y - b.y};
+}
+double dot(Point2 a, Point2 b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+double cross(Point2 a, Point2 b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+struct Span
+{
+    double low;
+    double high;
+    double size() const { return high - low; }
+};
+
+/// A directed line in the plane of a surface with the contacts along it.
+struct ContactLine
+{
+    Point2 origin;
+    Point2 along; ///< unit vector
+    bool faces_left = false;
+    bool faces_right = false;   ///< some partition has its front on this side
+    std::vector<Span> contacts; ///< along the line; disjoint once joined
+    Span longest = {0.0, 0.0};
+
+    double height(Point2 p) const { return cross(along, p - origin); } ///< distance, positive to the left
+    double place(Point2 p) const { return dot(along, p - origin); }
+};
+
+/// The plane of a surface.
+struct SurfacePlane
+{
+    explicit SurfacePlane(const Surface& surface)
+        : origin(surface.origin), normal(surface.normal()), x(normalized(surface.edge_u)), y(cross(normal, x))
+    {
+    }
+    Point2 flat(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
+    Vec3 space(Point2 p) const { return origin + p.x * x + p.y * y; }
+
+    Vec3 origin, normal, x, y;
+};
+
+/// The segment in which a surface meets the plane; the front of that surface is on the right.
+struct Contact
+{
+    Point2 from;
+    Point2 to;
+    double size() const { return std::hypot(to.x - from.x, to.y - from.y); }
+};
+
+/// The contact of the plane with another surface, if that rises from it.
+std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& other, const PartitionLimits& limits,
+                                    bool two_sided)
+{
+    const FlatPolygon polygon = polygon_of(other);
+    const HeightRange range = heights(polygon, plane.origin, plane.normal);
+    if (range.low > limits.touching || range.high < -limits.touching ||
+        !(range.high > limits.rise || (two_sided && range.low < -limits.rise)))
+        return std::nullopt;
+    const Vec3 direction = cross(plane.normal, other.normal());
+    if (!(length(direction) > nearly_parallel))
+        return std::nullopt;
+    const Point2 along = plane.flat(plane.origin + normalized(direction));
+    std::vector<Point2> met;
+    for (std::size_t k = 0; k < polygon.size; ++k) {
+        const Vec3 from = polygon.corners[k];
+        const Vec3 to = polygon.next(k);
+        const double here = dot(from - plane.origin, plane.normal);
+        const double there = dot(to - plane.origin, plane.normal);
+        if (std::abs(here) <= limits.touching)
+            met.push_back(plane.flat(from));
+        else if (std::abs(there) > limits.touching && (here > 0.0) != (there > 0.0))
+            met.push_back(plane.flat(from + (here / (here - there)) * (to - from)));
+    }
+    if (met.empty())
+        return std::nullopt;
+    const auto [first, last] =
+        std::minmax_element(met.begin(), met.end(), [&](Point2 a, Point2 b) { return dot(along, a) < dot(along, b); });
+    const Contact found = {*first, *last}; // its left is normal x direction, away from the front of the other
+    if (!(found.size() > limits.touching))
+        return std::nullopt;
+    return found;
+}
+
+/// Sorts intervals and joins those with gaps of at most `gap`.
+void join_spans(std::vector<Span>& intervals, double gap)
+{
+    std::sort(intervals.begin(), intervals.end(), [](Span a, Span b) { return a.low < b.low; });
+    std::vector<Span> joined;
+    for (const Span& next : intervals)
+        if (!joined.empty() && next.low <= joined.back().high + gap)
+            joined.back().high = std::max(joined.back().high, next.high);
+        else
+            joined.push_back(next);
+    intervals = std::move(joined);
+}
+
+/// Contacts on common lines, the line of the longest contact first.
+std::vector<ContactLine> contact_lines(const std::vector<Contact>& contacts, const PartitionLimits& limits)
+{
+    std::vector<ContactLine> lines;
+    for (const Contact& contact : contacts) {
+        const double near = 2.0 * limits.touching;
+        auto line = std::find_if(lines.begin(), lines.end(), [&](const ContactLine& other) {
+            return std::abs(other.height(contact.from)) <= near && std::abs(other.height(contact.to)) <= near;
+        });
+        if (line == lines.end()) {
+            const Point2 way = contact.to - contact.from;
+            lines.push_back({contact.from, {way.x / contact.size(), way.y / contact.size()}, false, false, {}, {}});
+            line = lines.end() - 1;
+        }
+        const auto [low, high] = std::minmax(line->place(contact.from), line->place(contact.to));
+        const bool same_way = dot(line->along, contact.to - contact.from) > 0.0;
+        (same_way ? line->faces_right : line->faces_left) = true;
+        line->contacts.push_back({low, high});
+    }
+    for (ContactLine& line : lines) {
+        join_spans(line.contacts, 2.0 * limits.touching);
+        line.longest = *std::max_element(line.contacts.begin(), line.contacts.end(),
+                                         [](Span a, Span b) { return a.size() < b.size(); });
+    }
+    return lines;
+}
+
+/// The other side of the solid of which the line is one side: the nearest parallel contact behind that faces away from
+/// it. Null for a sheet.
+const ContactLine* other_side(const ContactLine& line, const std::vector<ContactLine>& lines,
+                              const PartitionLimits& limits)
+{
+    if (line.faces_left == line.faces_right)
+        return nullptr;
+    const ContactLine* found = nullptr;
+    double nearest = Bounds::infinity;
+    for (const ContactLine& other : lines) {
+        const double turn = dot(line.along, other.along);
+        if (!(std::abs(cross(line.along, other.along)) <= nearly_parallel))
+            continue;
+        const double left = line.height(other.origin);
+        const double depth = line.faces_left ? -left : left;
+        const bool faces_away = (turn > 0.0) == line.faces_left ? other.faces_right : other.faces_left;
+        if (!(depth > limits.touching && depth < nearest) || !faces_away)
+            continue;
+        for (const Span& part : other.contacts) {
+            const double start = line.place(other.origin) + turn * part.low;
+            const double end = line.place(other.origin) + turn * part.high;
+            const double common =
+                std::min(std::max(start, end), line.longest.high) - std::max(std::min(start, end), line.longest.low);
+            if (common >= 0.5 * std::min(part.size(), line.longest.size())) {
+                nearest = depth;
+                found = &other;
+            }
+        }
+    }
+    return found;
+}
+
+bool is_slim(const ContactLine& one, const ContactLine& other)
+{
+    return std::abs(one.height(other.origin)) <= slim_width * one.longest.size();
+}
+
+/// A point (u, v) of a surface.
+struct SurfacePoint
+{
+    double u;
+    double v;
+};
+/// A convex part of a surface, counter-clockwise.
+using Part = std::vector<SurfacePoint>;
+
+Part whole(Shape shape)
+{
+    return shape == Shape::triangle ? Part{{0, 0}, {1, 0}, {0, 1}} : Part{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+}
+
+/// The parts of a surface on the two sides of a line; nothing if the line does not divide it.
+std::optional<std::pair<Part, Part>> divided(const Part& part, const SurfacePlane& plane, const Surface& surface,
+                                             const ContactLine& line, const PartitionLimits& limits)
+{
+    std::vector<double> heights;
+    for (const SurfacePoint& p : part)
+        heights.push_back(line.height(plane.flat(surface.at(p.u, p.v))));
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    if (!(*low<-limits.width&& * high> limits.width))
+        return std::nullopt;
+    std::pair<Part, Part> sides;
+    Span chord = {Bounds::infinity, -Bounds::infinity};
+    const auto on_line = [&](SurfacePoint p) {
+        const double place = line.place(plane.flat(surface.at(p.u, p.v)));
+        chord = {std::min(chord.low, place), std::max(chord.high, place)};
+        sides.first.push_back(p);
+        sides.second.push_back(p);
+    };
+    const double rounding = 1e-3 * limits.touching;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        const std::size_t next = k + 1 < part.size() ? k + 1 : 0;
+        const double here = heights[k];
+        const double there = heights[next];
+        if (std::abs(here) <= rounding)
+            on_line(part[k]);
+        else
+            (here > 0.0 ? sides.first : sides.second).push_back(part[k]);
+        if (std::abs(here) > rounding && std::abs(there) > rounding && (here > 0.0) != (there > 0.0)) {
+            const double t = here / (here - there);
+            on_line({part[k].u + t * (part[next].u - part[k].u), part[k].v + t * (part[next].v - part[k].v)});
+        }
+    }
+    const bool reached = std::any_of(line.contacts.begin(), line.contacts.end(), [&](Span contact) {
+        return std::min(contact.high, chord.high) - std::max(contact.low, chord.low) > limits.width;
+    });
+    return reached ? std::optional(sides) : std::nullopt;
+}
+
+/// A parallelogram or triangle of a surface.
+struct SurfacePiece
+{
+    Shape shape;
+    SurfacePoint origin, end_u, end_v;
+
+    Surface of(const Surface& surface) const
+    {
+        const Vec3 corner = surface.at(origin.u, origin.v);
+        return {shape, corner, surface.at(end_u.u, end_u.v) - corner, surface.at(end_v.u, end_v.v) - corner};
+    }
+    TextureFrame of(const TextureFrame& frame) const
+    {
+        const auto edge = [&](SurfacePoint to) {
+            return TexturePoint{(to.u - origin.u) * frame.along_u.s + (to.v - origin.v) * frame.along_v.s,
+                                (to.u - origin.u) * frame.along_u.t + (to.v - origin.v) * frame.along_v.t};
+        };
+        return {frame.at(origin.u, origin.v), edge(end_u), edge(end_v), frame.known};
+    }
+};
+
+/// Cuts a convex part into a parallelogram or into triangles, each along the shortest diagonal that is left.
+void add_pieces(Part part, const Surface& surface, std::vector<SurfacePiece>& pieces)
+{
+    const auto apart = [&](SurfacePoint a, SurfacePoint b) {
+        return length((b.u - a.u) * surface.edge_u + (b.v - a.v) * surface.edge_v);
+    };
+    const auto lowest = std::min_element(part.begin(), part.end(),
+                                         [](SurfacePoint a, SurfacePoint b) { return a.u + a.v < b.u + b.v; });
+    std::rotate(part.begin(), lowest, part.end());
+    if (part.size() == 4) {
+        const SurfacePoint fourth = {part[1].u + part[3].u - part[0].u, part[1].v + part[3].v - part[0].v};
+        if (apart(fourth, part[2]) <= 1e-9 * apart(part[0], part[2])) {
+            pieces.push_back({Shape::parallelogram, part[0], part[1], part[3]});
+            return;
+        }
+    }
+    while (part.size() > 3) {
+        std::size_t ear = 0;
+        double shortest = Bounds::infinity;
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            const double size = apart(part[k], part[(k + 2) % part.size()]);
+            if (size < shortest) {
+                shortest = size;
+                ear = (k + 1) % part.size();
+            }
+        }
+        const std::size_t before = (ear + part.size() - 1) % part.size();
+        pieces.push_back({Shape::triangle, part[before], part[ear], part[(ear + 1) % part.size()]});
+        part.erase(part.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    pieces.push_back({Shape::triangle, part[0], part[1], part[2]});
+}
+
+/// Searches the surfaces of a scene for partition lines.
+class PartitionSearch
+{
+public:
+    PartitionSearch(const SurfaceList& surfaces, bool two_sided)
+        : surfaces_(surfaces), two_sided_(two_sided), limits_(bounds_of(surfaces).diagonal())
+    {
+        for (const Surface& surface : surfaces)
+            boxes_.push_back(surface.bounds());
+    }
+
+    const PartitionLimits& limits() const { return limits_; }
+
+    /// Calls see(surface, lines) for each surface that partition lines divide, the largest surface first. Returns false
+    /// if the search was cut short.
+    template <class See>
+    bool for_each_divided(const See& see) const
+    {
+        bool complete = true;
+        double box_tests = 0.0;
+        for (const std::uint32_t s : order_by_descending_area(surfaces_)) {
+            if (boxes_[s].diagonal() < limits_.surface)
+                continue;
+            if (box_tests > most_box_tests)
+                return false;
+            box_tests += static_cast<double>(surfaces_.size());
+            std::vector<Contact> contacts = contacts_of(s);
+            if (contacts.size() > most_contacts) {
+                complete = false;
+                contacts.resize(most_contacts);
+            }
+            // A pair of contacts takes some four times as long as a pair of boxes.
+            box_tests += 4.0 * static_cast<double>(contacts.size()) * static_cast<double>(contacts.size());
+            const std::vector<ContactLine> lines = partition_lines(s, contacts);
+            if (!lines.empty())
+                see(s, lines);
+        }
+        return complete;
+    }
+
+private:
+    /// Contacts of a surface with all others, longest first.
+    std::vector<Contact> contacts_of(std::uint32_t s) const
+    {
+        const SurfacePlane plane(surfaces_[s]);
+        Bounds around = boxes_[s];
+        const Vec3 margin = {limits_.touching, limits_.touching, limits_.touching};
+        around.include(around.low - margin);
+        around.include(around.high + margin);
+        std::vector<Contact> contacts;
+        for (std::uint32_t other = 0; other < surfaces_.size(); ++other)
+            if (other != s && overlap(around, boxes_[other]))
+                if (const auto found = contact_with(plane, surfaces_[other], limits_, two_sided_))
+                    contacts.push_back(*found);
+        std::stable_sort(contacts.begin(), contacts.end(),
+                         [](const Contact& a, const Contact& b) { return a.size() > b.size(); });
+        return contacts;
+    }
+
+    /// The lines that divide the surface, longest first.
+    std::vector<ContactLine> partition_lines(std::uint32_t s, const std::vector<Contact>& contacts) const
+    {
+        const Surface& surface = surfaces_[s];
+        const SurfacePlane plane(surface);
+        const std::vector<ContactLine> all = contact_lines(contacts, limits_);
+        const auto divides = [&](const ContactLine& line) {
+            return line.longest.size() >= limits_.contact &&
+                   divided(whole(surface.shape), plane, surface, line, limits_).has_value();
+        };
+        // One cut is enough for a slim solid, and none if the solid covers the surface up to its border.
+        std::vector<ContactLine> lines;
+        for (const ContactLine& line : all) {
+            const ContactLine* other = divides(line) ? other_side(line, all, limits_) : nullptr;
+            if (other ? is_slim(line, *other) && divides(*other) && &line < other : divides(line))
+                lines.push_back(line);
+        }
+        std::stable_sort(lines.begin(), lines.end(), [](const ContactLine& a, const ContactLine& b) {
+            return a.longest.size() > b.longest.size();
+        });
+        return lines;
+    }
+
+    const SurfaceList& surfaces_;
+    bool two_sided_;
+    PartitionLimits limits_;
+    LargeVector<Bounds> boxes_;
+};
+
+std::vector<SurfacePiece> pieces_of(const Surface& surface, const std::vector<ContactLine>& lines,
+                                    const PartitionLimits& limits)
+{
+    const SurfacePlane plane(surface);
+    std::vector<Part> parts = {whole(surface.shape)};
+    for (const ContactLine& line : lines)
+        for (std::size_t k = 0, count = parts.size(); k < count && parts.size() < most_parts; ++k)
+            if (auto sides = divided(parts[k], plane, surface, line, limits)) {
+                parts[k] = std::move(sides->first);
+                parts.push_back(std::move(sides->second));
+            }
+    std::vector<SurfacePiece> pieces;
+    for (const Part& part : parts)
+        add_pieces(part, surface, pieces);
+    return pieces;
+}
+
+} // namespace
+
+PartitionLines find_partition_lines(const SurfaceList& surfaces, bool two_sided)
+{
+    PartitionLines result;
+    const PartitionSearch search(surfaces, two_sided);
+    result.complete = search.for_each_divided([&](std::uint32_t s, const std::vector<ContactLine>& lines) {
+        const SurfacePlane plane(surfaces[s]);
+        const auto end = [&](const ContactLine& line, double place) {
+            return plane.space({line.origin.x + place * line.along.x, line.origin.y + place * line.along.y});
+        };
+        for (const ContactLine& line : lines)
+            result.lines.push_back({s, end(line, line.longest.low), end(line, line.longest.high)});
+    });
+    return result;
+}
+
+PartitionCuts cut_at_partitions(SceneFile& file, bool two_sided)
+{
+    PartitionCuts cuts;
+    const std::size_t most_added = 1024 + file.surfaces.size() / 8;
+    std::map<std::uint32_t, std::vector<SurfacePiece>> cut;
+    const PartitionSearch search(file.surfaces, two_sided);
+    search.for_each_divided([&](std::uint32_t s, const std::vector<ContactLine>& lines) {
+        std::vector<SurfacePiece> pieces = pieces_of(file.surfaces[s], lines, search.limits());
+        if (cuts.pieces + pieces.size() > most_added + cuts.surfaces + 1)
+            return;
+        ++cuts.surfaces;
+        cuts.pieces += pieces.size();
+        cut.emplace(s, std::move(pieces));
+    });
+    if (cut.empty())
+        return cuts;
+
+    const auto put_pieces = [&](auto& list, const auto& piece_of) {
+        std::decay_t<decltype(list)> result;
+        for (std::uint32_t s = 0; s < list.size(); ++s)
+            if (const auto found = cut.find(s); found == cut.end())
+                result.push_back(list[s]);
+            else
+                for (const SurfacePiece& piece : found->second)
+                    result.push_back(piece_of(piece, list[s]));
+        list = std::move(result);
+    };
+    const auto same = [](const SurfacePiece&, const auto& value) { return value; };
+    const auto part = [](const SurfacePiece& piece, const auto& whole) { return piece.of(whole); };
+    put_pieces(file.surfaces, part);
+    put_pieces(file.texture_frames, part);
+    for (std::vector<std::uint32_t>* list : {&file.material, &file.group, &file.other_name, &file.line})
+        put_pieces(*list, same);
+    return cuts;
+}
+
+} // namespace multipath
