@@ -8,6 +8,7 @@
 #include "seeded_runs.h"
 #include "test_scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <doctest/doctest.h>
 
@@ -188,7 +189,9 @@ TEST_CASE("no power appears or vanishes, also in a scene that leaks and shows it
                 Rgb unshot;
                 for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
                     unshot += scene.area(i) * solution.unshot[i];
-                CHECK(unshot.g == doctest::Approx(balance.unshot.g).epsilon(1e-12).scale(balance.source.g));
+                // A negative sum, of a residual, is counted with what is absorbed.
+                CHECK(std::max(0.0, unshot.g) ==
+                      doctest::Approx(balance.unshot.g).epsilon(1e-12).scale(balance.source.g));
                 CHECK(balance.escaped.r > 0.0);
                 CHECK((balance.behind.r > 0.0) == !two_sided);
                 // The forecast makes the emitted power a random variable around the true one.

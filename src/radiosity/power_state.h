@@ -14,7 +14,9 @@ struct PowerBalance
     /// error, the noise of the forecast (multipath.h).
     Rgb emitted;
     Rgb absorbed; ///< power that patches absorbed
-    Rgb unshot;   ///< power that patches emitted or reflected, but had not sent on when the work ended
+    /// Power that patches emitted or reflected, but had not sent on when the work ended. Where a linear system was
+    /// solved, this is its residual, and a negative one is noise of `absorbed`.
+    Rgb unshot;
     Rgb escaped;  ///< power that left the scene through an opening, or reached the sky
     Rgb behind;   ///< power that met a surface on a side that has no patch
 

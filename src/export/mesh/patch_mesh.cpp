@@ -68,7 +68,8 @@ bool lies_over(const Scene& scene, std::uint32_t surface, const Patch& patch, bo
     const bool faces_viewer = dot(scene.surfaces()[surface].normal(), patch.shape.normal()) > 0.0;
     if (faces_viewer != front)
         return faces_viewer;
-    return (faces_viewer || scene.two_sided()) && scene.intersector().is_over(surface, patch.surface);
+    return front ? scene.intersector().is_over(surface, patch.surface)
+                 : scene.two_sided() && scene.intersector().is_over(patch.surface, surface);
 }
 
 bool is_covered(const Scene& scene, std::uint32_t number)

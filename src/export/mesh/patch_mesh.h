@@ -13,7 +13,7 @@ namespace multipath {
 
 /// True for each patch that is invisible in all pictures because coplanar surfaces cover all of it, up to slivers. As
 /// in Intersector::closest_hit, a front lies over a back; of two coincident surfaces that face the same way, the
-/// smaller lies on top. A mesh with the covered patches would flicker (z-fighting).
+/// smaller lies on top, and the larger seen from behind. A mesh with the covered patches would flicker (z-fighting).
 std::vector<bool> covered_patches(const Scene& scene, int threads);
 
 /// The point [scene units] that the positions of meshes are relative to, since floats have only seven digits: (0, 0, 0)

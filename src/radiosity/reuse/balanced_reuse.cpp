@@ -357,8 +357,10 @@ private:
             sum += scene_.is_sky_patch(i) ? 0.0 : scene_.area(i) * result[i];
         }
         // Where all rays have found the same, others may find what these have missed.
-        constexpr double least = 0.1; // of the mean
-        const double floor = sum > 0.0 ? least * sum / scene_.own_area() : 1.0;
+        constexpr double least = 0.1;  // of the mean
+        constexpr double unlit = 1e-9; // of the sources, if nothing is left to be found but by chance
+        const double floor =
+            std::max(least * sum / scene_.own_area(), unlit * mean(scene_.source_power()) / scene_.total_area());
         for (double& deviation : result)
             deviation = std::max(deviation, floor);
         return result;
@@ -416,20 +418,22 @@ private:
 
     /// Raises the numbers of rays to a few in each part, and lowers the larger ones as much: the losses, and each part,
     /// have to be found by rays that are not those of the first round, at patches whose early rays all agreed, too.
+    /// Emitters keep those that show their losses.
     void give_all_some(std::vector<double>& hemisphere) const
     {
+        const auto takes_part = [&](std::uint32_t i) { return scene_.emittance(i) == Rgb{}; };
         double all = 0.0;
-        for (const double rays : hemisphere)
-            all += rays;
+        for (std::uint32_t i = 0; i < n_; ++i)
+            all += takes_part(i) ? hemisphere[i] : 0.0;
         const double least = std::min(4.0 * static_cast<double>(parts_), 0.25 * all / n_);
         double lacking = 0.0;
         double above = 0.0;
         for (std::uint32_t i = 0; i < n_; ++i)
-            if (!scene_.is_sky_patch(i))
+            if (takes_part(i))
                 (hemisphere[i] < least ? lacking : above) += std::abs(hemisphere[i] - least);
         const double kept = std::max(0.0, 1.0 - quotient(lacking, above));
         for (std::uint32_t i = 0; i < n_; ++i)
-            if (!scene_.is_sky_patch(i))
+            if (takes_part(i))
                 hemisphere[i] = least + kept * std::max(0.0, hemisphere[i] - least);
     }
 
