@@ -10,6 +10,7 @@
 #include "geometry/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/polygon.h"
+#include "parallel/disjoint_sets.h"
 #include "scene/random_ray.h"
 #include "scene/vertex_weld.h"
 
@@ -75,25 +76,15 @@ std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bo
         return std::tie(a.low, a.high, a.surface) < std::tie(b.low, b.high, b.surface);
     });
 
-    std::vector<std::uint32_t> parent(surfaces.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t s) {
-        while (parent[s] != s)
-            s = parent[s] = parent[parent[s]];
-        return s;
-    };
+    DisjointSets parts(surfaces.size());
     for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
         while (end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high)
             ++end;
         if (end - first != 2 || edges[first].upward == edges[first + 1].upward)
             continue;
-        const std::uint32_t a = root(edges[first].surface);
-        const std::uint32_t b = root(edges[first + 1].surface);
-        parent[std::max(a, b)] = std::min(a, b);
+        parts.unite(edges[first].surface, edges[first + 1].surface);
     }
-    for (std::uint32_t s = 0; s < parent.size(); ++s)
-        parent[s] = root(s);
-    return parent;
+    return parts.roots();
 }
 
 double small_distance(const Bounds& scene)

@@ -7,13 +7,13 @@
 #include "geometry/bounds.h"
 #include "geometry/polygon.h"
 #include "parallel/blocks.h"
+#include "parallel/disjoint_sets.h"
 #include "sampling/random.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace multipath {
@@ -47,28 +47,6 @@ bool is_needle(const Surface& shape)
     const double longest = longest_edge(shape);
     return longest * longest > slender * shape.area();
 }
-
-/// Disjoint sets of surfaces (union-find with path halving).
-class DisjointSets
-{
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t root(std::uint32_t a)
-    {
-        while (parent_[a] != a)
-            a = parent_[a] = parent_[parent_[a]];
-        return a;
-    }
-    void unite(std::uint32_t a, std::uint32_t b)
-    {
-        const std::pair<std::uint32_t, std::uint32_t> roots = std::minmax(root(a), root(b));
-        parent_[roots.second] = roots.first;
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 struct Edge
 {

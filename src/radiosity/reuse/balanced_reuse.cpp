@@ -421,7 +421,9 @@ private:
     /// Emitters keep those that show their losses.
     void give_all_some(std::vector<double>& hemisphere) const
     {
-        const auto takes_part = [&](std::uint32_t i) { return scene_.emittance(i) == Rgb{}; };
+        const auto takes_part = [&](std::uint32_t i) {
+            return !scene_.is_sky_patch(i) && scene_.emittance(i) == Rgb{};
+        };
         double all = 0.0;
         for (std::uint32_t i = 0; i < n_; ++i)
             all += takes_part(i) ? hemisphere[i] : 0.0;

@@ -1,6 +1,7 @@
 #include "transport/exchange/exchange_estimate.h"
 
 #include "parallel/blocks.h"
+#include "parallel/disjoint_sets.h"
 
 #include <algorithm>
 #include <limits>
@@ -91,6 +92,7 @@ struct BlockCount
 struct BlockLevel
 {
     explicit BlockLevel(PatchBlocks patch_blocks) : blocks(std::move(patch_blocks)), counts(blocks.count) {}
+    BlockLevel(PatchBlocks patch_blocks, const BlockLevel& finer); ///< with the sums of the counts of a finer level
 
     PatchBlocks blocks;
     PairMatrix<BlockCount> counts;
@@ -147,6 +149,29 @@ void add_counts(const BlockLevel& fine, BlockLevel& coarse)
             coarse.counts.at(parent[a], parent[b]) += fine.counts.at(a, b);
 }
 
+BlockLevel::BlockLevel(PatchBlocks patch_blocks, const BlockLevel& finer) : BlockLevel(std::move(patch_blocks))
+{
+    add_counts(finer, *this);
+}
+
+/// One block for all sides of surfaces that lines have joined with each other, directly or through others: what lies in
+/// one space. The lines between two spaces, none of which was free, tell most about pairs that few lines have passed.
+PatchBlocks joined_spaces(const BlockLevel& sides)
+{
+    DisjointSets spaces(sides.blocks.count);
+    for (std::uint32_t a = 0; a < sides.blocks.count; ++a)
+        for (std::uint32_t b = 0; b < a; ++b)
+            if (sides.counts.at(a, b).joined > 0.0)
+                spaces.unite(a, b);
+    std::vector<std::uint32_t> number(sides.blocks.count);
+    PatchBlocks result;
+    for (std::uint32_t a = 0; a < sides.blocks.count; ++a)
+        number[a] = spaces.root(a) == a ? result.count++ : number[spaces.root(a)];
+    for (const std::uint32_t side : sides.blocks.block_of)
+        result.block_of.push_back(number[side]);
+    return result;
+}
+
 /// Estimated share of free lines between blocks: the posterior mean, with prior(a, b) weighted like prior_lines lines.
 template <class Prior>
 PairMatrix<double> shares(const BlockLevel& level, const Prior& prior)
@@ -174,7 +199,9 @@ PairMatrix<double> shrunk_shares(const BlockLevel& fine, const BlockLevel& middl
             return share.at(parent[a], parent[b]);
         };
     };
-    const PairMatrix<double> by_surface = shares(coarse, [&](std::uint32_t, std::uint32_t) { return overall; });
+    const BlockLevel spaces(joined_spaces(coarse), coarse);
+    const PairMatrix<double> by_space = shares(spaces, [&](std::uint32_t, std::uint32_t) { return overall; });
+    const PairMatrix<double> by_surface = shares(coarse, prior_from(coarse.blocks, spaces.blocks, by_space));
     const PairMatrix<double> by_middle = shares(middle, prior_from(middle.blocks, coarse.blocks, by_surface));
     return shares(fine, prior_from(fine.blocks, middle.blocks, by_middle));
 }
@@ -202,7 +229,7 @@ double estimation_bytes(const Scene& scene)
 {
     const double surfaces = static_cast<double>(scene.surfaces().size()) * (scene.two_sided() ? 2.0 : 1.0);
     double pairs = 0.0;
-    for (const double blocks : {block_count(scene, fine_cells), block_count(scene, middle_cells), surfaces})
+    for (const double blocks : {block_count(scene, fine_cells), block_count(scene, middle_cells), surfaces, surfaces})
         pairs += 0.5 * blocks * (blocks + 1.0);
     return (sizeof(BlockCount) + sizeof(double)) * pairs;
 }
@@ -212,17 +239,15 @@ ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& 
 {
     const std::uint32_t n = scene.patch_count();
     BlockLevel fine(patch_blocks(scene, fine_cells));
-    BlockLevel middle(patch_blocks(scene, middle_cells));
-    BlockLevel coarse(surface_blocks(scene));
-    const std::vector<PatchRange> ranges = sides(coarse.blocks);
+    const std::vector<PatchRange> ranges = sides(surface_blocks(scene));
     for_pairs_of_surfaces(ranges, threads, [&](std::uint32_t i, std::uint32_t j) {
         const PairCount& count = counts.pairs.at(i, j);
         if (count.through > 0)
             fine.counts.at(fine.blocks.block_of[i], fine.blocks.block_of[j]) +=
                 {static_cast<double>(count.joined), static_cast<double>(count.through)};
     });
-    add_counts(fine, middle);
-    add_counts(middle, coarse);
+    const BlockLevel middle(patch_blocks(scene, middle_cells), fine);
+    const BlockLevel coarse(surface_blocks(scene), middle);
     const PairMatrix<double> share = shrunk_shares(fine, middle, coarse);
 
     std::vector<double> trusted(n);

@@ -1,6 +1,7 @@
 #include "transport/exchange/sparse_exchange.h"
 
 #include "parallel/blocks.h"
+#include "parallel/disjoint_sets.h"
 #include "parallel/memory.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         lost_[s] = 0.0;
     }
     balance(wanted, unseen_rays > 0.0 ? wanted : area, threads);
-    unseen_sum_ = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
+    const double unseen_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
         const double left = area_[i] - joined(i);
         lost_[i] = std::min(lost_[i], left);
         const double lacks = left - lost_[i];
@@ -67,9 +68,45 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         unseen_[i] = lacks - more_lost;
         return unseen_[i];
     });
+    if (unseen_area > 0.0)
+        find_spaces(unseen_rays);
     const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return open(i); });
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
+}
+
+/// Finds the patches that share their deficits. All do if light is to get from everywhere to everywhere. What a patch
+/// would share with itself, much if its space has few patches, is lost if any of its rays are.
+void SparseExchange::find_spaces(double unseen_rays)
+{
+    space_.assign(size(), 0);
+    if (unseen_rays == 0.0) {
+        DisjointSets spaces(size());
+        for (std::uint32_t i = 0; i < size(); ++i)
+            for (const std::uint32_t j : counts_.row(i))
+                if (j < i)
+                    spaces.unite(i, j);
+        space_ = spaces.roots();
+    }
+    unseen_sum_ = large_vector<double>(size());
+    for (std::uint32_t i = 0; i < size(); ++i)
+        unseen_sum_[space_[i]] += unseen_[i];
+    for (std::uint32_t i = 0; i < size(); ++i)
+        if (unseen_[i] > 0.0 && lost_[i] > 0.0) {
+            const double own = unseen_[i] * unseen_[i] / unseen_sum_[space_[i]];
+            lost_[i] += own;
+            own_[i] -= own;
+        }
+}
+
+/// [W/m^2] The mean of x over the unseen area of each space, at its first patch.
+std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
+{
+    std::vector<Rgb> light(space_.size());
+    for (std::uint32_t i = 0; i < space_.size(); ++i)
+        if (unseen_[i] > 0.0)
+            light[space_[i]] += (unseen_[i] / unseen_sum_[space_[i]]) * x[i];
+    return light;
 }
 
 /// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased. But if the
@@ -209,11 +246,11 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
 {
     multiply_rays(x, threads, y);
     const Rgb sky = light_of_sky(x);
-    Rgb spread = parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) { return unseen_[i] * x[i]; }); // [W]
-    if (unseen_sum_ > 0.0)
-        spread = (1.0 / unseen_sum_) * spread; // [W/m^2] of unseen area
+    const std::vector<Rgb> spread = spread_light(x);
     const Rgb escaped = parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) {
-        y[i] += own_[i] * x[i] + unseen_[i] * spread + open(i) * sky;
+        y[i] += own_[i] * x[i] + open(i) * sky;
+        if (unseen_[i] > 0.0)
+            y[i] += unseen_[i] * spread[space_[i]];
         return open(i) * x[i];
     });
     give_to_sky(escaped, y);
@@ -288,15 +325,18 @@ double SparseExchange::lost_area() const
 
 double SparseExchange::self_exchange(std::uint32_t patch) const
 {
-    return own_[patch] + (unseen_sum_ > 0.0 ? unseen_[patch] * unseen_[patch] / unseen_sum_ : 0.0);
+    return own_[patch] + (unseen_[patch] > 0.0 ? unseen_[patch] * unseen_[patch] / unseen_sum_[space_[patch]] : 0.0);
 }
 
 double SparseExchange::unseen_share() const
 {
     double area = 0.0;
-    for (const double a : area_)
-        area += a;
-    return area > 0.0 ? unseen_sum_ / area : 0.0;
+    double unseen = 0.0;
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        area += area_[i];
+        unseen += unseen_[i];
+    }
+    return quotient(unseen, area);
 }
 
 } // namespace multipath

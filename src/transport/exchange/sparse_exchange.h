@@ -23,10 +23,11 @@ namespace multipath {
 /// the step no row sum exceeds the area of the patch.
 ///
 /// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. It is
-/// divided like the patch's own rays: a part escapes or arrives behind surfaces, the rest is spread over all patches
-/// with a deficit: G_ij grows by delta_i delta_j / sum of delta. With tens of rays per patch this is a small part of
-/// the whole (unseen_share()). A deficit from rounding alone becomes self-exchange instead, so that no light gets into
-/// closed spaces.
+/// divided like the patch's own rays: a part escapes or arrives behind surfaces, the rest is spread over the patches
+/// with a deficit in the same space, those that rays join directly or through others: G_ij grows by delta_i delta_j /
+/// sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch this is a small part
+/// of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange instead, so that no light gets
+/// into closed spaces.
 ///
 /// If the scene has a sky, all that escapes reaches it. Its patches cast no rays: what they exchange with the other
 /// patches is known from these, and the rest of their area is exchange with themselves. So the irradiance from a sky is
@@ -95,6 +96,8 @@ private:
     double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
+    void find_spaces(double unseen_rays);
+    std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
     void multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const;
     void balance(const std::vector<double>& wanted, const std::vector<double>& most, int threads);
@@ -105,12 +108,13 @@ private:
     std::vector<Factors> factors_;
     std::vector<LossCounts> losses_;
     std::vector<std::uint32_t> sky_;
-    double sky_area_ = 0.0;       ///< [m^2]
-    std::vector<double> lost_;    ///< [m^2] exchange area with no patch
-    double escaping_share_ = 1.0; ///< [1] part of all lost rays that escaped
-    std::vector<double> own_;     ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
-    std::vector<double> unseen_;  ///< [m^2] the part of the other deficits that is spread over the patches
-    double unseen_sum_ = 0.0;     ///< [m^2] sum of unseen_
+    double sky_area_ = 0.0;            ///< [m^2]
+    std::vector<double> lost_;         ///< [m^2] exchange area with no patch
+    double escaping_share_ = 1.0;      ///< [1] part of all lost rays that escaped
+    std::vector<double> own_;          ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
+    std::vector<double> unseen_;       ///< [m^2] the part of the other deficits that is spread over the patches
+    std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if there are no such deficits
+    std::vector<double> unseen_sum_;   ///< [m^2] of unseen_, at the first patch of each space
 };
 
 } // namespace multipath
