@@ -1,7 +1,9 @@
 // Order of hits at the same t. Two coincident faces of opposite orientation are either a gap of width zero (a box that
 // stands on a floor: departure, then arrival) or the two sides of a thin sheet (arrival, then departure). Which of the
 // two depends on the medium the line comes from: inside a solid the next hit is a departure, in the open an arrival.
-// The previous hit shows the medium. At the start of the line these rules apply, in this order:
+// The previous hit shows the medium, where surfaces enclose solids. In the open, where they may not, two faces of the
+// same outline are always a sheet, such as a lamp and its cover. At the start of the line these rules apply, in this
+// order:
 //
 // 1. The first group of hits with unequal numbers of arrivals and departures decides, because neither a gap nor a sheet
 //    changes the medium.
@@ -69,13 +71,20 @@ std::ptrdiff_t next_balance(const Hit* hits, std::size_t count, std::size_t firs
     return arrivals_too_many;
 }
 
+/// True for two faces back to back with the same outline.
+bool is_sheet(const Hit* hits, std::size_t first, std::size_t last)
+{
+    return last - first == 2 && hits[first].front != hits[first + 1].front &&
+           have_same_outline(hits[first], hits[first + 1]);
+}
+
 /// True if the first group of hits of a line begins with an arrival: rules 1 to 3 above.
 bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
 {
     if (const std::ptrdiff_t balance = next_balance(hits, count, 0); balance != 0)
         return balance > 0;
     const std::size_t first_place = end_of_group(hits, count, 0);
-    return !starts_in_solid || first_place == count || (first_place == 2 && have_same_outline(hits[0], hits[1]));
+    return !starts_in_solid || first_place == count || is_sheet(hits, 0, first_place);
 }
 
 /// True if a line in the open comes from below to a floor and the bottom of a solid that stands on it: the exception
@@ -83,7 +92,7 @@ bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
 bool is_floor_from_below(const Hit* hits, std::size_t count, std::size_t first, std::size_t last)
 {
     return last - first == 2 && hits[first].front != hits[first + 1].front && !hits[first - 1].front &&
-           !have_same_outline(hits[first], hits[first + 1]) && next_balance(hits, count, last) < 0;
+           !is_sheet(hits, first, last) && next_balance(hits, count, last) < 0;
 }
 
 /// Orders the hits first ... last - 1, all with the same t.
@@ -121,10 +130,13 @@ void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
 {
     for (std::size_t first = 0; first + 1 < count;) {
         const std::size_t last = end_of_group(hits, count, first);
-        if (last - first > 1)
-            order_group(hits + first, hits + last,
-                        first == 0 ? first_is_arrival(hits, count, starts_in_solid)
-                                   : !hits[first - 1].front && !is_floor_from_below(hits, count, first, last));
+        if (last - first > 1) {
+            const bool arrival_expected =
+                (!starts_in_solid && is_sheet(hits, first, last)) ||
+                (first == 0 ? first_is_arrival(hits, count, starts_in_solid)
+                            : !hits[first - 1].front && !is_floor_from_below(hits, count, first, last));
+            order_group(hits + first, hits + last, arrival_expected);
+        }
         first = last;
     }
 }

@@ -75,8 +75,11 @@ public:
             group.emittance = mean(scene.emittance(i));
             of_sources += mean(scene.first_light(i)) > 0.0 ? areas_[i] : 0.0;
         }
-        for (Group& group : groups_)
+        for (Group& group : groups_) {
+            absorbing_ += group.name == "sky" ? 0.0 : group.area - group.reflectance;
             group.reflectance /= group.area;
+        }
+        absorbing_ = std::max(absorbing_, 0.01 * scene.own_area());
         share_of_sources_ = of_sources / scene.total_area();
     }
 
@@ -135,8 +138,7 @@ private:
             options.seed = first_seed + samples.front().size();
             const Solution solution = solve(scene_, options, [](double) {});
             check_balance(solution.balance);
-            unsent_ += std::abs(mean(solution.balance.unshot)) /
-                       (scene_.own_area() * (1.0 - mean(scene_.average_reflectance())));
+            unsent_ += std::abs(mean(solution.balance.unshot)) / absorbing_;
             std::vector<double> power(samples.size());
             for (std::uint32_t i = 0; i < scene_.patch_count(); ++i) {
                 const Rgb b = solution.radiosity[i];
@@ -270,6 +272,7 @@ private:
     std::vector<double> areas_;
     std::vector<Group> groups_;
     std::vector<std::size_t> group_; ///< by patch
+    double absorbing_ = 0.0;         ///< [m^2] sum of areas times absorptances
     double share_of_sources_ = 0.0;  ///< [1] of all areas
     double unsent_ = 0.0;            ///< [W/m^2] sum over the runs: what the power not sent yet would add
     Samples truth_;

@@ -201,7 +201,10 @@ PairMatrix<double> shrunk_shares(const BlockLevel& fine, const BlockLevel& middl
     };
     const BlockLevel spaces(joined_spaces(coarse), coarse);
     const PairMatrix<double> by_space = shares(spaces, [&](std::uint32_t, std::uint32_t) { return overall; });
-    const PairMatrix<double> by_surface = shares(coarse, prior_from(coarse.blocks, spaces.blocks, by_space));
+    const std::vector<std::uint32_t> space = parent_blocks(coarse.blocks, spaces.blocks);
+    const PairMatrix<double> by_surface = shares(coarse, [&](std::uint32_t a, std::uint32_t b) {
+        return space[a] == space[b] ? overall : by_space.at(space[a], space[b]);
+    });
     const PairMatrix<double> by_middle = shares(middle, prior_from(middle.blocks, coarse.blocks, by_surface));
     return shares(fine, prior_from(fine.blocks, middle.blocks, by_middle));
 }
