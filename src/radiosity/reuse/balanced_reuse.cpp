@@ -387,6 +387,14 @@ private:
         return result;
     }
 
+    std::vector<std::uint32_t> sides_of_patches() const
+    {
+        auto result = large_vector<std::uint32_t>(n_);
+        for (std::uint32_t i = 0; i < n_; ++i)
+            result[i] = 2 * scene_.surface_of(i) + (scene_.is_front(i) ? 0 : 1);
+        return result;
+    }
+
     std::vector<double> densities() const
     {
         std::vector<double> result = large_vector<double>(n_);
@@ -550,8 +558,8 @@ private:
         if (!rays_.indirect)
             return;
         const auto solved = [&](double unseen_rays) {
-            const SparseExchange exchange(counts_, scene_.areas(), densities(), later_losses(), sky_, unseen_rays,
-                                          run_.threads);
+            const SparseExchange exchange(counts_, scene_.areas(), densities(), later_losses(), sides_of_patches(),
+                                          sky_, unseen_rays, run_.threads);
             ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
             if (solution.converged) {
                 const double share = 1.0 / static_cast<double>(parts_);

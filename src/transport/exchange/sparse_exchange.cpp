@@ -17,7 +17,8 @@ constexpr double rounding_of_rows = 1e-6; // of the area of a patch
 
 SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<double>& area,
                                const std::vector<double>& density, std::vector<LossCounts> losses,
-                               std::vector<std::uint32_t> sky, double unseen_rays, int threads)
+                               const std::vector<std::uint32_t>& side, std::vector<std::uint32_t> sky,
+                               double unseen_rays, int threads)
     : counts_(counts),
       area_(area),
       factors_(vector_with_capacity<Factors>(area.size())),
@@ -69,30 +70,33 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         return unseen_[i];
     });
     if (unseen_area > 0.0)
-        find_spaces(unseen_rays);
+        find_spaces(side, unseen_rays > 0.0, lost_share > 0.0);
     const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return open(i); });
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
 }
 
 /// Finds the patches that share their deficits. All do if light is to get from everywhere to everywhere. What a patch
-/// would share with itself, much if its space has few patches, is lost if any of its rays are.
-void SparseExchange::find_spaces(double unseen_rays)
+/// would share with itself, much if its space has few patches, is lost if rays are.
+void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side, bool all_one, bool may_lose)
 {
     space_.assign(size(), 0);
-    if (unseen_rays == 0.0) {
+    if (!all_one) {
         DisjointSets spaces(size());
-        for (std::uint32_t i = 0; i < size(); ++i)
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            if (i > 0 && side[i] == side[i - 1])
+                spaces.unite(i, i - 1);
             for (const std::uint32_t j : counts_.row(i))
                 if (j < i)
                     spaces.unite(i, j);
+        }
         space_ = spaces.roots();
     }
     unseen_sum_ = large_vector<double>(size());
     for (std::uint32_t i = 0; i < size(); ++i)
         unseen_sum_[space_[i]] += unseen_[i];
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (unseen_[i] > 0.0 && lost_[i] > 0.0) {
+        if (unseen_[i] > 0.0 && may_lose && !all_one) {
             const double own = unseen_[i] * unseen_[i] / unseen_sum_[space_[i]];
             lost_[i] += own;
             own_[i] -= own;

@@ -24,10 +24,10 @@ namespace multipath {
 ///
 /// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. It is
 /// divided like the patch's own rays: a part escapes or arrives behind surfaces, the rest is spread over the patches
-/// with a deficit in the same space, those that rays join directly or through others: G_ij grows by delta_i delta_j /
-/// sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch this is a small part
-/// of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange instead, so that no light gets
-/// into closed spaces.
+/// with a deficit in the same space: sides of surfaces that rays join directly or through others. G_ij grows by
+/// delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch
+/// this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange instead, so
+/// that no light gets into closed spaces.
 ///
 /// If the scene has a sky, all that escapes reaches it. Its patches cast no rays: what they exchange with the other
 /// patches is known from these, and the rest of their area is exchange with themselves. So the irradiance from a sky is
@@ -46,12 +46,14 @@ public:
 
     /// Keeps a reference to the counts, which must be merged. `area` [m^2] is per patch, and so is `density`
     /// [rays/m^2], the number of rays that left the patch over its area. `losses`, per patch, may leave out rays that
-    /// decided how many others the patch cast: with them the losses would be biased. The patches `sky`, whose emission
+    /// decided how many others the patch cast: with them the losses would be biased. `side` numbers, per patch, the
+    /// side of a surface that it is on. The patches `sky`, whose emission
     /// is uniform, are those of the sky; no ray may start or count as ending there. `unseen_rays` is a pseudo-count: so
     /// many rays per patch, besides the counted ones, are taken to have reached unknown patches. A positive number lets
     /// light get from every patch to every other, however few rays there are, at the price of a bias.
     SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& density,
-                   std::vector<LossCounts> losses, std::vector<std::uint32_t> sky, double unseen_rays, int threads);
+                   std::vector<LossCounts> losses, const std::vector<std::uint32_t>& side,
+                   std::vector<std::uint32_t> sky, double unseen_rays, int threads);
 
     std::uint32_t size() const override { return counts_.size(); }
     void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
@@ -96,7 +98,7 @@ private:
     double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
-    void find_spaces(double unseen_rays);
+    void find_spaces(const std::vector<std::uint32_t>& side, bool all_one, bool may_lose);
     std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
     void multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const;

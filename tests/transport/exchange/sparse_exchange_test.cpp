@@ -36,6 +36,14 @@ struct Counted
     }
 };
 
+std::vector<std::uint32_t> sides(const Scene& scene)
+{
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        result.push_back(scene.surface_of(i));
+    return result;
+}
+
 Counted counted(const Scene& scene, double rays_per_patch)
 {
     const Allotment rays(rays_of_patches(scene, rays_per_patch), 0.5);
@@ -72,8 +80,8 @@ TEST_CASE(
             CAPTURE(rays);
             CAPTURE(unseen_rays);
             const Counted all = counted(scene, rays);
-            const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), {}, unseen_rays,
-                                          2);
+            const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {},
+                                          unseen_rays, 2);
             std::vector<Rgb> x;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
                 x.push_back({1.0, std::sin(i), 1.0 / (1.0 + i)});
@@ -100,7 +108,7 @@ TEST_CASE("with many rays a counted exchange is what the rays counted, and they 
 {
     const Scene scene = open_room();
     const Counted all = counted(scene, 3000.0);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), {}, 0.0, 2);
+    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0, 2);
     CHECK(exchange.unseen_share() < 1e-3);
     double escaping = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -127,7 +135,7 @@ TEST_CASE("patches that few rays join only with each other still exchange light 
 {
     const Scene scene = open_room();
     const Counted few = counted(scene, 0.3);
-    const SparseExchange exchange(few.counts, scene.areas(), few.density, few.losses(scene), {}, 1.0, 2);
+    const SparseExchange exchange(few.counts, scene.areas(), few.density, few.losses(scene), sides(scene), {}, 1.0, 2);
     CHECK(exchange.unseen_share() > 0.3);
     std::vector<Rgb> one(scene.patch_count());
     one[5] = {1.0, 1.0, 1.0};
@@ -139,7 +147,7 @@ TEST_CASE("an exchange is the same in any unit of length and of light")
 {
     const Scene scene = open_room();
     const Counted all = counted(scene, 20.0);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), {}, 0.0, 2);
+    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0, 2);
     std::vector<Rgb> x;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         x.push_back({1.0, 2.0 + std::sin(i), 1e-3 / (1.0 + i)});
@@ -157,7 +165,7 @@ TEST_CASE("an exchange is the same in any unit of length and of light")
                 scaled.push_back(light * x[i]);
             }
             const std::vector<Rgb> result =
-                SparseExchange(all.counts, area, density, all.losses(scene), {}, 0.0, 2).apply(scaled, 2);
+                SparseExchange(all.counts, area, density, all.losses(scene), sides(scene), {}, 0.0, 2).apply(scaled, 2);
             for (std::uint32_t i = 0; i < scene.patch_count(); i += 7) {
                 CHECK(result[i].g == doctest::Approx(length * length * light * y[i].g).epsilon(1e-5));
                 CHECK(result[i].b == doctest::Approx(length * length * light * y[i].b).epsilon(1e-5));
