@@ -2,6 +2,7 @@
 # make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
 # make test       builds and runs the tests, except
 # make long-tests those that take long: statistics, every option at its limits, interrupts, installation
+# make sweep      judges random scenes of every kind, SEEDS=1-1000, or files, OBJ=FOLDER, by every method against particles
 # make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
 # make mutants    plants the bugs of tests/mutants.list one by one and tells which the tests notice; takes about an hour
 # make bench      measures speed; close other programs first. OBJ=FILE.obj: of lines through this file
@@ -151,6 +152,9 @@ $(BUILD)/unity/%.cpp: always
 	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(call within,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
+sweep: $(BUILD)/unit_tests
+	SEEDS="$(SEEDS)" OBJ="$(OBJ)" $(BUILD)/unit_tests --no-skip -ts=sweep
+
 coverage:
 	+@BUILD="$(BUILD)" CXX="$(CXX)" sh tests/coverage.sh
 
@@ -212,6 +216,6 @@ dist:
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
 
-.PHONY: always demo paper results pictures test long-tests coverage mutants bench install uninstall dist clean
+.PHONY: always demo paper results pictures test long-tests sweep coverage mutants bench install uninstall dist clean
 $(BUILD)/%.d: ;
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

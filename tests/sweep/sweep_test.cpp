@@ -75,7 +75,7 @@ TEST_CASE("sweep of scenes" * doctest::test_suite("sweep") * doctest::skip(varia
     const std::size_t dash = range.find('-');
     const std::uint64_t last = dash == std::string::npos ? first : std::stoull(range.substr(dash + 1));
     for (std::uint64_t key = first; key <= last; ++key)
-        judge_number(key, 2000);
+        judge_number(key, 20000);
 }
 
 TEST_CASE("sweep of files" * doctest::test_suite("sweep") * doctest::skip(variable("OBJ").empty()))
