@@ -234,6 +234,8 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, in
     PowerState state(scene);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
     const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
+    if (shots.empty()) // the sun shines on nothing
+        return {};
     spend(scene, 0.0, shots, state);
     shoot(scene, *sequence, 0, shots, {threads}, state);
 

@@ -41,9 +41,9 @@ public:
     explicit SceneMaker(std::uint64_t key) : random_(mix_bits(key)), shape_(key % shapes), palette_(random_.below(4))
     {
         constexpr std::array<const char*, 4> palettes = {"", ", white", ", dark", ", white and dark"};
+        two_sided_ = random_.chance(shape_ == sheets ? 0.7 : 0.3);
         (this->*makers[shape_].make)();
         kind_ = std::string(makers[shape_].name) + palettes[palette_];
-        two_sided_ = two_sided_ || random_.chance(0.3);
         if (two_sided_)
             kind_ += ", two-sided";
         if (shape_ != convex_body)
@@ -72,7 +72,8 @@ public:
 private:
     std::uint32_t wall()
     {
-        if ((palette_ & 1) != 0 && random_.chance(0.4))
+        // A white cavity inside a body keeps what gets in through the least error for ever.
+        if ((palette_ & 1) != 0 && !two_sided_ && random_.chance(0.4))
             return builder_.grey(1.0, 0.0);
         if ((palette_ & 2) != 0 && random_.chance(0.3))
             return builder_.grey(0.0, 0.0);
@@ -149,7 +150,6 @@ private:
             else
                 builder_.rectangle(corner, u, v, material);
         }
-        two_sided_ = random_.chance(0.7);
     }
     void make_convex_body()
     {
@@ -242,7 +242,7 @@ private:
             const Vec3 v = {0, 0, 0.2 * inside_.z};
             builder_.rectangle(corner, u, v, lamp); // shines down
             if (random_.chance(0.7)) {              // its cover
-                const Vec3 above = {0, two_sided_ ? 0.05 * inside_.y : 0.0, 0};
+                const Vec3 above = {0, shape_ == closed_room && !two_sided_ ? 0.0 : 0.05 * inside_.y, 0};
                 builder_.rectangle(corner + above, v, u, builder_.grey(0.5, 0.0));
             }
         }
@@ -285,6 +285,7 @@ private:
     };
     static constexpr std::uint64_t shapes = 8;
     static constexpr std::uint64_t closed_room = 0;
+    static constexpr std::uint64_t sheets = 4;
     static constexpr std::uint64_t convex_body = 5;
     static constexpr std::array<Maker, shapes> makers = {{{"closed room", &SceneMaker::make_closed_room},
                                                           {"open room", &SceneMaker::make_open_room},

@@ -91,8 +91,7 @@ public:
             return {error.what()};
         }
         for (const Way& way : ways())
-            if (way.method != Method::gathering || !has_white_cavities())
-                judge(way);
+            judge(way);
         return std::move(faults_);
     }
 
@@ -194,15 +193,6 @@ private:
                               found.standard_error, right.mean, right.standard_error, runs);
         }
         return "";
-    }
-
-    /// Inside a white body walks that gather light end only after very many steps, and few are left for the others.
-    bool has_white_cavities() const
-    {
-        const std::vector<Material>& materials = scene_.materials();
-        return scene_.two_sided() && std::any_of(materials.begin(), materials.end(), [](const Material& material) {
-                   return mean(material.reflectance) == 1.0;
-               });
     }
 
     bool uses_table(const Way& way) const
