@@ -9,8 +9,8 @@
 
 namespace multipath {
 
-/// Disjoint sets of the numbers 0 ... count - 1: union-find with path halving (Tarjan and van Leeuwen 1984). Each set is
-/// named by its least member.
+/// Disjoint sets of the numbers 0 ... count - 1: union-find with path halving (Tarjan and van Leeuwen 1984). Each set
+/// is named by its least member.
 class DisjointSets
 {
 public:

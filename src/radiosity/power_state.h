@@ -17,8 +17,8 @@ struct PowerBalance
     /// Power that patches emitted or reflected, but had not sent on when the work ended. Where a linear system was
     /// solved, this is its residual, and a negative one is noise of `absorbed`.
     Rgb unshot;
-    Rgb escaped;  ///< power that left the scene through an opening, or reached the sky
-    Rgb behind;   ///< power that met a surface on a side that has no patch
+    Rgb escaped; ///< power that left the scene through an opening, or reached the sky
+    Rgb behind;  ///< power that met a surface on a side that has no patch
 
     Rgb source; ///< Phi_T, the power of the sources
     /// [W] Upper estimate of the standard error of the mean of `emitted` over the channels, for independent global

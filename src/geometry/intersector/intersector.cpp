@@ -164,8 +164,8 @@ void Intersector::Core::take(const Hit& hit, NearestHit& nearest) const
     }
 }
 
-/// Updates `nearest` with a hit at the same t as nearest.best. Of faces that look the same way the ray meets, as a whole
-/// line does (order_coincident_hits), the first front or the last back.
+/// Updates `nearest` with a hit at the same t as nearest.best. Of faces that look the same way the ray meets, as a
+/// whole line does (order_coincident_hits), the first front or the last back.
 void Intersector::Core::take_coincident(const Hit& hit, NearestHit& nearest) const
 {
     if (hit.front == nearest.best.front) {
