@@ -21,7 +21,7 @@ public:
 
     /// Carries out all stages, from the first one that the checkpoint does not contain as finished. If the checkpoint
     /// stops the run, the result is that of the work so far. If no stage has found a solution or cast a global line by
-    /// then, up to 2^18 random global lines distribute the unshot power (not in a shard). Throws InputError if the
+    /// then, up to 2^18 random global lines distribute the unshot power (not in a shard). Throws NoSolution if the
     /// result of a run that was not stopped is not sound: not finite, darker than the emission or, if no forecast was
     /// sent, with an emitted power other than that of the sources.
     Solution solve();

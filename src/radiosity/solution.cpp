@@ -2,6 +2,7 @@
 
 #include "radiosity/statistics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,9 @@ void Solution::visit(Archive& archive, std::uint32_t patches)
     archive.value<std::uint64_t>("global lines cast", global_lines_cast);
     archive.value<std::uint64_t>("all lines", all_lines);
     multipath::visit(archive, shot_passes);
+    auto fallen_back = static_cast<std::uint64_t>(by_particles);
+    archive.value<std::uint64_t>("by particles", fallen_back);
+    by_particles = fallen_back != 0;
     auto count = static_cast<std::uint64_t>(replicates);
     archive.value<std::uint64_t>("replicates", count);
     replicates = static_cast<int>(count);
@@ -56,6 +60,8 @@ Solution combined(const Scene& scene, const std::vector<Solution>& parts)
     sum.unshot.resize(scene.patch_count());
     sum.shot_passes = parts[0].shot_passes;
     sum.replicates = parts[0].replicates;
+    sum.by_particles =
+        std::any_of(parts.begin(), parts.end(), [](const Solution& part) { return part.by_particles; });
     std::vector<Rgb> variance(all_have_errors ? scene.patch_count() : 0);
     for (const Solution& part : parts) {
         const double share = static_cast<double>(part.all_lines) / lines;

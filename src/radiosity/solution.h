@@ -3,12 +3,20 @@
 #include "parallel/archive.h"
 #include "radiosity/extended_first_shot.h"
 #include "radiosity/power_state.h"
+#include "scene/input_error.h"
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace multipath {
+
+/// A method has found no sound solution with its lines. Particles find one (Solution::by_particles).
+class NoSolution : public InputError
+{
+public:
+    using InputError::InputError;
+};
 
 /// The result of a run.
 struct Solution
@@ -24,6 +32,7 @@ struct Solution
     std::vector<ShotPass> shot_passes;   ///< passes of the first shot; with replicates, those of the first one
     std::uint64_t all_lines = 0; ///< lines charged in total, including those of earlier rounds that led to this result
 
+    bool by_particles = false; ///< the method of the run found no solution, and particles carried the light instead
     int replicates = 1;              ///< number of independent runs of which this is the mean
     std::vector<Rgb> standard_error; ///< [W/m^2] per patch; empty with a single replicate
     /// [1] Square root of the expected relative mean square error (expected_relative_square); empty with a single

@@ -35,14 +35,9 @@ std::string text_of(double power)
     return format("%.6g", power);
 }
 
-void require_balance(const PowerBalance& balance)
-{
-    if (!(balance.relative_error() <= 1e-9))
-        throw std::logic_error("the power balance does not close: the program has an error");
-}
-
-/// Final check of a result: all numbers are finite, no patch is darker than it emits, and the emitted power is that of
-/// the sources if no line used a forecast. Throws InputError otherwise.
+/// Final check of a result: the balance closes, all numbers are finite, no patch is darker than it emits, and the
+/// emitted power is that of the sources, to the accuracy of the linear systems, if no line used a forecast. Throws
+/// NoSolution otherwise.
 void require_sound(const Scene& scene, const Solution& solution)
 {
     const auto at_least = [](Rgb b, Rgb e) {
@@ -51,15 +46,17 @@ void require_sound(const Scene& scene, const Solution& solution)
     };
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         if (!at_least(solution.radiosity[i], scene.emittance(i)))
-            throw InputError(scene.path() + ": the equations of the light have no sound solution with these lines; "
-                                            "expected more --lines, or --method local");
+            throw NoSolution(scene.path() +
+                             ": the equations of the light have no sound solution with these lines; expected more");
     const PowerBalance& balance = solution.balance;
+    if (!(balance.relative_error() <= 1e-9))
+        throw NoSolution(scene.path() + ": the power balance does not close with these lines; expected more");
     const Rgb difference = balance.emitted - balance.source;
     const double largest = std::max({std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
     const double source = std::max({balance.source.r, balance.source.g, balance.source.b});
-    if (balance.emitted_error == 0.0 && !(largest <= 1e-6 * source))
-        throw InputError(scene.path() + ": these lines distribute " + text_of(mean(balance.emitted)) + " W of the " +
-                         text_of(mean(balance.source)) + " W that the sources emit; expected more --lines");
+    if (balance.emitted_error == 0.0 && !(largest <= 1e-4 * source))
+        throw NoSolution(scene.path() + ": these lines distribute " + text_of(mean(balance.emitted)) + " W of the " +
+                         text_of(mean(balance.source)) + " W that the sources emit; expected more lines");
 }
 
 std::uint64_t checked_first_item(const Sequence& sequence, const SolveOptions& options, const GlobalLines& lines)
@@ -178,7 +175,6 @@ Solution Run::finish()
         send_the_rest();
     remove_negative_light(scene, state);
     solution.balance = power_balance(scene, state);
-    require_balance(solution.balance);
     solution.radiosity = radiosity(scene, state);
     if (options.denoise && variance.size() == scene.patch_count())
         denoise(scene, options.threads, solution.radiosity, variance);
@@ -204,7 +200,16 @@ Solution solve(const Scene& scene, const Preparation& preparation, const SolveOp
     SolveOptions prepared = options;
     if (preparation.ratio)
         prepared.ratio = preparation.ratio;
-    return Run(scene, prepared, preparation, progress, checkpoint, shard).solve();
+    try {
+        return Run(scene, prepared, preparation, progress, checkpoint, shard).solve();
+    } catch (const NoSolution&) {
+        if (prepared.method == Method::local || shard.of > 1)
+            throw;
+    }
+    prepared.method = Method::local;
+    Solution solution = Run(scene, prepared, preparation, progress, nullptr, shard).solve();
+    solution.by_particles = true;
+    return solution;
 }
 
 Solution solve(const Scene& scene, const SolveOptions& options, const ProgressCallback& progress)

@@ -164,7 +164,7 @@ std::vector<ContactLine> contact_lines(const std::vector<Contact>& contacts, con
             lines.push_back({contact.from, {way.x / contact.size(), way.y / contact.size()}, false, false, {}, {}});
             line = lines.end() - 1;
         }
-        const auto [low, high] = std::minmax(line->place(contact.from), line->place(contact.to));
+        const auto [low, high] = std::minmax({line->place(contact.from), line->place(contact.to)});
         const bool same_way = dot(line->along, contact.to - contact.from) > 0.0;
         (same_way ? line->faces_right : line->faces_left) = true;
         line->contacts.push_back({low, high});

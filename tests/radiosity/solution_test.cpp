@@ -1,5 +1,7 @@
 #include "radiosity/solution.h"
 
+#include "radiosity/run.h"
+#include "seeded_runs.h"
 #include "test_scenes.h"
 
 #include <cmath>
@@ -40,6 +42,28 @@ Solution part(std::uint64_t lines, double radiosity, double error)
 } // namespace
 
 // Of w1 = 1/4 and w2 = 3/4 the mean is w1 B1 + w2 B2 and its variance w1^2 e1^2 + w2^2 e2^2.
+// Each of these stages is wrong in its own way: not solved, not finite, light from nowhere, an open balance.
+TEST_CASE("where a method finds no sound solution, particles carry the light")
+{
+    using Stages = std::vector<Stage>;
+    MethodInfo info = *Method::reuse.operator->();
+    info.prepare = nullptr;
+    const Scene scene = coloured_room();
+    for (Stages (*stages)(const Run&) : std::initializer_list<Stages (*)(const Run&)>{
+             [](const Run&) { return Stages{[](Run& run) { throw NoSolution(run.scene.path()); }}; },
+             [](const Run&) { return Stages{[](Run& run) { run.state.incident[0] = grey(std::nan("")); }}; },
+             [](const Run&) { return Stages{[](Run& run) { run.state.emitted = 1.001 * run.state.emitted; }}; },
+             [](const Run&) { return Stages{[](Run& run) { run.state.escaped = grey(1.0); }}; }}) {
+        info.stages = stages;
+        const SolveOptions options = random_lines(Method(&info), 10000, 3);
+        const Solution found = solve(scene, options, silent);
+        CHECK(found.by_particles);
+        const Solution right = solve(scene, random_lines(Method::local, 10000, 3), silent);
+        CHECK(!right.by_particles);
+        CHECK(found.radiosity == right.radiosity);
+    }
+}
+
 TEST_CASE("independent results are averaged by their lines, and so are the squares of their errors")
 {
     const Scene scene = two_patches();

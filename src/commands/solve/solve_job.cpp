@@ -173,6 +173,10 @@ std::string summary_text(const SolveSummary& s)
             format("warning    only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each patch "
                    "24 or more\n",
                    static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str());
+    if (s.solution.by_particles)
+        text += format("warning    method %s finds no sound solution with these lines: particles carried the light, with "
+                       "more noise; more lines help\n",
+                       std::string(s.options.method->name).c_str());
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=

@@ -86,10 +86,9 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
     return solve_exchange(exchange, reflectance, source, std::move(first_guess), tolerance, most_steps, threads);
 }
 
-InputError no_solution(const Scene& scene)
+NoSolution no_solution(const Scene& scene)
 {
-    return InputError(scene.path() + ": the equations of line reuse do not converge with these lines; expected more "
-                                     "--lines, or --method local");
+    return NoSolution(scene.path() + ": the equations of line reuse do not converge with these lines; expected more");
 }
 
 std::vector<Rgb> reflectances(const Scene& scene)

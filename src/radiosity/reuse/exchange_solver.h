@@ -1,7 +1,6 @@
 #pragma once
 
-#include "radiosity/power_state.h"
-#include "scene/input_error.h"
+#include "radiosity/solution.h"
 #include "transport/exchange/exchange.h"
 
 #include <vector>
@@ -31,7 +30,7 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
                                 const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads);
 
 /// The error to throw if ExchangeSolution::converged is false.
-InputError no_solution(const Scene& scene);
+NoSolution no_solution(const Scene& scene);
 
 /// [1] Reflectance of every patch.
 std::vector<Rgb> reflectances(const Scene& scene);

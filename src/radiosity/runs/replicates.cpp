@@ -116,6 +116,7 @@ private:
         sum_.global_lines_cast += one.global_lines_cast;
         if (finished_ == 0)
             sum_.shot_passes = one.shot_passes;
+        sum_.by_particles = sum_.by_particles || one.by_particles;
         ++finished_;
     }
 
