@@ -60,8 +60,7 @@ Solution combined(const Scene& scene, const std::vector<Solution>& parts)
     sum.unshot.resize(scene.patch_count());
     sum.shot_passes = parts[0].shot_passes;
     sum.replicates = parts[0].replicates;
-    sum.by_particles =
-        std::any_of(parts.begin(), parts.end(), [](const Solution& part) { return part.by_particles; });
+    sum.by_particles = std::any_of(parts.begin(), parts.end(), [](const Solution& part) { return part.by_particles; });
     std::vector<Rgb> variance(all_have_errors ? scene.patch_count() : 0);
     for (const Solution& part : parts) {
         const double share = static_cast<double>(part.all_lines) / lines;

@@ -33,7 +33,7 @@ struct Solution
     std::uint64_t all_lines = 0; ///< lines charged in total, including those of earlier rounds that led to this result
 
     bool by_particles = false; ///< the method of the run found no solution, and particles carried the light instead
-    int replicates = 1;              ///< number of independent runs of which this is the mean
+    int replicates = 1;        ///< number of independent runs of which this is the mean
     std::vector<Rgb> standard_error; ///< [W/m^2] per patch; empty with a single replicate
     /// [1] Square root of the expected relative mean square error (expected_relative_square); empty with a single
     /// replicate.

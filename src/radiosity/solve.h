@@ -37,9 +37,9 @@ Preparation prepare(const Scene& scene, const SolveOptions& options);
 ///
 /// Throws SettingsError for a sequence with too few items, for a first shot whose first pass needs more rays of
 /// power_by_line than there are lines, for more lines than `reuse` can count, and for a shard with too few lines per
-/// patch. Throws InputError for a shard whose counts do not fit into the memory, and NoSolution if not even particles find
-/// a sound solution: where the method finds none, they carry the light (Solution::by_particles). Throws std::invalid_argument for a
-/// sequence that cannot be made, and ArchiveError if the checkpoint does not fit.
+/// patch. Throws InputError for a shard whose counts do not fit into the memory, and NoSolution if not even particles
+/// find a sound solution: where the method finds none, they carry the light (Solution::by_particles). Throws
+/// std::invalid_argument for a sequence that cannot be made, and ArchiveError if the checkpoint does not fit.
 Solution solve(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                const ProgressCallback& progress, Checkpoint* checkpoint = nullptr, Shard shard = {});
 

@@ -174,9 +174,10 @@ std::string summary_text(const SolveSummary& s)
                    "24 or more\n",
                    static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str());
     if (s.solution.by_particles)
-        text += format("warning    method %s finds no sound solution with these lines: particles carried the light, with "
-                       "more noise; more lines help\n",
-                       std::string(s.options.method->name).c_str());
+        text +=
+            format("warning    method %s finds no sound solution with these lines: particles carried the light, with "
+                   "more noise; more lines help\n",
+                   std::string(s.options.method->name).c_str());
     const double surplus = mean(balance.emitted) - mean(balance.source);
     if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
         text +=
