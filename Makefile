@@ -153,7 +153,7 @@ $(BUILD)/unity/%.cpp: always
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 sweep: $(BUILD)/unit_tests
-	SEEDS="$(SEEDS)" OBJ="$(OBJ)" $(BUILD)/unit_tests --no-skip -ts=sweep
+	SEEDS="$(SEEDS)" OBJ="$(OBJ)" $(BUILD)/unit_tests -ts=sweep
 
 coverage:
 	+@BUILD="$(BUILD)" CXX="$(CXX)" sh tests/coverage.sh
