@@ -57,7 +57,7 @@ void judge_file(const std::string& path, bool two_sided)
         return;
     }
     for (const std::string& fault : faults(scene, 20 * scene.patch_count(), false, 1))
-        FAIL_CHECK(path + (two_sided ? ", two-sided, " : ", ") + fault);
+        FAIL_CHECK(std::string(path + (two_sided ? ", two-sided, " : ", ") + fault));
 }
 
 } // namespace
