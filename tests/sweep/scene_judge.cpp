@@ -119,9 +119,10 @@ private:
         Samples samples(groups_.size());
         std::string doubt;
         try {
+            const Preparation preparation = prepare(scene_, options(way));
             for (const std::size_t runs : {4u, 16u, 64u}) {
-                solve_until(samples, runs, options(way), seed_ * 1000);
-                doubt = doubt_about(way, samples, runs);
+                solve_until(samples, runs, preparation, options(way), seed_ * 1000);
+                doubt = doubt_about(way, preparation.unoccluded != nullptr, samples, runs);
                 if (doubt.empty())
                     return;
             }
@@ -131,11 +132,12 @@ private:
         note("light", doubt);
     }
 
-    void solve_until(Samples& samples, std::size_t runs, SolveOptions options, std::uint64_t first_seed)
+    void solve_until(Samples& samples, std::size_t runs, const Preparation& preparation, SolveOptions options,
+                     std::uint64_t first_seed)
     {
         while (samples.front().size() < runs) {
             options.seed = first_seed + samples.front().size();
-            const Solution solution = solve(scene_, options, [](double) {});
+            const Solution solution = solve(scene_, preparation, options, [](double) {});
             check_balance(solution.balance);
             unsent_ += std::abs(mean(solution.balance.unshot)) / absorbing_;
             std::vector<double> power(samples.size());
@@ -167,7 +169,7 @@ private:
     }
 
     /// The first material whose light differs, or nothing.
-    std::string doubt_about(const Way& way, const Samples& samples, std::size_t runs)
+    std::string doubt_about(const Way& way, bool has_table, const Samples& samples, std::size_t runs)
     {
         if (!convex_)
             refine_truth(2 * runs);
@@ -187,17 +189,12 @@ private:
             if (by_particles)
                 noise = std::hypot(noise, noise_of_hits(g, right.mean, static_cast<double>(runs * lines_)));
             const double bias =
-                0.002 * right.mean + unseen + (uses_table(way) ? guessed * std::max(right.mean, mean_light) : 0.0);
+                0.002 * right.mean + unseen + (has_table ? guessed * std::max(right.mean, mean_light) : 0.0);
             if (!(std::abs(found.mean - right.mean) <= 4.0 * noise + bias + unsent))
                 return format("%s %g +- %g, not %g +- %g, %zu runs", groups_[g].name.c_str(), found.mean,
                               found.standard_error, right.mean, right.standard_error, runs);
         }
         return "";
-    }
-
-    bool uses_table(const Way& way) const
-    {
-        return way.method == Method::reuse && prepare(scene_, options(way)).unoccluded;
     }
 
     /// [W/m^2] Over the scene without its sky, right or as it is known.
@@ -242,7 +239,7 @@ private:
         particles.lines = std::max<std::uint64_t>(1u << 16, 2 * lines_);
         std::swap(name_, truth_name_);
         const double unsent = unsent_;
-        solve_until(truth_, runs, particles, seed_ * 1000 + 500);
+        solve_until(truth_, runs, {}, particles, seed_ * 1000 + 500);
         unsent_ = unsent;
         std::swap(name_, truth_name_);
     }

@@ -416,11 +416,8 @@ private:
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
                              "shared; expected more --memory, or no --shard");
-        const auto loses = [&](std::uint32_t i) { return first_losses_[i].lost() > 0.0; };
-        bool any_lost = false;
-        for (std::uint32_t i = 0; i < n_; ++i)
-            any_lost = any_lost || loses(i);
-        if (any_lost || parts_ > 1)
+        const auto loses = [](const SparseExchange::LossCounts& first) { return first.lost() > 0.0; };
+        if (parts_ > 1 || std::any_of(first_losses_.begin(), first_losses_.end(), loses))
             give_all_some(hemisphere);
     }
 
