@@ -106,11 +106,11 @@ private:
     std::vector<ShadowRaySums> sums_; ///< per patch
 };
 
-/// [W] Per patch: incident power from the sky alone, by `rays` rays from the patches, spread evenly over the area of each
-/// group, the patches of one material on one side, and with at least one for each group if there are enough. They take
-/// the items first_item and following. The irradiance is that of the sky times the fraction of rays that reach it; with
-/// fewer than 16 rays, a patch takes this fraction from the surrounding patches too, corrected so that the mean over its
-/// group is that of the group's own rays. Zeros if the run is stopped.
+/// [W] Per patch: incident power from the sky alone, by `rays` rays from the patches, spread evenly over the area of
+/// each group, the patches of one material on one side, and with at least one for each group if there are enough. They
+/// take the items first_item and following. The irradiance is that of the sky times the fraction of rays that reach it;
+/// with fewer than 16 rays, a patch takes this fraction from the surrounding patches too, corrected so that the mean
+/// over its group is that of the group's own rays. Zeros if the run is stopped.
 std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
                                    std::uint64_t first_item, std::uint64_t rays, const RunControl& run);
 
