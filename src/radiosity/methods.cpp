@@ -97,7 +97,7 @@ void rays_to_sky(Run& run)
         return;
     const std::uint64_t rays = run.lines_left() / 2;
     const SceneLights lights(run.scene, run.options.threads);
-    const std::vector<Rgb> found =
+    const GatheredSkylight found =
         gathered_skylight(run.scene, lights.patches(), *run.sequence, run.first_local_item(), rays, run.control(1, 1));
     if (run.stopped())
         return;
@@ -109,9 +109,11 @@ void rays_to_sky(Run& run)
             state.unshot[i] = {};
             continue;
         }
-        state.incident[i] += found[i];
-        state.unshot[i] += run.scene.reflectance(i) * found[i];
-        state.escaped = state.escaped - found[i];
+        const Rgb sent_on = run.scene.reflectance(i) * found.by_own_rays[i];
+        const Rgb absorbed = found.incident[i] - run.scene.reflectance(i) * found.incident[i];
+        state.incident[i] += found.incident[i];
+        state.unshot[i] += sent_on;
+        state.escaped = state.escaped - absorbed - sent_on;
     }
 }
 

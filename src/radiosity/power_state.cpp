@@ -95,6 +95,14 @@ PowerBalance power_balance(const Scene& scene, const PowerState& state)
     const Rgb share = at_sky == Rgb{} ? Rgb{1.0, 1.0, 1.0} : quotient(balance.absorbed, balance.absorbed + at_sky);
     balance.absorbed = balance.absorbed - share * noise;
     balance.escaped = state.escaped + at_sky - (Rgb{1.0, 1.0, 1.0} - share) * noise;
+    for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b})
+        if (const double lost = balance.escaped.*c + balance.behind.*c; balance.absorbed.*c < 0.0 && lost > 0.0) {
+            // Few paths may end with more light of a colour than they absorb on the average.
+            const double scale = std::max(0.0, 1.0 + balance.absorbed.*c / lost);
+            balance.escaped.*c *= scale;
+            balance.behind.*c *= scale;
+            balance.absorbed.*c += (1.0 - scale) * lost;
+        }
     return balance;
 }
 

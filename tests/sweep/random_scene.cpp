@@ -1,5 +1,6 @@
 #include "sweep/random_scene.h"
 
+#include "geometry/bounds.h"
 #include "refinement/adaptive_patches.h"
 #include "sampling/random.h"
 #include "scene/daylight.h"
@@ -99,11 +100,17 @@ private:
             const Vec3 size = random_.point(0.1 * inside_, 0.35 * inside_);
             if (random_.chance(0.5))
                 low.y = 0.0;
-            builder_.box(low, low + size, wall());
+            box(low, low + size);
             if (random_.chance(0.3))
-                builder_.box({low.x + 0.2 * size.x, low.y + size.y, low.z},
-                             {low.x + 0.7 * size.x, low.y + 1.2 * size.y, low.z + size.z}, wall());
+                box({low.x + 0.2 * size.x, low.y + size.y, low.z},
+                    {low.x + 0.7 * size.x, low.y + 1.2 * size.y, low.z + size.z});
         }
+    }
+    void box(Vec3 low, Vec3 high)
+    {
+        builder_.box(low, high, wall());
+        solid_.include(low);
+        solid_.include(high);
     }
 
     void make_closed_room()
@@ -242,7 +249,9 @@ private:
             const Vec3 v = {0, 0, 0.2 * inside_.z};
             builder_.rectangle(corner, u, v, lamp); // shines down
             if (random_.chance(0.7)) {              // its cover
-                const Vec3 above = {0, shape_ == closed_room && !two_sided_ ? 0.0 : 0.05 * inside_.y, 0};
+                // Lines tell a sheet from a gap where they pass solids. Inside of one a lamp would light its cover.
+                const bool touches = shape_ == closed_room && !two_sided_ && corner.y > solid_.high.y;
+                const Vec3 above = {0, touches ? 0.0 : 0.05 * inside_.y, 0};
                 builder_.rectangle(corner + above, v, u, builder_.grey(0.5, 0.0));
             }
         }
@@ -301,6 +310,7 @@ private:
     std::uint32_t palette_;
     SceneBuilder builder_;
     std::string kind_;
+    Bounds solid_; ///< contains the boxes
     Vec3 inside_; ///< lamps and boxes are put between the origin and this point
     bool lamp_ = false;
     double sky_ = 0.0; ///< [W/m^2]

@@ -115,7 +115,7 @@ private:
     void judge(const Way& way)
     {
         name_ = way.name;
-        unsent_ = 0.0;
+        unsent_.assign(groups_.size(), 0.0);
         Samples samples(groups_.size());
         std::string doubt;
         try {
@@ -139,17 +139,21 @@ private:
             options.seed = first_seed + samples.front().size();
             const Solution solution = solve(scene_, preparation, options, [](double) {});
             check_balance(solution.balance);
-            unsent_ += std::abs(mean(solution.balance.unshot)) / absorbing_;
             std::vector<double> power(samples.size());
+            std::vector<double> unshot(samples.size());
             for (std::uint32_t i = 0; i < scene_.patch_count(); ++i) {
                 const Rgb b = solution.radiosity[i];
                 const Rgb e = scene_.emittance(i);
                 if (!(b.r >= e.r && b.g >= e.g && b.b >= e.b && std::isfinite(mean(b))))
                     note("radiosity", format("%g of patch %u", mean(b), i));
                 power[group_[i]] += areas_[i] * mean(b);
+                unshot[group_[i]] += areas_[i] * std::abs(mean(solution.unshot[i]));
             }
-            for (std::size_t g = 0; g < power.size(); ++g)
+            for (std::size_t g = 0; g < power.size(); ++g) {
                 samples[g].push_back(power[g] / groups_[g].area);
+                const double absorbing = std::max(0.01, 1.0 - groups_[g].reflectance) * groups_[g].area;
+                unsent_[g] += std::abs(mean(solution.balance.unshot)) / absorbing_ + unshot[g] / absorbing;
+            }
         }
     }
 
@@ -174,10 +178,13 @@ private:
         if (!convex_)
             refine_truth(2 * runs);
         const std::uint64_t shot = way.direct == Direct::shoot ? 4 : 1; // shots leave fewer lines
-        const bool by_particles = way.method != Method::reuse || lines_ < shot * min_balanced_rays(scene_);
-        const double unsent = unsent_ / static_cast<double>(runs);
+        const bool by_particles = way.method != Method::reuse || way.direct == Direct::shoot ||
+                                  lines_ < shot * min_balanced_rays(scene_); // the direct light or all
         // [1] Pairs that no line has met are guessed from those around (docs/line_reuse.md).
-        const double guessed = 0.8 * scene_.patch_count() / static_cast<double>(lines_);
+        const double lines_per_patch = static_cast<double>(lines_) / scene_.patch_count();
+        const double guessed = 0.8 / lines_per_patch;
+        // [1] With fewer lines than the program warns of, line reuse, which is not linear, has a bias of this order.
+        const double of_few_lines = lines_per_patch < 16.0 && way.method == Method::reuse ? 0.25 / lines_per_patch : 0.0;
         const double mean_light = mean_radiosity();
         const double unseen = 2e-4 * mean_light; // light that few lines find
         for (std::size_t g = 0; g < samples.size(); ++g) {
@@ -187,9 +194,11 @@ private:
             const double of_few = std::max(1.0, std::sqrt(static_cast<double>(runs) / 16.0));
             double noise = of_few * std::hypot(found.standard_error, right.standard_error);
             if (by_particles)
-                noise = std::hypot(noise, noise_of_hits(g, right.mean, static_cast<double>(runs * lines_)));
+                noise = std::hypot(noise, noise_of_hits(way, g, right.mean, static_cast<double>(runs * lines_)));
             const double bias =
-                0.002 * right.mean + unseen + (has_table ? guessed * std::max(right.mean, mean_light) : 0.0);
+                0.002 * right.mean + unseen +
+                std::max(has_table ? guessed : 0.0, of_few_lines) * std::max(right.mean, mean_light);
+            const double unsent = unsent_[g] / static_cast<double>(runs);
             if (!(std::abs(found.mean - right.mean) <= 4.0 * noise + bias + unsent))
                 return format("%s %g +- %g, not %g +- %g, %zu runs", groups_[g].name.c_str(), found.mean,
                               found.standard_error, right.mean, right.standard_error, runs);
@@ -209,7 +218,7 @@ private:
 
     /// [W/m^2] The least standard deviation of light that particles bring: that of the number of those that come from
     /// the sources, or go from the patches to the sources, which may be 0 in all runs.
-    double noise_of_hits(std::size_t g, double radiosity, double lines) const
+    double noise_of_hits(const Way& way, std::size_t g, double radiosity, double lines) const
     {
         const Group& group = groups_[g];
         const double reflected = radiosity - group.emittance;
@@ -217,7 +226,9 @@ private:
             return 0.0;
         const double received = reflected / group.reflectance * group.area / mean(scene_.source_power());
         const double crossed = group.area / scene_.total_area() * share_of_sources_;
-        return reflected / std::sqrt(lines * std::min(received, crossed));
+        const double hits =
+            way.method == Method::gathering ? received * share_of_sources_ : std::min(received, crossed);
+        return reflected / std::sqrt(lines * hits);
     }
 
     /// [W/m^2] The backs of a closed body are dark.
@@ -238,7 +249,7 @@ private:
         SolveOptions particles = options(ways().front());
         particles.lines = std::max<std::uint64_t>(1u << 16, 2 * lines_);
         std::swap(name_, truth_name_);
-        const double unsent = unsent_;
+        const std::vector<double> unsent = unsent_;
         solve_until(truth_, runs, {}, particles, seed_ * 1000 + 500);
         unsent_ = unsent;
         std::swap(name_, truth_name_);
@@ -261,7 +272,7 @@ private:
     std::vector<std::size_t> group_; ///< by patch
     double absorbing_ = 0.0;         ///< [m^2] sum of areas times absorptances
     double share_of_sources_ = 0.0;  ///< [1] of all areas
-    double unsent_ = 0.0;            ///< [W/m^2] sum over the runs: what the power not sent yet would add
+    std::vector<double> unsent_;     ///< [W/m^2] by group, sum over the runs: about what power not sent yet would add
     Samples truth_;
     std::string name_;
     std::string truth_name_ = "the particles to compare with";

@@ -368,7 +368,7 @@ private:
 
     SparseExchange::LossCounts losses(std::uint32_t i) const
     {
-        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i))};
+        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i)), 0.0};
     }
 
     /// The losses of each patch without the rays of the first round, if it has others. What these rays have found
@@ -377,13 +377,19 @@ private:
     std::vector<SparseExchange::LossCounts> later_losses() const
     {
         auto result = large_vector<SparseExchange::LossCounts>(n_);
+        auto lost = large_vector<RaySums>(n_);
         for (std::uint32_t i = 0; i < n_; ++i) {
             const SparseExchange::LossCounts& first = first_losses_[i];
             result[i] = losses(i);
             if (result[i].cast > first.cast)
                 result[i] = {result[i].cast - first.cast, result[i].escaped - first.escaped,
-                             result[i].behind - first.behind};
+                             result[i].behind - first.behind, 0.0};
+            lost[i] = {result[i].cast, result[i].cast, result[i].lost(), result[i].lost()};
         }
+        constexpr double enough = 32.0;
+        lost = pooled_around(patches_, lost, enough, run_.threads);
+        for (std::uint32_t i = 0; i < n_; ++i)
+            result[i].around = quotient(lost[i].value, lost[i].weight);
         return result;
     }
 

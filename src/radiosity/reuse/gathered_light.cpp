@@ -93,11 +93,28 @@ private:
         double kernel;       ///< g
     };
 
+    /// A ray to a single light that meets the back of either end is drawn anew, so that nearly every patch knows by its
+    /// own rays whether it sees the light.
     void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
                  ShadowRaySums& patch_sums)
     {
-        const auto assumed = static_cast<double>(seen.irradiance);
+        constexpr int most_trials = 16;
         const std::uint32_t leaf = tree_.choose(seen.node, x);
+        Item next = item;
+        for (int trial = 0; trial < most_trials && !try_ray(patch, receiver, seen, leaf, next, patch_sums); ++trial) {
+            if (leaf != seen.node)
+                return;
+            std::uint64_t dimension = 0;
+            for (double& number : next) // a rotation (Cranley and Patterson 1976) by roots of primes
+                number = std::fmod(number + rotation[dimension++], 1.0);
+        }
+    }
+
+    /// Returns false if the ray carries no light, which then is not traced.
+    bool try_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, std::uint32_t leaf,
+                 const Item& item, ShadowRaySums& patch_sums)
+    {
+        const auto assumed = static_cast<double>(seen.irradiance);
         const LightTree::Cluster& light = tree_.cluster(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
         Target target{patch, surface, true, 0.0};
@@ -128,14 +145,18 @@ private:
             }
         }
         patch_sums.kernel += target.kernel;
-        if (target.kernel > 0.0) {
-            targets_.push_back(target);
-            to_.push_back(to);
-        } else {
+        if (!(target.kernel > 0.0)) {
             lines_.pop_back();
             from_.pop_back();
+            return false;
         }
+        targets_.push_back(target);
+        to_.push_back(to);
+        return true;
     }
+
+    static constexpr std::array<double, 4> rotation = {0.4142135623730950, 0.7320508075688773, 0.2360679774997897,
+                                                       0.6457513110645906};
 
     const Scene& scene_;
     const LightTree& tree_;
@@ -266,7 +287,6 @@ std::vector<double> GatheredLight::deviations() const
 
 std::vector<Rgb> GatheredLight::incident() const
 {
-    const std::vector<RaySums> shares = visible_shares();
     const auto errors = of_patches<RaySums>([&](std::uint32_t i) { // of the unoccluded irradiance
         const ShadowRaySums& patch_sums = sums_[i];
         return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.error, patch_sums.square};
@@ -274,7 +294,6 @@ std::vector<Rgb> GatheredLight::incident() const
     const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, threads_);
     constexpr double error_around = 0.1; // typical errors, relative
     constexpr double error_alone = 0.03;
-    const Rgb power = scene_.lamp_power();
     auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
         const ShadowRaySums& patch_sums = sums_[i];
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
@@ -286,9 +305,7 @@ std::vector<Rgb> GatheredLight::incident() const
                 1.0 + error + shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own; // never negative
             return (unoccluded * correction / patch_sums.kernel) * patch_sums.light;              // (R5)
         }
-        if (unoccluded > 0.0 && shares[i].weight > 0.0)
-            return (unoccluded * shares[i].value / shares[i].weight / mean(power)) * power;
-        return {};
+        return {}; // patches around would lend it light that it may not see
     });
     for (const LightCuts::Contact& contact : cuts_.contacts())
         result[contact.patch] += contact.power;
@@ -300,7 +317,7 @@ void GatheredLight::visit(Archive& archive)
     archive.list<double>("sights", sums_);
 }
 
-std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
+GatheredSkylight gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
                                    std::uint64_t first_item, std::uint64_t rays, const RunControl& run)
 {
     const std::uint32_t n = scene.patch_count();
@@ -331,7 +348,7 @@ std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patche
     LineCounts counts(n);
     ShardRange range = ShardRange::of(ray_blocks(allotment).count(), {});
     count_rays(scene, allotment, sequence, first_item, range, run, counts);
-    std::vector<Rgb> result = large_vector<Rgb>(n);
+    GatheredSkylight result{large_vector<Rgb>(n), large_vector<Rgb>(n)};
     if (run.stopped())
         return result;
     std::vector<RaySums> own = large_vector<RaySums>(n);
@@ -354,7 +371,8 @@ std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patche
         const double share = group.own.weight == 0.0 ? fraction(i)
                              : group.found > 0.0     ? fraction(i) * mean * group.area / group.found
                                                      : mean;
-        result[i] = (scene.area(i) * share) * sky;
+        result.incident[i] = (scene.area(i) * share) * sky;
+        result.by_own_rays[i] = (scene.area(i) * quotient(own[i].value, expected[i])) * sky;
     }
     return result;
 }
@@ -386,7 +404,8 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     std::vector<Rgb> incident = light.incident();
     if (scene.file().sky_surfaces > 0) {
         const std::vector<Rgb> sky =
-            gathered_skylight(scene, lights.patches(), *sequence, item, static_cast<std::uint64_t>(rays), {threads});
+            gathered_skylight(scene, lights.patches(), *sequence, item, static_cast<std::uint64_t>(rays), {threads})
+                .incident;
         for (std::uint32_t i = 0; i < n; ++i)
             incident[i] += sky[i];
     }

@@ -87,8 +87,7 @@ public:
     /// the patch if they are 16 or more, otherwise from those of the surrounding patches as well.
     std::vector<double> deviations() const;
 
-    /// [W] Per patch: estimated incident power from all lights. For a patch without rays, or with no g above 0, the
-    /// ratio of the sums is the share of unblocked rays of the surrounding patches, in the mean colour of all lights.
+    /// [W] Per patch: estimated incident power from all lights; 0 for a patch without rays, or with no g above 0.
     std::vector<Rgb> incident() const;
 
     void visit(Archive& archive); ///< saves the sums to a checkpoint or restores them
@@ -106,12 +105,21 @@ private:
     std::vector<ShadowRaySums> sums_; ///< per patch
 };
 
-/// [W] Per patch: incident power from the sky alone, by `rays` rays from the patches, spread evenly over the area of
-/// each group, the patches of one material on one side, and with at least one for each group if there are enough. They
-/// take the items first_item and following. The irradiance is that of the sky times the fraction of rays that reach it;
-/// with fewer than 16 rays, a patch takes this fraction from the surrounding patches too, corrected so that the mean
-/// over its group is that of the group's own rays. Zeros if the run is stopped.
-std::vector<Rgb> gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
+/// [W] Incident power of every patch from the sky alone, estimated twice with the same rays.
+struct GatheredSkylight
+{
+    /// The sky's light times the fraction of rays that reach it. With fewer than 16 rays, a patch takes this fraction
+    /// from the surrounding patches too, corrected so that the mean over its group, the patches of one material on one
+    /// side, is that of the group's own rays. Exact where all rays reach the sky.
+    std::vector<Rgb> incident;
+    /// Each patch by its own rays alone, most often nothing if there are few of them, but right on the average (Horvitz
+    /// and Thompson 1952): nothing gets from the patches around into a closed space.
+    std::vector<Rgb> by_own_rays;
+};
+
+/// Casts `rays` rays from the patches, spread evenly over the area of each group, and with at least one for each group
+/// if there are enough. They take the items first_item and following. Zeros if the run is stopped.
+GatheredSkylight gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
                                    std::uint64_t first_item, std::uint64_t rays, const RunControl& run);
 
 /// [W/m^2] Radiosity of every patch after one reflection: its emittance plus the reflected light of lamps, sky and sun.

@@ -28,7 +28,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
       own_(large_vector<double>(area.size())),
       unseen_(large_vector<double>(area.size()))
 {
-    LossCounts all = {0.0, 0.0, 0.0};
+    LossCounts all = {0.0, 0.0, 0.0, 0.0};
     for (std::uint32_t i = 0; i < size(); ++i) {
         unit_ += area[i];
         all.cast += losses_[i].cast;
@@ -39,6 +39,8 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
     escaping_share_ = all.lost() > 0.0 ? all.escaped / all.lost() : 1.0;
     for (const double d : density)
         factors_.push_back({static_cast<float>(d * unit_), 1.0f});
+    if (all.lost() > 0.0)
+        find_spaces(side);
     std::vector<double> wanted = large_vector<double>(size()); // [m^2] of rays that join patches
     std::vector<double> lost_part = large_vector<double>(size());
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
@@ -69,34 +71,71 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         unseen_[i] = lacks - more_lost;
         return unseen_[i];
     });
-    if (unseen_area > 0.0)
-        find_spaces(side, unseen_rays > 0.0, lost_share > 0.0);
+    if (unseen_area > 0.0) {
+        if (space_.empty())
+            find_spaces(side);
+        if (unseen_rays > 0.0) { // light gets from everywhere to everywhere
+            space_.assign(size(), 0);
+            loses_.assign(size(), false);
+        }
+        share_deficits();
+    } else
+        space_.clear();
     const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return open(i); });
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
 }
 
-/// Finds the patches that share their deficits. All do if light is to get from everywhere to everywhere. What a patch
-/// would share with itself, much if its space has few patches, is lost if rays are.
-void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side, bool all_one, bool may_lose)
+void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
 {
-    space_.assign(size(), 0);
-    if (!all_one) {
-        DisjointSets spaces(size());
-        for (std::uint32_t i = 0; i < size(); ++i) {
-            if (i > 0 && side[i] == side[i - 1])
-                spaces.unite(i, i - 1);
-            for (const std::uint32_t j : counts_.row(i))
-                if (j < i)
-                    spaces.unite(i, j);
-        }
-        space_ = spaces.roots();
+    DisjointSets spaces(size());
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        if (i > 0 && side[i] == side[i - 1])
+            spaces.unite(i, i - 1);
+        for (const std::uint32_t j : counts_.row(i))
+            if (j < i)
+                spaces.unite(i, j);
     }
+    space_ = spaces.roots();
+    loses_.assign(size(), false);
+    for (std::uint32_t i = 0; i < size(); ++i)
+        if (losses_[i].lost() > 0.0)
+            loses_[space_[i]] = true;
+    bound_losses_around(space_);
+    bound_losses_around(side);
+}
+
+/// The patches around may lie in another space, or face another way: no larger share is lost around a patch than by the
+/// other patches of its group.
+void SparseExchange::bound_losses_around(const std::vector<std::uint32_t>& group)
+{
+    struct Sums
+    {
+        double cast = 0.0;
+        double lost = 0.0;
+    };
+    std::vector<Sums> sums(size() == 0 ? 0 : *std::max_element(group.begin(), group.end()) + std::size_t{1});
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        sums[group[i]].cast += losses_[i].cast;
+        sums[group[i]].lost += losses_[i].lost();
+    }
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        LossCounts& own = losses_[i];
+        const Sums& all = sums[group[i]];
+        if (all.cast > own.cast)
+            own.around = std::min(own.around, (all.lost - own.lost()) / (all.cast - own.cast));
+    }
+}
+
+/// The patches of a space share their deficits. What a patch would share with itself, much if its space has few
+/// patches, is lost if any ray of the space is.
+void SparseExchange::share_deficits()
+{
     unseen_sum_ = large_vector<double>(size());
     for (std::uint32_t i = 0; i < size(); ++i)
         unseen_sum_[space_[i]] += unseen_[i];
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (unseen_[i] > 0.0 && may_lose && !all_one) {
+        if (unseen_[i] > 0.0 && loses_[space_[i]]) {
             const double own = unseen_[i] * unseen_[i] / unseen_sum_[space_[i]];
             lost_[i] += own;
             own_[i] -= own;
@@ -113,26 +152,23 @@ std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
     return light;
 }
 
-/// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased. But if the
-/// patches around cast far more rays, what these say of the patch says more, and the ratio of its lost exchange to all
-/// of it counts.
+/// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased. But of rays that
+/// seldom meet anything, those of two patches seldom agree that anything lies between them, and the balance would leave
+/// most of the exchange unsampled. There the exchange by all rays that join the patch counts, unbiased, too, as long as
+/// it seldom exceeds the area of the patch and is cut off. The weight of each depends on the rays around alone.
 double SparseExchange::part_lost(std::uint32_t i, double unseen_rays) const
 {
-    const auto density = static_cast<double>(factors_[i].density);
-    double hits = 0.0;     // exchange by rays that join patches
-    double own_hits = 0.0; // expected number of own rays among them
-    for (const std::uint32_t j : counts_.row(i)) {
-        const double share = 1.0 / (density + static_cast<double>(factors_[j].density));
-        hits += share;
-        own_hits += share * density;
-    }
-    const CountRow row = counts_.row(i);
     const LossCounts& losses = losses_[i];
     const double own = losses.lost() / (losses.cast + unseen_rays);
-    const double weight =
-        row.first == row.last ? 1.0 : std::min(1.0, 2.0 * own_hits / static_cast<double>(row.last - row.first));
-    const double lost = quotient(losses.lost() * area_[i], losses.cast) / unit_;
-    return weight * own + (1.0 - weight) * quotient(lost, lost + hits);
+    const double expected_hits = losses.cast * (1.0 - losses.around);
+    const double weight = losses.around / (1.0 + expected_hits * expected_hits);
+    if (weight == 0.0)
+        return own;
+    const auto density = static_cast<double>(factors_[i].density);
+    double joined = 0.0; // exchange area over unit_
+    for (const std::uint32_t j : counts_.row(i))
+        joined += 1.0 / (density + static_cast<double>(factors_[j].density));
+    return std::clamp((1.0 - weight) * own + weight * (1.0 - joined * unit_ / area_[i]), 0.0, 1.0);
 }
 
 /// [m^2] Exchange area of a patch with the sky, or with the outside of the scene.

@@ -14,8 +14,8 @@ namespace multipath {
 /// sum here includes the losses (escaping and behind). With d_i rays per m^2 of patch i, and C_ij rays between i and j,
 /// started at either end, the estimate of A_i F_ij is C_ij / (d_i + d_j): the balance heuristic of Veach and Guibas
 /// (1995), which is never much worse than the best combination of the two kinds of rays. What is lost is known from
-/// the patch's own rays (LossCounts), the fraction of them that reached no patch, unless the patches around cast far
-/// more rays.
+/// the patch's own rays (LossCounts), the fraction of them that reached no patch, and where nearly all do, from the
+/// rays that join the patch as well.
 /// Two steps close the estimate:
 ///
 /// Step 1: G_ij = x_i x_j C_ij / (d_i + d_j), with one factor x per patch, by symmetric matrix balancing after Sinkhorn
@@ -41,6 +41,7 @@ public:
         double cast;
         double escaped;
         double behind;
+        double around; ///< [1] the lost share of the rays of other patches around
         double lost() const { return escaped + behind; }
     };
 
@@ -98,7 +99,9 @@ private:
     double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
-    void find_spaces(const std::vector<std::uint32_t>& side, bool all_one, bool may_lose);
+    void find_spaces(const std::vector<std::uint32_t>& side);
+    void bound_losses_around(const std::vector<std::uint32_t>& group);
+    void share_deficits();
     std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
     void multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const;
@@ -115,7 +118,8 @@ private:
     double escaping_share_ = 1.0;      ///< [1] part of all lost rays that escaped
     std::vector<double> own_;          ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
     std::vector<double> unseen_;       ///< [m^2] the part of the other deficits that is spread over the patches
-    std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if there are no such deficits
+    std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if none is needed
+    std::vector<bool> loses_;          ///< of each space, at its first patch: true if rays are lost
     std::vector<double> unseen_sum_;   ///< [m^2] of unseen_, at the first patch of each space
 };
 
