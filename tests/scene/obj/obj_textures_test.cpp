@@ -109,6 +109,7 @@ TEST_CASE(
         return Scene(file, 1.0).reflectance(0).g; // s from 0 to 0.5
     };
     CHECK(mean_of_left("map_Kd my wood.ppm") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_kd my wood.ppm") == doctest::Approx(1.0));
     CHECK(mean_of_left("map_Kd \"my wood.ppm\"") == doctest::Approx(1.0));
     CHECK(mean_of_left("map_Kd C:\\Users\\me\\Textures\\My Wood.ppm") == doctest::Approx(1.0));
     CHECK(mean_of_left("map_Kd my%20wood.ppm") == doctest::Approx(1.0));
@@ -241,7 +242,9 @@ TEST_CASE("map_Ke times Ke is the mean of a lamp")
     const std::string face = square + "f 1/1 2/2 3/3 4/4\n";
     CHECK(files.read(face, "newmtl m\nKd 0\nKe 6 4 2\nmap_Ke a.ppm\n").materials[0].emittance.r ==
           doctest::Approx(3.0));
-    CHECK(files.read(face, "newmtl m\nKd 0\nmap_Ke a.ppm\n").materials[0].emittance.r == doctest::Approx(0.5));
+    for (const char* keyword : {"map_Ke", "map_ke"})
+        CHECK(files.read(face, std::string("newmtl m\nKd 0\n") + keyword + " a.ppm\n").materials[0].emittance.r ==
+              doctest::Approx(0.5));
     const SceneFile dark = files.read(face, "newmtl m\nKd 0\nKe 0 0 0\nmap_Ke a.ppm\n");
     CHECK(dark.materials[0].emittance.r == doctest::Approx(0.5));
     CHECK(any_contains(dark.warnings, "Ke = 0 beside a texture, which counts alone: `m`"));
