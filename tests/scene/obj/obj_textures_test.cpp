@@ -106,6 +106,7 @@ TEST_CASE(
     files.folder.write("My Wood.PPM", halves);
     const auto mean_of_left = [&](const std::string& map) {
         const SceneFile file = files.read(square + "f 1/1 2/2 3/3 4/4\n", "newmtl m\nKe 1\nKd 1\n" + map + "\n");
+        CHECK(file.textures.size() == 1);         // found
         return Scene(file, 1.0).reflectance(0).g; // s from 0 to 0.5
     };
     CHECK(mean_of_left("map_Kd my wood.ppm") == doctest::Approx(1.0));
