@@ -258,18 +258,13 @@ public:
     }
 
 private:
-    /// The corners of a piece in pixels; nothing if it has no texture coordinates. On an image that repeats they are
-    /// moved by whole images towards the origin, where numbers are more precise.
+    /// The corners of a piece in pixels; nothing if it has no texture coordinates.
     TexturePolygon footprint(const Piece& piece, const Mask& mask) const
     {
         TexturePolygon polygon;
-        TexturePoint moved;
         for (std::size_t k = 0; k < (piece.is_triangle() ? 3 : 4) && has_coordinates(piece); ++k) {
             const TexturePoint p = map_.at(mesh_.texture_points[piece.points[k]]);
-            if (k == 0 && mask.repeats)
-                moved = {std::floor(p.s), std::floor(p.t)};
-            polygon.push_back({(p.s - moved.s) * static_cast<double>(mask.width),
-                               (p.t - moved.t) * static_cast<double>(mask.height)});
+            polygon.push_back({p.s * static_cast<double>(mask.width), p.t * static_cast<double>(mask.height)});
         }
         return polygon;
     }
