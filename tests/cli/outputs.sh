@@ -144,16 +144,16 @@ inputs() {
 check "no input is overwritten, neither by another name nor as a material file" inputs
 
 # The folder holds a scene whose default pictures would have the names of its textures: one that is read, one of an ignored
-# statement, and one that is missing and would be found next time.
+# statement, and two that are missing and would be found next time.
 textures() {
     mkdir textures && cd textures && mkdir maps && sed 's/cube\.mtl/a.mtl/' "$scene" >a.obj &&
-        sed '/^Kd/a map_Kd A.ppm\nmap_Bump maps/bump.ppm\nmap_Ke c:\\old\\Missing.ppm' "$root/scenes/cube.mtl" >a.mtl || return
+        sed '/^Kd/a map_Kd A.ppm\nmap_Bump maps/bump.ppm\nmap_Ke c:\\old\\Missing.ppm\nmap_d not%5fthere.ppm' "$root/scenes/cube.mtl" >a.mtl || return
     printf 'P3 1 1 255 128 128 128\n' >a.ppm && cp a.ppm maps/bump.ppm && cp a.ppm old && cp a.obj a.csv
     ln -s a.ppm soft.png && ln a.ppm hard.svg
     few="--lines 1000 --patches 100 --size 8x8 --quiet"
     ends 2 solve a.obj $few && says err "'a.ppm' is an input" || return
     ls -A >../before
-    for output in ./a.ppm A.PPM maps/../a.ppm soft.png maps/bump.ppm maps/BUMP.ppm missing.ppm; do
+    for output in ./a.ppm A.PPM maps/../a.ppm soft.png maps/bump.ppm maps/BUMP.ppm missing.ppm not_there.ppm; do
         ends 2 solve a.obj $few -o $output && says err "is an input" || return
     done
     ends 2 explain a.obj --of 1000 -o hard.svg && says err "is an input" || return

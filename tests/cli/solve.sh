@@ -243,6 +243,26 @@ all_agree() {
 }
 check "the methods agree under a sky" all_agree
 
+# Four triangles in a plane, lit from both sides, and a fifth that leans over it: rays between patches are few and grazing,
+# and no exchange by these rays alone fills the areas. The numbers are two heights for each of the four, and how far the
+# fifth leans.
+grazing() {
+    printf 'newmtl wall\nKd .75 .75 .7\nnewmtl pane\nKd 0\nKe 20\n' >grazing.mtl
+    for shape in '.11 1.78 .01 1.51 -.06 2 -.13 1.15 .3' '-.14 1.69 .11 1.85 -.19 1.23 -.21 1.23 .75'; do
+        echo "$shape" | awk 'function face(a, b, c) { print "v", a; print "v", b; print "v", c; print "f -3 -2 -1" }
+            { print "mtllib grazing.mtl\nusemtl wall"
+              for (k = 0; k < 4; ++k) face("0 " k " 0", "0 " k + 1 " " $(2 * k + 1), "0 " k + .5 " " $(2 * k + 2))
+              face("0 4.2 .2", -$9 " 4.3 0", "0 4.4 .1"); print "usemtl pane"
+              face("-.2 2 7", "-.2 2.2 7.2", "-.2 1 7.2"); face("-.2 0 5.5", "-.2 .3 5.6", "-.2 0 7") }' >grazing.obj
+        for method in local reuse; do
+            ends 0 solve grazing.obj --two-sided --method $method -o $method.csv && ! grep particles err &&
+                sed -n 's/^radiosity  mean \([^ ]*\) .*/\1/p' err >$method.mean || return
+        done
+        paste local.mean reuse.mean | awk '{ print; exit !($2 > 0.999 * $1 && $2 < 1.001 * $1) }' || return
+    done
+}
+check "surfaces that see little of each other reflect no more light than arrives" grazing
+
 old_file_kept() {
     echo old >kept.csv && ends 1 solve missing.obj $quick -o kept.csv && grep -q old kept.csv && [ -z "$(find . -name '.*part*')" ]
 }

@@ -10,6 +10,7 @@
 #include "scene/text/text_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -58,12 +59,18 @@ Range extent(const Scene& scene, Vec3 axis)
 }
 
 /// Where to measure the light of a point: there, or `hair` above it if the point lies on a surface. Nothing if a ray
-/// downwards does not first meet a side of a surface that has patches.
-std::optional<Vec3> place_above_floor(const Scene& scene, Vec3 point, Vec3 up, double hair)
+/// downwards does not first meet a side of a surface that has patches, or if rays upwards and to four sides all first
+/// meet sides that have none: the point lies in a body, which may have no bottom.
+std::optional<Vec3> place_above_floor(const Scene& scene, Vec3 point, const GridAxes& axes, double hair)
 {
-    const Vec3 raised = point + hair * up;
-    const std::optional<Hit> below = scene.intersector().closest_hit({raised, -up});
-    if (!below || scene.is_sky(below->surface) || !(below->front || scene.two_sided()))
+    const Vec3 raised = point + hair * axes.up;
+    const auto first_hit = [&](Vec3 direction) { return scene.intersector().closest_hit({raised, direction}); };
+    const auto is_back = [&](const std::optional<Hit>& hit) { return hit && !hit->front && !scene.two_sided(); };
+    const std::optional<Hit> below = first_hit(-axes.up);
+    if (!below || scene.is_sky(below->surface) || is_back(below))
+        return std::nullopt;
+    const std::array others = {axes.up, axes.along_x, -axes.along_x, axes.along_y, -axes.along_y};
+    if (std::all_of(others.begin(), others.end(), [&](Vec3 direction) { return is_back(first_hit(direction)); }))
         return std::nullopt;
     return below->t <= 2.0 * hair ? raised : point;
 }
@@ -93,7 +100,7 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
                 x.middle_of_part(i, n_x) * axes.along_x + y.middle_of_part(j, n_y) * axes.along_y + level * axes.up;
             if (level < heights.low || level >= heights.high)
                 continue;
-            if (const std::optional<Vec3> place = place_above_floor(scene, point, axes.up, hair)) {
+            if (const std::optional<Vec3> place = place_above_floor(scene, point, axes, hair)) {
                 grid.points.push_back({point, {}});
                 places.push_back(*place);
             }

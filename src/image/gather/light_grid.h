@@ -24,8 +24,9 @@ struct GridPointLight
 };
 
 /// Irradiance on a grid of points, the centres of equal rectangles over the scene. A point is left out if it is above
-/// the scene, or if a ray straight down from it meets nothing or first meets the sky or a back that has no patches:
-/// then the point lies in a wall, in furniture or outside the scene. A point on a surface, such as any of a grid of
+/// the scene, or if a ray straight down from it meets nothing or first meets the sky or a back that has no patches, or
+/// if rays up and to four sides all first meet such backs: then the point lies in a wall, in furniture, which may have
+/// no bottom, or outside the scene. A point on a surface, such as any of a grid of
 /// height 0 on the floor, has the light that arrives there. `mean`, `least` and `most` are statistics of the mean of
 /// the three channels.
 struct LightGrid

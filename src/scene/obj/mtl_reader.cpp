@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <unordered_map>
 
@@ -21,6 +23,7 @@ namespace {
 
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name);
 std::string last_part(const std::string& path);
+std::string url_decoded(std::string_view text);
 
 // [W/m^2] Powers and their squares must stay within the range of doubles.
 constexpr double largest_emittance = 1e30;
@@ -292,9 +295,11 @@ const std::string& MtlParser::texture(const std::string& name)
         const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
         std::string path = name;
         std::replace(path.begin(), path.end(), '\\', '/');
-        for (const std::string& place : {entry->second, (folder / path).string(), (folder / last_part(name)).string()})
-            if (!place.empty())
-                library_.texture_files.push_back(place);
+        for (const std::string& spelling : std::set<std::string>{path, url_decoded(path)})
+            for (const std::filesystem::path& place : {folder / spelling, folder / last_part(spelling)})
+                library_.texture_files.push_back(place.string());
+        if (!entry->second.empty())
+            library_.texture_files.push_back(entry->second);
     }
     return entry->second;
 }
@@ -335,8 +340,25 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_words = 32;
 
+/// The text with `%` and two hexadecimal digits replaced by the byte that they encode (RFC 3986), unless it is 0.
+std::string url_decoded(std::string_view text)
+{
+    std::string decoded;
+    for (; !text.empty(); text.remove_prefix(1)) {
+        unsigned byte = 0;
+        const char* const end = text.data() + 3;
+        if (text.size() >= 3 && text[0] == '%' && std::from_chars(text.data() + 1, end, byte, 16).ptr == end &&
+            byte != 0)
+            text.remove_prefix(2);
+        else
+            byte = static_cast<unsigned char>(text[0]);
+        decoded += static_cast<char>(byte);
+    }
+    return decoded;
+}
+
 /// The entry of a folder with this name, or else with this name in another case: the first of them in order of names,
-/// which does not depend on the file system.
+/// which does not depend on the file system. If there is none, the name may be encoded as in a URL.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
 {
     std::error_code error;
@@ -349,6 +371,8 @@ std::optional<fs::path> find_entry(const fs::path& folder, const std::string& na
         if (equal_but_for_case(entry_name, name) && (!found || entry_name < found->filename().string()))
             found = folder / entry_name;
     }
+    if (const std::string plain = url_decoded(name); !found && plain != name)
+        return find_entry(folder, plain);
     return found;
 }
 

@@ -276,17 +276,16 @@ std::uint32_t ObjParser::corner(std::string_view word, const TextLocation& place
     return static_cast<std::uint32_t>(negative ? vertex_count - number : number - 1);
 }
 
-/// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e6, counts as 0: it
+/// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e9, counts as 0: it
 /// is no reason to refuse a scene.
 void ObjParser::texture_point(std::string_view rest, std::uint32_t line)
 {
-    constexpr double far = 1e6;
     std::array<double, 2> st = {};
     bool sound = true;
     for (double& x : st) {
         const std::string_view word = next_word(rest);
         const std::optional<double> value = word.empty() ? 0.0 : to_number(word);
-        sound = sound && value && std::abs(*value) <= far;
+        sound = sound && value && std::abs(*value) <= largest_coordinate;
         x = sound ? *value : 0.0;
     }
     if (!sound)
@@ -404,7 +403,7 @@ void ObjParser::summarise_warnings()
     warn(numbers_after_vertices_,
          "the numbers after the coordinates of a vertex are ignored, expected a weight, or red, "
          "green and blue from 0 to 1");
-    warn(texture_coordinates_, "a texture coordinate is not a number up to 1e6 and counts as 0");
+    warn(texture_coordinates_, "a texture coordinate is not a number up to 1e9 and counts as 0");
     warn(missing_points_, "a face refers to a texture point that does not exist, so it has the mean colour of its "
                           "texture; the file has " +
                               counted(mesh_.texture_points.size(), "texture point"));

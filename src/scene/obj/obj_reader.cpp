@@ -169,13 +169,16 @@ void add_default_material(const ObjMesh& mesh, const ObjName& name, MaterialList
     const std::string flaw =
         has_name ? "material " + in_quotes(name.name) + " is not defined" + in_files(list.by_origin.files)
                  : "faces without a material";
-    list.warnings.push_back(material.source + ": " + flaw + ", grey with Kd = 0.5 stands in" +
-                            (mesh.colours.empty() ? "" : " where vertices have no colours"));
+    const std::string warning = material.source + ": " + flaw + ", grey with Kd = 0.5 stands in" +
+                                (mesh.colours.empty() ? "" : " where vertices have no colours");
+    if (std::find(list.warnings.begin(), list.warnings.end(), warning) == list.warnings.end()) { // not of a lamp's copy
+        list.warnings.push_back(warning);
+        if (has_name)
+            list.by_origin.unknown_names.push_back(name.name);
+    }
     list.definitions.emplace_back();
     list.materials.push_back(std::move(material));
     list.by_origin.default_used = true;
-    if (has_name)
-        list.by_origin.unknown_names.push_back(name.name);
 }
 
 /// Lowers each channel of the reflectances to the limit. Returns the names of the materials that exceeded it.

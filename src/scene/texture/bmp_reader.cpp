@@ -25,7 +25,7 @@ public:
         if (header_size == core_size)
             read_core_header(file);
         else if (header_size >= info_size)
-            read_info_header(file);
+            read_info_header(file, header_size);
         else
             throw ImageError("has an unknown kind of header");
         require_supported();
@@ -40,6 +40,7 @@ private:
     static constexpr std::uint32_t file_header_size = 14;
     static constexpr std::uint32_t core_size = 12;
     static constexpr std::uint32_t info_size = 40;
+    static constexpr std::uint32_t size_with_alpha_mask = 56;
 
     enum Compression : std::uint32_t { none = 0, rle_8 = 1, rle_4 = 2, bit_fields = 3, alpha_bit_fields = 6 };
     using Colour = std::array<std::uint8_t, 3>;
@@ -52,7 +53,7 @@ private:
         bits_ = file.little_endian_16();
     }
 
-    void read_info_header(ByteReader& file)
+    void read_info_header(ByteReader& file, std::uint32_t header_size)
     {
         width_ = file.little_endian_32();
         height_ = file.little_endian_32();
@@ -68,9 +69,12 @@ private:
         if (bits_ == 16)
             masks_ = {0x7c00, 0x3e0, 0x1f};
         // The masks follow the first 40 bytes, which are the whole header or the beginning of that of a later version.
-        if (compression_ == bit_fields || compression_ == alpha_bit_fields)
+        if (compression_ == bit_fields || compression_ == alpha_bit_fields) {
             for (std::uint32_t& mask : masks_)
                 mask = file.little_endian_32();
+            if (compression_ == alpha_bit_fields || header_size >= size_with_alpha_mask)
+                alpha_mask_ = file.little_endian_32();
+        }
     }
 
     void require_supported() const
@@ -119,6 +123,7 @@ private:
         if ((data.left() + padding) / stride < height_)
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_);
+        bitmap.alpha.resize(alpha_mask_ != 0 ? bitmap.rgb.size() / 3 : 0);
         for (std::uint32_t j = 0; j < height_; ++j) {
             const std::uint8_t* const row = data.bytes(static_cast<std::size_t>(row_bytes));
             data.skip(std::min(static_cast<std::size_t>(padding), data.left()));
@@ -126,9 +131,23 @@ private:
             for (std::size_t i = 0; i < width_; ++i, pixel += 3) {
                 const Colour colour = colour_of(row, i);
                 std::copy(colour.begin(), colour.end(), pixel);
+                if (alpha_mask_ != 0)
+                    bitmap.alpha[static_cast<std::size_t>(pixel - bitmap.rgb.data()) / 3] =
+                        masked(word_of(row, i), alpha_mask_);
             }
         }
+        drop_unused_alpha(bitmap);
         return bitmap;
+    }
+
+    /// The bits of a pixel of 16 or 32.
+    std::uint32_t word_of(const std::uint8_t* row, std::size_t i) const
+    {
+        std::uint32_t word = 0;
+        const std::size_t bytes = bits_ / 8;
+        for (std::size_t byte = 0; byte < bytes; ++byte)
+            word |= std::uint32_t{row[bytes * i + byte]} << 8 * byte;
+        return word;
     }
 
     Colour colour_of(const std::uint8_t* row, std::size_t i) const
@@ -139,10 +158,7 @@ private:
             const std::size_t bit = i * bits_;
             return palette_[row[bit / 8] >> (8 - bits_ - bit % 8) & ((1u << bits_) - 1)];
         }
-        std::uint32_t word = 0;
-        const std::size_t bytes = bits_ / 8;
-        for (std::size_t byte = 0; byte < bytes; ++byte)
-            word |= std::uint32_t{row[bytes * i + byte]} << 8 * byte;
+        const std::uint32_t word = word_of(row, i);
         return {masked(word, masks_[0]), masked(word, masks_[1]), masked(word, masks_[2])};
     }
 
@@ -211,6 +227,7 @@ private:
     std::uint32_t compression_ = none;
     std::uint32_t colours_used_ = 0; ///< 0 for all
     std::array<std::uint32_t, 3> masks_ = {0xff0000, 0xff00, 0xff};
+    std::uint32_t alpha_mask_ = 0;         ///< 0: no opacity; without masks the fourth byte of a pixel has no meaning
     std::array<Colour, 256> palette_ = {}; ///< black after its end
 };
 

@@ -37,8 +37,11 @@ void require_bitmap_size(std::uint32_t width, std::uint32_t height);
 /// Returns a black image. Throws ImageError like require_bitmap_size().
 Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
 
+/// Makes an image opaque all of whose pixels have opacity 0: some programs leave these bytes unused.
+void drop_unused_alpha(Bitmap& bitmap);
+
 // Decoders of image files. `bytes` is the whole contents of a file. Each decoder throws ImageError if the file is
-// damaged or not supported. Colour profiles are ignored. PNG and TGA have opacity, other formats do not.
+// damaged or not supported. Colour profiles are ignored. PNG, TGA and BMP have opacity, other formats do not.
 
 /// Portable Network Graphics (ISO/IEC 15948): all colour types, depths and interlacing.
 Bitmap read_png(std::string_view bytes);

@@ -3,6 +3,8 @@
 #include "scene/text/text_words.h"
 #include "scene/texture/byte_reader.h"
 
+#include <algorithm>
+
 namespace multipath {
 
 namespace {
@@ -41,6 +43,13 @@ Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height)
 {
     require_bitmap_size(width, height);
     return {width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
+}
+
+void drop_unused_alpha(Bitmap& bitmap)
+{
+    const auto is_zero = [](std::uint8_t alpha) { return alpha == 0; };
+    if (std::all_of(bitmap.alpha.begin(), bitmap.alpha.end(), is_zero))
+        bitmap.alpha.clear();
 }
 
 Bitmap read_image(std::string_view name, std::string_view bytes)

@@ -10,8 +10,8 @@
 // with 13 fractional bits in the constants and 2 in the intermediate result. Transform, interpolation and colours round
 // like libjpeg's default ("islow", "fancy upsampling"), so both decoders agree in every pixel of a sound file.
 //
-// Bytes between segments, the numbers of restart markers and a missing end marker are ignored, the last unless the file
-// is progressive and may lack scans. Any other violation of the standard is an error.
+// Bytes between segments, the numbers of restart markers and a missing end marker are ignored, the last unless a
+// progressive file lacks scans. Any other violation of the standard is an error.
 
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
@@ -212,7 +212,8 @@ struct JpegComponent
     std::size_t quantization_index = 0;
     std::uint32_t width = 0; ///< [samples]
     std::uint32_t height = 0;
-    std::uint32_t blocks_x = 0; ///< without blocks that only pad the last MCU
+    std::array<bool, 64> is_exact = {}; ///< per coefficient: a progressive scan has coded its last bit
+    std::uint32_t blocks_x = 0;         ///< without blocks that only pad the last MCU
     std::uint32_t blocks_y = 0;
     std::size_t block_count() const { return std::size_t{blocks_x} * blocks_y; }
     std::size_t stride() const { return std::size_t{8} * blocks_x; } ///< [samples]
@@ -338,9 +339,11 @@ public:
             else
                 read_segment(*marker, segment);
         }
-        const auto lacks_scan = [](const JpegComponent& component) { return !component.quantization; };
-        if (components_.empty() || std::any_of(components_.begin(), components_.end(), lacks_scan) ||
-            (progressive_ && !ended))
+        const auto lacks_scan = [&](const JpegComponent& component) {
+            return !component.quantization ||
+                   (progressive_ && !ended && std::count(component.is_exact.begin(), component.is_exact.end(), false));
+        };
+        if (components_.empty() || std::any_of(components_.begin(), components_.end(), lacks_scan))
             throw ImageError("ends too early");
         return convert();
     }
@@ -526,6 +529,9 @@ private:
             if (bits_.exhausted())
                 throw ImageError("ends too early");
         }
+        for (JpegComponent* component : scan_.components)
+            for (unsigned k = scan_.first; k <= scan_.last && scan_.low == 0; ++k)
+                component->is_exact[k] = true;
         return bits_.position();
     }
 

@@ -202,15 +202,18 @@ Rgb Texture::mean(const TextureFootprint& footprint) const
     TextureFootprint p = footprint;
     double least = 0.0;
     double length = 0.0;
+    double farthest = 0.0;
     for (std::size_t k = 0; k < p.count; ++k) {
         p.corners[k] = {width * (p.corners[k].s - shift_s), height * (p.corners[k].t - shift_t)};
         least = k == 0 ? p.corners[k].s : std::min(least, p.corners[k].s);
+        farthest = std::max({farthest, std::abs(p.corners[k].s), std::abs(p.corners[k].t)});
     }
     for (std::size_t k = 0; k < p.count; ++k)
         length += std::abs(p.corners[k].s - p.corners[(k + 1) % p.count].s) +
                   std::abs(p.corners[k].t - p.corners[(k + 1) % p.count].t);
     constexpr double too_long = 1e6; // [pixels] along the border: the mean of so many is that of the texture
-    if (!(length < too_long))
+    constexpr double too_far = 1e13; // [pixels] from a texture that does not repeat: sums have 64 bits
+    if (!(length < too_long && farthest < too_far))
         return mean_;
     const double area = area_of(p);
     constexpr double no_area = 1e-9; // [pixels]

@@ -67,7 +67,7 @@ public:
     Rgb mean() const { return mean_; } ///< [1] over the whole image
     /// [1] The mean over a polygon: exact, by Green's theorem, in time proportional to the number of pixels along its
     /// border. For a polygon without area it is the pixel at the middle of the corners. For a border of 10^6 pixels or
-    /// more it is the mean of the whole image.
+    /// more, or 10^13 pixels away from an image that does not repeat, it is the mean of the whole image.
     Rgb mean(const TextureFootprint& footprint) const;
     /// [1] The colour at a point, interpolated bilinearly between the centres of four pixels.
     Rgb at(TexturePoint point) const;

@@ -38,9 +38,7 @@ public:
                     bitmap.alpha[std::size_t{width_} * y + x] = pixel[pixel_bytes_ - 1];
             }
         }
-        const auto is_zero = [](std::uint8_t alpha) { return alpha == 0; };
-        if (std::all_of(bitmap.alpha.begin(), bitmap.alpha.end(), is_zero)) // an unused byte
-            bitmap.alpha.clear();
+        drop_unused_alpha(bitmap);
         return bitmap;
     }
 

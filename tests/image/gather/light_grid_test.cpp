@@ -98,6 +98,27 @@ TEST_CASE("a point of a grid on a table has the light of the table, one in it is
     CHECK(points_at(0.25) == 48);
 }
 
+// Below a sheet that faces up there is room; what stands on the floor needs no bottom to be solid.
+TEST_CASE("no point of a grid lies in a block without a bottom, but some lie below a sheet")
+{
+    for (const bool sides : {false, true})
+        for (const double height : {0.0, 0.25, 0.75}) {
+            SceneBuilder builder;
+            const std::uint32_t paint = builder.grey(0.5, 0.0);
+            builder.rectangle({1, 0.5, 1}, {0, 0, 2}, {1, 0, 0}, paint); // the top
+            if (sides) {
+                builder.rectangle({1, 0, 1}, {0, 0, 2}, {0, 0.5, 0}, paint);
+                builder.rectangle({2, 0, 1}, {0, 0.5, 0}, {0, 0, 2}, paint);
+                builder.rectangle({1, 0, 1}, {0, 0.5, 0}, {1, 0, 0}, paint);
+                builder.rectangle({1, 0, 3}, {1, 0, 0}, {0, 0.5, 0}, paint);
+            }
+            const Scene scene = bright_room([](Vec3 p) { return p; }, builder);
+            const std::vector<Rgb> radiosity(scene.patch_count());
+            const LightGrid grid = light_grid(scene, radiosity, {height, 0.5, {0, 1, 0}}, 16, 1);
+            CHECK(grid.points.size() == (sides && height < 0.5 ? 48 - 8 : 48));
+        }
+}
+
 TEST_CASE("the table of a grid is exact to a millionth of the scene's size, wherever that lies")
 {
     for (const Vec3 shift : shifts) {

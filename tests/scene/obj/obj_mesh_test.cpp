@@ -102,10 +102,10 @@ TEST_CASE("numbers after coordinates, texture coordinates and texture points wit
     CHECK(contains(warning(triangle + "v 0 0 1 200 10 0\nf 1 2 4\n"), "a.obj:4" + after));
     CHECK(contains(warning(triangle + "v 0 0 1 1 1\nv 0 0 1 1 1 0 1\nf 1 2 4\n"), "a.obj:4" + after));
     CHECK(contains(warning(triangle + "v 0 0 1 -0.1 0 0\nf 1 2 4\n"), "(1 in the file)"));
-    const std::string coordinate = ": a texture coordinate is not a number up to 1e6";
+    const std::string coordinate = ": a texture coordinate is not a number up to 1e9";
     CHECK(warning(triangle + "vt 0.5\nvt 1 1 0\nf 1/1 2/2 3/1\n") == "");
     CHECK(contains(warning(triangle + "vt 0 0\nvt 1.#IND 0\nvt x 0\nf 1 2 3\n"), "a.obj:5" + coordinate));
-    CHECK(contains(warning(triangle + "vt 0 2e6\nf 1 2 3\n"), "a.obj:4" + coordinate));
+    CHECK(contains(warning(triangle + "vt 0 2e9\nf 1 2 3\n"), "a.obj:4" + coordinate));
     const std::string missing = ": a face refers to a texture point that does not exist";
     for (const char* point : {"2", "99", "0", "-2", "4294967295", "99999999999"}) {
         CAPTURE(point);

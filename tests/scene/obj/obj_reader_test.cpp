@@ -96,6 +96,14 @@ TEST_CASE("an unknown material is grey, with one warning for its name")
     CHECK(scene.materials[scene.material[1]].reflectance == Rgb{0.5, 0.5, 0.5});
     REQUIRE(scene.warnings.size() == 1);
     CHECK(contains(scene.warnings[0], "room.obj:9: material `wood` is not defined in `room.mtl`, grey"));
+    for (const char* use : {"usemtl wood\n", ""}) { // an object of the material becomes a lamp
+        ObjChanges changes;
+        changes.lamps = {{"top", {1, 1, 1}}};
+        const SceneFile lit =
+            SceneText{use + square + "f 1 2 3 4\no top\nf 1 2 3\n", ""}.read(EmissionFrom::ke, changes);
+        CHECK(lit.warnings.size() == 1);
+        CHECK(lit.unknown_materials.size() == (*use ? 1 : 0));
+    }
 }
 
 TEST_CASE("a scene without light says why")

@@ -62,6 +62,28 @@ TEST_CASE("a patch reflects the mean of its part of the texture times Kd, a mate
         CHECK(back.reflectance(i).g == doctest::Approx(back.patch(i).shape.centre().x < 1.0 ? 0.4 : 0.0));
 }
 
+// A texture that repeats looks the same whole images away, as far as there are places on a map.
+TEST_CASE("texture coordinates of any size show their part of the texture, or of its opacity")
+{
+    Files files;
+    files.folder.write("a.ppm", halves);
+    for (const int offset : {0, 70000, 4649776, -999999999}) {
+        CAPTURE(offset);
+        std::string obj = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
+        for (const auto& [s, t] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+            obj += "vt " + std::to_string(offset + s) + " " + std::to_string(offset + t) + "\n";
+        obj += "f 1/1 2/2 3/3 4/4\n";
+        const Scene scene(files.read(obj, "newmtl m\nKe 1\nmap_Kd a.ppm\n"), 0.5);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            CHECK(scene.reflectance(i).g == doctest::Approx(scene.patch(i).shape.centre().x < 1.0 ? 1.0 : 0.0));
+        const SceneFile cut = files.read(obj, "newmtl m\nKe 1\nKd 0.5\nmap_D a.ppm\n");
+        REQUIRE(cut.surfaces.size() == 1);
+        CHECK(cut.surfaces[0].shape == Shape::parallelogram);
+        CHECK(cut.surfaces[0].area() == doctest::Approx(1.0));
+        CHECK(cut.surfaces[0].centre().x == doctest::Approx(0.5));
+    }
+}
+
 TEST_CASE("triangles are joined where their textures are, too, and quads are cut where theirs is not straight")
 {
     Files files;
@@ -77,17 +99,24 @@ TEST_CASE("triangles are joined where their textures are, too, and quads are cut
         CHECK(scene.reflectance(i).g == doctest::Approx(scene.patch(i).shape.centre().x < 1.0 ? 1.0 : 0.0));
 }
 
-TEST_CASE("scale, offset, clamp, blanks, case, folders of other machines, and names like options are understood")
+TEST_CASE(
+    "scale, offset, clamp, blanks, case, URL codes, folders of other machines, and names like options are understood")
 {
     Files files;
     files.folder.write("My Wood.PPM", halves);
     const auto mean_of_left = [&](const std::string& map) {
         const SceneFile file = files.read(square + "f 1/1 2/2 3/3 4/4\n", "newmtl m\nKe 1\nKd 1\n" + map + "\n");
+        CHECK(file.textures.size() == 1);         // found
         return Scene(file, 1.0).reflectance(0).g; // s from 0 to 0.5
     };
     CHECK(mean_of_left("map_Kd my wood.ppm") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_kd my wood.ppm") == doctest::Approx(1.0));
     CHECK(mean_of_left("map_Kd \"my wood.ppm\"") == doctest::Approx(1.0));
     CHECK(mean_of_left("map_Kd C:\\Users\\me\\Textures\\My Wood.ppm") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_Kd my%20wood.ppm") == doctest::Approx(1.0));
+    CHECK(mean_of_left("map_Kd C:\\Textures\\%4dy%20Wood%2eppm") == doctest::Approx(1.0));
+    files.folder.write("my%20wood.ppm", "P3 1 1 255\n0 0 0\n");
+    CHECK(mean_of_left("map_Kd my%20wood.ppm") == doctest::Approx(0.0)); // the name as it is comes first
     CHECK(mean_of_left("map_Kd -s 2 2 1 my wood.ppm") == doctest::Approx(0.5));
     CHECK(mean_of_left("map_Kd -o 0.5 0 my wood.ppm") == doctest::Approx(0.0));
     CHECK(mean_of_left("map_Kd -s 2 -o 0.5 0 0 -blendu on -mm 0 1 -bm 0.3 my wood.ppm") == doctest::Approx(0.5));
@@ -214,7 +243,9 @@ TEST_CASE("map_Ke times Ke is the mean of a lamp")
     const std::string face = square + "f 1/1 2/2 3/3 4/4\n";
     CHECK(files.read(face, "newmtl m\nKd 0\nKe 6 4 2\nmap_Ke a.ppm\n").materials[0].emittance.r ==
           doctest::Approx(3.0));
-    CHECK(files.read(face, "newmtl m\nKd 0\nmap_Ke a.ppm\n").materials[0].emittance.r == doctest::Approx(0.5));
+    for (const char* keyword : {"map_Ke", "map_ke"})
+        CHECK(files.read(face, std::string("newmtl m\nKd 0\n") + keyword + " a.ppm\n").materials[0].emittance.r ==
+              doctest::Approx(0.5));
     const SceneFile dark = files.read(face, "newmtl m\nKd 0\nKe 0 0 0\nmap_Ke a.ppm\n");
     CHECK(dark.materials[0].emittance.r == doctest::Approx(0.5));
     CHECK(any_contains(dark.warnings, "Ke = 0 beside a texture, which counts alone: `m`"));

@@ -337,7 +337,7 @@ TEST_CASE("PNG: a small file of a huge image is refused by its size")
     CHECK(png_picture(0, 1, "08 02 000000", "00") == "has no pixels");
 }
 
-TEST_CASE("PNG and TGA: opacity, per pixel, of a palette and of a single colour")
+TEST_CASE("PNG, TGA and BMP: opacity, per pixel, of a palette and of a single colour")
 {
     const auto opacity = [](const std::string& name, const std::string& bytes) {
         std::string digits;
@@ -365,6 +365,21 @@ TEST_CASE("PNG and TGA: opacity, per pixel, of a palette and of a single colour"
     CHECK(opacity("a.tga", tga("20", "38", "01020380 a0b0c0ff")) == "255 128 "); // from the right
     CHECK(opacity("a.tga", tga("20", "20", "01020380 a0b0c0ff")) == "");         // no such bits
     CHECK(opacity("a.tga", tga("20", "28", "01020300 a0b0c000")) == "");         // not used
+    // Masks of red, green, blue and, from 56 bytes of header or compression 6 on, of opacity; 2 x 1 pixels.
+    const auto bmp = [](const char* offset, const char* header, const char* bits, const char* compression,
+                        const std::string& masks_and_pixels) {
+        return "BM" + hex(std::string("00000000 0000 0000") + offset + header + "02000000 01000000 0100" + bits +
+                          compression + "00000000 00000000 00000000 00000000 00000000" + masks_and_pixels);
+    };
+    const std::string masks = "0000ff00 00ff0000 ff000000 000000ff";
+    CHECK(opacity("a", bmp("46000000", "38000000", "2000", "03000000", masks + "01020380 a0b0c0ff")) == "128 255 ");
+    CHECK(opacity("a", bmp("46000000", "28000000", "2000", "06000000", masks + "01020380 a0b0c0ff")) == "128 255 ");
+    CHECK(opacity("a", bmp("46000000", "38000000", "2000", "03000000", masks + "01020300 a0b0c000")) == ""); // not used
+    CHECK(opacity("a", bmp("42000000", "28000000", "2000", "03000000", masks.substr(0, 26) + "01020380 a0b0c0ff")) ==
+          "");
+    CHECK(opacity("a", bmp("36000000", "28000000", "2000", "00000000", "01020380 a0b0c0ff")) == "");
+    const std::string masks_1555 = "007c0000 e0030000 1f000000 00800000";
+    CHECK(opacity("a", bmp("46000000", "38000000", "1000", "03000000", masks_1555 + "ff7f ff80")) == "0 255 ");
 }
 
 TEST_CASE("TGA: colours of 15 to 32 bits, greys and colour maps")

@@ -143,6 +143,31 @@ TEST_CASE("patches that few rays join only with each other still exchange light 
         CHECK(y.r > 0.0);
 }
 
+// A plate before which there is but a speck: if its rays did not tell that the rest is open, the speck would have to
+// fill the hemispheres of a plate 10^4 to 10^8 times as large. No factors exist for that.
+TEST_CASE("where no exchange fills all areas, no patch exchanges more than its own")
+{
+    for (const double size : {0.1, 0.01, 0.001}) {
+        CAPTURE(size);
+        SceneBuilder builder;
+        const std::uint32_t grey = builder.grey(0.5, 1.0);
+        builder.rectangle({0, 0, 0}, {0, 0, 10}, {10, 0, 0}, grey);
+        builder.rectangle({5, 1, 5}, {size, 0, 0}, {0, 0, size}, grey);
+        const Scene scene = builder.scene(0.25);
+        const Counted all = counted(scene, 64.0);
+        std::vector<SparseExchange::LossCounts> losses = all.losses(scene);
+        for (SparseExchange::LossCounts& none : losses)
+            none.escaped = none.behind = 0.0;
+        const SparseExchange exchange(all.counts, scene.areas(), all.density, losses, sides(scene), {}, 0.0, 2);
+        const std::vector<Rgb> y = exchange.apply(std::vector<Rgb>(scene.patch_count(), Rgb{1, 1, 1}), 2);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            CHECK(y[i].g >= 0.0);
+            CHECK((y[i].g + exchange.escaping(i) + exchange.behind(i)) / scene.area(i) ==
+                  doctest::Approx(1.0).epsilon(1e-6));
+        }
+    }
+}
+
 TEST_CASE("an exchange is the same in any unit of length and of light")
 {
     const Scene scene = open_room();
