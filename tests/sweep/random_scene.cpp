@@ -311,7 +311,7 @@ private:
     SceneBuilder builder_;
     std::string kind_;
     Bounds solid_; ///< contains the boxes
-    Vec3 inside_; ///< lamps and boxes are put between the origin and this point
+    Vec3 inside_;  ///< lamps and boxes are put between the origin and this point
     bool lamp_ = false;
     double sky_ = 0.0; ///< [W/m^2]
     bool sunny_ = false;

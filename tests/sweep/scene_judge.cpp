@@ -184,7 +184,8 @@ private:
         const double lines_per_patch = static_cast<double>(lines_) / scene_.patch_count();
         const double guessed = 0.8 / lines_per_patch;
         // [1] With fewer lines than the program warns of, line reuse, which is not linear, has a bias of this order.
-        const double of_few_lines = lines_per_patch < 16.0 && way.method == Method::reuse ? 0.25 / lines_per_patch : 0.0;
+        const double of_few_lines =
+            lines_per_patch < 16.0 && way.method == Method::reuse ? 0.25 / lines_per_patch : 0.0;
         const double mean_light = mean_radiosity();
         const double unseen = 2e-4 * mean_light; // light that few lines find
         for (std::size_t g = 0; g < samples.size(); ++g) {
@@ -195,9 +196,8 @@ private:
             double noise = of_few * std::hypot(found.standard_error, right.standard_error);
             if (by_particles)
                 noise = std::hypot(noise, noise_of_hits(way, g, right.mean, static_cast<double>(runs * lines_)));
-            const double bias =
-                0.002 * right.mean + unseen +
-                std::max(has_table ? guessed : 0.0, of_few_lines) * std::max(right.mean, mean_light);
+            const double bias = 0.002 * right.mean + unseen +
+                                std::max(has_table ? guessed : 0.0, of_few_lines) * std::max(right.mean, mean_light);
             const double unsent = unsent_[g] / static_cast<double>(runs);
             if (!(std::abs(found.mean - right.mean) <= 4.0 * noise + bias + unsent))
                 return format("%s %g +- %g, not %g +- %g, %zu runs", groups_[g].name.c_str(), found.mean,

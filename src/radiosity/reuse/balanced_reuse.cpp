@@ -368,7 +368,8 @@ private:
 
     SparseExchange::LossCounts losses(std::uint32_t i) const
     {
-        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i)), 0.0};
+        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i)),
+                0.0};
     }
 
     /// The losses of each patch without the rays of the first round, if it has others. What these rays have found

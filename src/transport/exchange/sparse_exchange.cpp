@@ -152,23 +152,54 @@ std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
     return light;
 }
 
-/// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased. But of rays that
-/// seldom meet anything, those of two patches seldom agree that anything lies between them, and the balance would leave
-/// most of the exchange unsampled. There the exchange by all rays that join the patch counts, unbiased, too, as long as
-/// it seldom exceeds the area of the patch and is cut off. The weight of each depends on the rays around alone.
+/// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased, but not always
+/// the better estimate:
+///
+/// - If the patches around have cast far more rays that join the patch, the ratio of its lost exchange to all of it
+/// says
+///   more.
+/// - If rays seldom meet anything, those of two patches seldom agree that anything lies between them, and the balance
+///   would leave most of the exchange unsampled. There the exchange by all rays counts, as it is: it hardly ever
+///   exceeds the area of the patch. Only rays of other patches decide that they are few.
 double SparseExchange::part_lost(std::uint32_t i, double unseen_rays) const
 {
     const LossCounts& losses = losses_[i];
     const double own = losses.lost() / (losses.cast + unseen_rays);
-    const double expected_hits = losses.cast * (1.0 - losses.around);
-    const double weight = losses.around / (1.0 + expected_hits * expected_hits);
-    if (weight == 0.0)
+    const CountRow row = counts_.row(i);
+    if (row.first == row.last)
         return own;
+    const double hits = joined(i) / unit_; // exchange by rays that join patches
+    const double of_others = std::max(0.0, 1.0 - 2.0 * own_share(i));
+    const double lost = quotient(losses.lost() * area_[i], losses.cast) / unit_;
+    const double by_many = (1.0 - of_others) * own + of_others * quotient(lost, lost + hits);
+    const double expected_hits = losses.cast * (1.0 - losses.around);
+    const double of_few = losses.around / (1.0 + expected_hits * expected_hits);
+    return std::clamp((1.0 - of_few) * by_many + of_few * (1.0 - hits * unit_ / area_[i]), 0.0, 1.0);
+}
+
+/// [1] Expected share of a patch's own rays among those that join it with others; 1/2 where all patches cast alike.
+double SparseExchange::own_share(std::uint32_t i) const
+{
     const auto density = static_cast<double>(factors_[i].density);
-    double joined = 0.0; // exchange area over unit_
+    double own = 0.0;
     for (const std::uint32_t j : counts_.row(i))
-        joined += 1.0 / (density + static_cast<double>(factors_[j].density));
-    return std::clamp((1.0 - weight) * own + weight * (1.0 - joined * unit_ / area_[i]), 0.0, 1.0);
+        own += density / (density + static_cast<double>(factors_[j].density));
+    const CountRow row = counts_.row(i);
+    return row.first == row.last ? 0.5 : own / static_cast<double>(row.last - row.first);
+}
+
+/// [1] Upper bounds of the factors of step 1 and of their reciprocals. The few rays of a patch that casts less than
+/// those around it, as a black one does, hardly sample what such patches exchange with each other. Without the bound,
+/// what the rays of the others have found would be scaled up to fill its row, and white patches would lose too much
+/// light to black ones. What is then missing is left to step 2. An empirical formula.
+std::vector<float> SparseExchange::largest_scales(double most, int threads) const
+{
+    std::vector<float> result = large_vector<float>(size());
+    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+        const double less = 1.0 - 2.0 * own_share(i);
+        result[i] = static_cast<float>(less > 1.0 / (most * most) ? std::sqrt(1.0 / less) : most);
+    });
+    return result;
 }
 
 /// [m^2] Exchange area of a patch with the sky, or with the outside of the scene.
@@ -208,14 +239,17 @@ void SparseExchange::balance(const std::vector<double>& wanted, const std::vecto
     std::fill(before.begin(), before.end(), 1.0f);
     const double all = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return wanted[i]; });
     double leak = 1.0;
+    const std::vector<float> largest = largest_scales(most_scale, threads);
     for (int step = 0; step < most_steps && leak > small_leak; ++step) {
         const double missing = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
             const double sum = joined(i);
             const auto scale = static_cast<double>(factors_[i].scale);
             const double momentum = root(root(root(root(scale / static_cast<double>(before[i])))));
             const double change = sum > 0.0 ? root(wanted[i] / sum) * root(root(wanted[i] / sum)) * momentum : 1.0;
-            next[i] =
-                wanted[i] > 0.0 ? static_cast<float>(std::clamp(scale * change, 1.0 / most_scale, most_scale)) : 0.0f;
+            const auto most_of_patch = static_cast<double>(largest[i]);
+            next[i] = wanted[i] > 0.0
+                          ? static_cast<float>(std::clamp(scale * change, 1.0 / most_of_patch, most_of_patch))
+                          : 0.0f;
             return std::abs(wanted[i] - sum);
         });
         leak = all > 0.0 ? missing / all : 0.0;

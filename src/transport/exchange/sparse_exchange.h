@@ -19,8 +19,9 @@ namespace multipath {
 /// Two steps close the estimate:
 ///
 /// Step 1: G_ij = x_i x_j C_ij / (d_i + d_j), with one factor x per patch, by symmetric matrix balancing after Sinkhorn
-/// and Knopp (1967). The factors remove the noise of how many rays of other patches happened to meet each patch. After
-/// the step no row sum exceeds the area of the patch.
+/// and Knopp (1967). The factors remove the noise of how many rays of other patches happened to meet each patch.
+/// Patches that cast fewer rays than those around them are scaled less. After the step no row sum exceeds the area of
+/// the patch.
 ///
 /// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. It is
 /// divided like the patch's own rays: a part escapes or arrives behind surfaces, the rest is spread over the patches
@@ -96,6 +97,8 @@ private:
 
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
     double part_lost(std::uint32_t i, double unseen_rays) const;
+    double own_share(std::uint32_t i) const;
+    std::vector<float> largest_scales(double most, int threads) const;
     double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
