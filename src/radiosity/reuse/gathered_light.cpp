@@ -49,6 +49,7 @@ public:
              double offset, ShadowRaySums& patch_sums)
     {
         const FlatPiece receiver = piece_of(scene_.patch(patch).shape);
+        constexpr double below_one = 0x1.fffffffffffffp-1;
         const double step = cuts_.irradiance(patch) / static_cast<double>(rays);
         const SeenCluster* cluster = cuts_.begin(patch);
         double begin = 0.0; // of the cluster, in the cumulative irradiance
@@ -58,8 +59,10 @@ public:
             const double at = number * step;
             while (cluster + 1 < cuts_.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
                 begin += static_cast<double>((cluster++)->irradiance);
-            const double x = (at - begin) / static_cast<double>(cluster->irradiance);
-            add_ray(patch, receiver, *cluster, std::clamp(x, 0.0, 0x1.fffffffffffffp-1), item, patch_sums);
+            const double x = std::clamp((at - begin) / static_cast<double>(cluster->irradiance), 0.0, below_one);
+            add_ray(patch, receiver, *cluster, x, item, true, patch_sums);
+            if (&item == &items.back())
+                add_another(patch, receiver, *cluster, x, item, patch_sums);
             number += 1.0;
         }
     }
@@ -93,27 +96,29 @@ private:
         double kernel;       ///< g
     };
 
-    /// A ray to a single light that meets the back of either end is drawn anew, so that nearly every patch knows by its
-    /// own rays whether it sees the light.
-    void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
-                 ShadowRaySums& patch_sums)
+    /// Draws the last ray of a patch anew until it carries light, if no ray has. So nearly every patch knows by a ray
+    /// of its own whether it sees a light.
+    void add_another(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, Item item,
+                     ShadowRaySums& patch_sums)
     {
+        constexpr std::array<double, 5> rotation = {0.4142135623730950, 0.7320508075688773, 0.2360679774997897,
+                                                    0.6457513110645906, 0.3166247903553998}; // by roots (Cranley and
+                                                                                             // Patterson 1976)
         constexpr int most_trials = 16;
-        const std::uint32_t leaf = tree_.choose(seen.node, x);
-        Item next = item;
-        for (int trial = 0; trial < most_trials && !try_ray(patch, receiver, seen, leaf, next, patch_sums); ++trial) {
-            if (leaf != seen.node)
-                return;
-            std::uint64_t dimension = 0;
-            for (double& number : next) // a rotation (Cranley and Patterson 1976) by roots of primes
-                number = std::fmod(number + rotation[dimension++], 1.0);
+        for (int trial = 0; trial < most_trials && !(patch_sums.kernel > 0.0); ++trial) {
+            for (std::size_t k = 0; k < item.size(); ++k)
+                item[k] = std::fmod(item[k] + rotation[k], 1.0);
+            x = std::fmod(x + rotation.back(), 1.0);
+            add_ray(patch, receiver, seen, x, item, false, patch_sums);
         }
     }
 
-    /// Returns false if the ray carries no light, which then is not traced.
-    bool try_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, std::uint32_t leaf,
-                 const Item& item, ShadowRaySums& patch_sums)
+    /// A ray that carries no light is not traced. Only the `planned` ones tell how exact the irradiance of a cluster
+    /// is.
+    void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
+                 bool planned, ShadowRaySums& patch_sums)
     {
+        const std::uint32_t leaf = tree_.choose(seen.node, x);
         const auto assumed = static_cast<double>(seen.irradiance);
         const LightTree::Cluster& light = tree_.cluster(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
@@ -139,7 +144,7 @@ private:
             target.kernel = cosines / (pi * square * square) * tree_.cluster(seen.node).power / assumed;
             lines_.push_back({start, d});
             from_.push_back(scene_.surface_of(patch));
-            if (leaf != seen.node) {
+            if (leaf != seen.node && planned) {
                 patch_sums.error += target.kernel - 1.0;
                 patch_sums.square += (target.kernel - 1.0) * (target.kernel - 1.0);
             }
@@ -148,15 +153,11 @@ private:
         if (!(target.kernel > 0.0)) {
             lines_.pop_back();
             from_.pop_back();
-            return false;
+            return;
         }
         targets_.push_back(target);
         to_.push_back(to);
-        return true;
     }
-
-    static constexpr std::array<double, 4> rotation = {0.4142135623730950, 0.7320508075688773, 0.2360679774997897,
-                                                       0.6457513110645906};
 
     const Scene& scene_;
     const LightTree& tree_;
