@@ -368,8 +368,7 @@ private:
 
     SparseExchange::LossCounts losses(std::uint32_t i) const
     {
-        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i)),
-                0.0};
+        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i))};
     }
 
     /// The losses of each patch without the rays of the first round, if it has others. What these rays have found
@@ -384,9 +383,12 @@ private:
             result[i] = losses(i);
             if (result[i].cast > first.cast)
                 result[i] = {result[i].cast - first.cast, result[i].escaped - first.escaped,
-                             result[i].behind - first.behind, 0.0};
+                             result[i].behind - first.behind};
             lost[i] = {result[i].cast, result[i].cast, result[i].lost(), result[i].lost()};
         }
+        const auto loses = [](const RaySums& sums) { return sums.value > 0.0; };
+        if (std::none_of(lost.begin(), lost.end(), loses))
+            return result;
         constexpr double enough = 32.0;
         lost = pooled_around(patches_, lost, enough, run_.threads);
         for (std::uint32_t i = 0; i < n_; ++i)

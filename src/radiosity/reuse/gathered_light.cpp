@@ -101,9 +101,9 @@ private:
     void add_another(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, Item item,
                      ShadowRaySums& patch_sums)
     {
+        // A rotation by the fractions of roots of primes (Cranley and Patterson 1976).
         constexpr std::array<double, 5> rotation = {0.4142135623730950, 0.7320508075688773, 0.2360679774997897,
-                                                    0.6457513110645906, 0.3166247903553998}; // by roots (Cranley and
-                                                                                             // Patterson 1976)
+                                                    0.6457513110645906, 0.3166247903553998};
         constexpr int most_trials = 16;
         for (int trial = 0; trial < most_trials && !(patch_sums.kernel > 0.0); ++trial) {
             for (std::size_t k = 0; k < item.size(); ++k)
@@ -118,8 +118,8 @@ private:
     void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
                  bool planned, ShadowRaySums& patch_sums)
     {
-        const std::uint32_t leaf = tree_.choose(seen.node, x);
         const auto assumed = static_cast<double>(seen.irradiance);
+        const std::uint32_t leaf = tree_.choose(seen.node, x);
         const LightTree::Cluster& light = tree_.cluster(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
         Target target{patch, surface, true, 0.0};

@@ -28,7 +28,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
       own_(large_vector<double>(area.size())),
       unseen_(large_vector<double>(area.size()))
 {
-    LossCounts all = {0.0, 0.0, 0.0, 0.0};
+    LossCounts all = {0.0, 0.0, 0.0};
     for (std::uint32_t i = 0; i < size(); ++i) {
         unit_ += area[i];
         all.cast += losses_[i].cast;
@@ -153,20 +153,16 @@ std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
 }
 
 /// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased, but not always
-/// the better estimate:
-///
-/// - If the patches around have cast far more rays that join the patch, the ratio of its lost exchange to all of it
-/// says
-///   more.
-/// - If rays seldom meet anything, those of two patches seldom agree that anything lies between them, and the balance
-///   would leave most of the exchange unsampled. There the exchange by all rays counts, as it is: it hardly ever
-///   exceeds the area of the patch. Only rays of other patches decide that they are few.
+/// the better estimate. If the patches around have cast far more rays that join the patch, the ratio of its lost
+/// exchange to all of it says more. And if rays seldom meet anything, those of two patches seldom agree that anything
+/// lies between them, and the balance would leave most of the exchange unsampled: then the exchange by all rays counts
+/// as it is, which hardly ever exceeds the area of the patch. Only rays of other patches decide that hits are few.
 double SparseExchange::part_lost(std::uint32_t i, double unseen_rays) const
 {
     const LossCounts& losses = losses_[i];
     const double own = losses.lost() / (losses.cast + unseen_rays);
     const CountRow row = counts_.row(i);
-    if (row.first == row.last)
+    if (row.first == row.last || (own == 0.0 && losses.around == 0.0))
         return own;
     const double hits = joined(i) / unit_; // exchange by rays that join patches
     const double of_others = std::max(0.0, 1.0 - 2.0 * own_share(i));

@@ -14,8 +14,8 @@ namespace multipath {
 /// sum here includes the losses (escaping and behind). With d_i rays per m^2 of patch i, and C_ij rays between i and j,
 /// started at either end, the estimate of A_i F_ij is C_ij / (d_i + d_j): the balance heuristic of Veach and Guibas
 /// (1995), which is never much worse than the best combination of the two kinds of rays. What is lost is known from
-/// the patch's own rays (LossCounts), the fraction of them that reached no patch, and where nearly all do, from the
-/// rays that join the patch as well.
+/// the patch's own rays (LossCounts), the fraction of them that reached no patch, unless the patches around cast far
+/// more rays or nearly all rays are lost: then the rays that join the patch count as well.
 /// Two steps close the estimate:
 ///
 /// Step 1: G_ij = x_i x_j C_ij / (d_i + d_j), with one factor x per patch, by symmetric matrix balancing after Sinkhorn
@@ -42,7 +42,7 @@ public:
         double cast;
         double escaped;
         double behind;
-        double around; ///< [1] the lost share of the rays of other patches around
+        double around = 0.0; ///< [1] the lost share of the rays of other patches around
         double lost() const { return escaped + behind; }
     };
 

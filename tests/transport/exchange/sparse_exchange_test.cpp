@@ -31,7 +31,7 @@ struct Counted
         std::vector<SparseExchange::LossCounts> result;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             result.push_back({density[i] * scene.area(i), static_cast<double>(counts.escaped(i)),
-                              static_cast<double>(counts.behind(i)), 0.0});
+                              static_cast<double>(counts.behind(i))});
         return result;
     }
 };
