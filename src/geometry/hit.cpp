@@ -95,14 +95,33 @@ bool is_floor_from_below(const Hit* hits, std::size_t count, std::size_t first, 
            !is_sheet(hits, first, last) && next_balance(hits, count, last) < 0;
 }
 
-/// Orders the hits first ... last - 1, all with the same t.
-void order_group(Hit* first, Hit* last, bool arrival_expected)
+/// The number of solids that a line is inside before the group that begins at hit `first`: the least with which it is
+/// nowhere inside fewer than none.
+std::ptrdiff_t solids_around(const Hit* hits, std::size_t count, std::size_t first)
 {
-    if (last - first == 2) { // nearly always
-        if (first->front == last[-1].front ? !first->front : first->front != arrival_expected)
-            std::swap(*first, last[-1]);
-        return;
+    std::ptrdiff_t depth = 0;
+    std::ptrdiff_t least = 0;
+    std::ptrdiff_t wanted = 0;
+    for (std::size_t next = 0; next < count;) {
+        wanted = next == first ? depth : wanted;
+        for (const std::size_t last = end_of_group(hits, count, next); next < last; ++next)
+            depth += hits[next].front ? 1 : -1;
+        least = std::min(least, depth);
     }
+    return wanted - least;
+}
+
+/// Orders two hits with the same t.
+void order_pair(Hit* hits, bool arrival_expected)
+{
+    if (hits[0].front == hits[1].front ? !hits[0].front : hits[0].front != arrival_expected)
+        std::swap(hits[0], hits[1]);
+}
+
+/// Orders the hits first ... last - 1, all with the same t: the line leaves the solids around, arrives, and leaves what
+/// it arrived at. So solids that overlap and stand on one floor are all left before the line arrives at the floor.
+void order_group(Hit* first, Hit* last, std::ptrdiff_t solids)
+{
     std::vector<Hit> arrivals;
     std::vector<Hit> departures;
     for (const Hit* hit = first; hit != last; ++hit)
@@ -112,9 +131,9 @@ void order_group(Hit* first, Hit* last, bool arrival_expected)
     auto arrival = arrivals.begin();
     auto departure = departures.begin();
     for (Hit* next = first; next != last; ++next) {
-        const bool take_arrival = departure == departures.end() || (arrival_expected && arrival != arrivals.end());
-        *next = take_arrival ? *arrival++ : *departure++;
-        arrival_expected = !take_arrival;
+        const bool arrives = departure == departures.end() || (solids <= 0 && arrival != arrivals.end());
+        *next = arrives ? *arrival++ : *departure++;
+        solids += arrives ? 1 : -1;
     }
 }
 
@@ -135,7 +154,11 @@ void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
                 (!starts_in_solid && is_sheet(hits, first, last)) ||
                 (first == 0 ? first_is_arrival(hits, count, starts_in_solid)
                             : !hits[first - 1].front && !is_floor_from_below(hits, count, first, last));
-            order_group(hits + first, hits + last, arrival_expected);
+            if (last - first == 2) // nearly always
+                order_pair(hits + first, arrival_expected);
+            else
+                order_group(hits + first, hits + last,
+                            std::max<std::ptrdiff_t>(solids_around(hits, count, first), arrival_expected ? 0 : 1));
         }
         first = last;
     }

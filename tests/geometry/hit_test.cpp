@@ -67,6 +67,19 @@ TEST_CASE("a floor that stands in the open is met from below before the box on i
     CHECK(ordered("DA=DAA") == "01234"); // a sheet before a wall: arrival first
 }
 
+TEST_CASE("solids that overlap are all left before the floor on which they stand")
+{
+    CHECK(ordered("AAD=A=D") == "01423"); // down, whatever the order in the list
+    CHECK(ordered("AAA=D=D") == "01432");
+    CHECK(ordered("AAD=D=A") == "01324");
+    CHECK(ordered("D=A=ADD") == "01234"); // up: the floor is left, then the bottoms are met
+    CHECK(ordered("A=D=ADD") == "10234");
+    CHECK(ordered("DD=A=ADDA") == "0123456"); // inside walls
+    CHECK(ordered("DAAD=A=DA") == "0125346");
+    CHECK(ordered("DAAD=A=D=ADDA") == "0125346789"); // two on two
+    CHECK(ordered("A=A=DD") == "0213"); // the cover of a lamp on a wall: the lamp ends where the wall begins
+}
+
 TEST_CASE("when no hit tells, the kind of scene decides")
 {
     CHECK(ordered("D=A") == "10");            // a sheet in the open
