@@ -215,13 +215,18 @@ TEST_CASE("doubled faces, bright materials and strange scales are named")
     const std::uint32_t lamp = builder.grey(0.0, 1.0);
     builder.room({0, 0, 0}, {2000, 2000, 2000}, {white, lamp, white, white, white, white});
     builder.rectangle({500, 0, 500}, {0, 0, 500}, {500, 0, 0}, white);
-    const std::vector<Finding> findings = findings_of(builder.scene(1000));
-    CHECK(find(findings, "duplicate").makes_wrong_result);
-    CHECK(find(findings, "duplicate").place == "memory:7");
-    CHECK(mentions(find(findings, "reflectance"), "97 %"));
-    CHECK(mentions(find(findings, "scale"), "m across"));
-    CHECK(findings.front().makes_wrong_result); // wrong results first
-    CHECK(!findings.back().makes_wrong_result);
+    for (const bool two_sided : {false, true}) {
+        CAPTURE(two_sided);
+        const std::vector<Finding> findings = findings_of(Scene(builder.file(), 1000, two_sided));
+        CHECK(find(findings, "duplicate").makes_wrong_result);
+        CHECK(find(findings, "duplicate").place == "memory:7");
+        CHECK(find(findings, "duplicate").area_share == doctest::Approx(0.25 / 24.25));
+        CHECK(mentions(find(findings, "reflectance"), "97 %"));
+        CHECK(find(findings, "reflectance").area_share == doctest::Approx(20.25 / 24.25));
+        CHECK(mentions(find(findings, "scale"), "m across"));
+        CHECK(findings.front().makes_wrong_result); // wrong results first
+        CHECK(!findings.back().makes_wrong_result);
+    }
 }
 
 TEST_CASE("what the reader noticed is passed on")

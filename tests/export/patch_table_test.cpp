@@ -117,6 +117,29 @@ TEST_CASE("the table has the promised columns and numbers that read back exactly
     CHECK(!std::getline(table, row));
 }
 
+TEST_CASE("every patch has its own reflectance and emittance, also the back of a lamp of its colour")
+{
+    SceneBuilder builder;
+    const std::uint32_t lamp = builder.material({0.1, 0.2, 0.3}, {4, 5, 6});
+    const std::uint32_t dim = builder.material({0.1, 0.2, 0.3}, {4, 5, 3});
+    builder.rectangle({0, 0, 0}, {0, 0, 2}, {1, 0, 0}, lamp).rectangle({1, 0, 0}, {0, 0, 2}, {1, 0, 0}, dim);
+    const Scene scene(builder.file(), 1.0, true);
+    const ScratchFolder folder;
+    const CsvTable table = read_csv(
+        folder.write("a.csv", patch_table(scene, std::vector<Rgb>(scene.patch_count(), Rgb{1, 2, 3}), {}, {})));
+    REQUIRE(table.rows.size() == scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const auto colour = [&](const std::string& name) {
+            const auto channel = [&](const char* c) {
+                return table.number(table.rows[i], table.column((name + c).c_str()));
+            };
+            return Rgb{channel("_r"), channel("_g"), channel("_b")};
+        };
+        CHECK(colour("reflectance") == scene.reflectance(i));
+        CHECK(colour("emittance") == scene.emittance(i));
+    }
+}
+
 TEST_CASE("patches of one side with different areas have their own")
 {
     SceneBuilder builder;

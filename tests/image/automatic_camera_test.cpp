@@ -96,9 +96,11 @@ SceneBuilder house()
     return builder.box({0, 0, 0}, {9, 4, 3}, builder.grey(0.6, 0.0));
 }
 
-Scene under_sky(const SceneBuilder& builder)
+Scene under_sky(const SceneBuilder& builder, Vec3 offset = {})
 {
     SceneFile file = builder.file();
+    for (Surface& surface : file.surfaces)
+        surface.origin = surface.origin + offset;
     add_sky(file, {5.0, 5.0, 5.0});
     return Scene(file, 0.5);
 }
@@ -250,6 +252,19 @@ TEST_CASE("what has no light is not shown where something else has")
     CHECK(view_quality(LitScene(scene, radiosity), automatic_camera(scene, aspect), aspect, 30).dark_share > 0.2);
 }
 
+// What a lamp emits says nothing of what is lit.
+TEST_CASE("walls count as lit however little they reflect of the light")
+{
+    const Scene scene = pillar_room();
+    for (const double reflected : {0.5, 1e-3, 1e-5}) {
+        std::vector<Rgb> radiosity;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            radiosity.push_back(scene.emittance(i) + Rgb{reflected, 0.5 * reflected, 2.0 * reflected});
+        const std::vector<bool> is_lit = LitScene(scene, radiosity).is_lit;
+        CHECK(std::count(is_lit.begin(), is_lit.end(), false) == 0);
+    }
+}
+
 TEST_CASE("a flat with a dark room is seen from within its lit room")
 {
     const Flat flat = flat_with_dark_room();
@@ -286,10 +301,12 @@ TEST_CASE("a view past something that fills much of the picture is not good")
 
 TEST_CASE("under a sky a court is seen from within, and a house from outside")
 {
-    const Scene walls = under_sky(court());
-    const std::vector<Rgb> light = daylight_on(walls, {0, 1, 0});
-    const Vec3 within = automatic_camera(walls, aspect, {0, 1, 0}, light).eye;
-    CHECK(overlap(Bounds{{0, 0, 0}, {12, 5, 9}}, Bounds{within, within}));
+    for (const Vec3 offset : {Vec3{}, Vec3{20, 70, -5}, Vec3{-3, -40, 8}}) {
+        const Scene walls = under_sky(court(), offset);
+        const std::vector<Rgb> light = daylight_on(walls, {0, 1, 0});
+        const Vec3 within = automatic_camera(walls, aspect, {0, 1, 0}, light).eye - offset;
+        CHECK(overlap(Bounds{{0, 0, 0}, {12, 5, 9}}, Bounds{within, within}));
+    }
     const Scene home = under_sky(house());
     const Vec3 outside = automatic_camera(home, aspect, {0, 1, 0}, daylight_on(home, {0, 1, 0})).eye;
     CHECK_FALSE(overlap(Bounds{{0, 0, 0}, {9, 4, 3}}, Bounds{outside, outside}));

@@ -125,7 +125,7 @@ TEST_CASE("an open room is left as it is")
 
 namespace {
 
-enum class Source { none, sky, sun };
+enum class Source { none, sky, sun, both };
 
 /// Closed shells, with lamps among them. A shell is modelled as its light needs it: outwards or inwards.
 struct Shells
@@ -165,9 +165,9 @@ struct Shells
         for (const Vec3 corner : lamps)
             builder.rectangle(place(corner), {0.5 * scale, 0, 0}, {0, 0, 0.5 * scale}, lamp);
         file = builder.file();
-        if (source == Source::sun)
+        if (source == Source::sun || source == Source::both)
             file.sun = sun_at(130.0, 50.0, {0, 1, 0}, {1.0, 1.0, 1.0});
-        if (source == Source::sky)
+        if (source == Source::sky || source == Source::both)
             add_sky(file, {1.0, 1.0, 1.0});
         return file;
     }
@@ -192,6 +192,16 @@ std::vector<Shells> nested_shells()
             {"a house above the lamp of a hall", {inside, outside, hall}, {in, below}, Source::none, 7},
             {"a house in a building", {inside, outside, hall, building}, {in, above}, Source::sky, 15},
             {"a solid and a lamp in a hall", {outside, hall}, {above}, Source::none, 3},
+            {"a box in the shade of a roof",
+             {{{-0.5, 0, -0.5}, {0.5, 1, 0.5}, true}, {{-9, 5, -9}, {9, 6, 9}, true}},
+             {},
+             Source::both,
+             3},
+            {"a box below a table, lit by the walls alone",
+             {inside, {{0.5, 1, 0.5}, {3.5, 1.2, 3.5}, true}, {{1.8, 0.2, 1.7}, {2.2, 0.6, 2.3}, true}},
+             {in},
+             Source::none,
+             7},
             // Whichever way these look, their fronts are lit.
             {"a wall of one sheet between two lamps", {outside}, {in, above}, Source::none, 0},
             {"a room of one sheet under the sky", {inside}, {in}, Source::sky, 0},

@@ -232,6 +232,7 @@ private:
         return not_negative(patches_.value(patch) + slopes_[patch].at_corner(ring.cells[k]->number, corners));
     }
 
+    /// A corner lies on an edge of at most one larger cell, which covers all of one side.
     void add_hanging_node(std::uint32_t cell, GridPoint here, CornerGroup& group) const
     {
         const Tessellation& cut = scene_.tessellation(surface_);
@@ -245,8 +246,7 @@ private:
             const double share = b.i != a.i ? difference(here.i, a.i) / difference(b.i, a.i)
                                             : difference(here.j, a.j) / difference(b.j, a.j);
             const std::size_t first = CornerLattice::per_cell * (first_patch_ + std::size_t{cell});
-            if (!group.edge || cut.level(cell) < group.edge->level)
-                group.edge = {first + k, first + (k + 1) % corners.count, share, cut.level(cell)};
+            group.edge = {first + k, first + (k + 1) % corners.count, share, cut.level(cell)};
         }
     }
 

@@ -147,26 +147,29 @@ TEST_CASE("new corners have the values of where they are")
 {
     const Scene scene = walls_that_do_not_match().scene(1.0);
     const auto ramp = [](Vec3 p) { return 1.0 + 0.5 * p.x + 0.25 * p.y + 0.125 * p.z; };
-    const CornerFunction at_corners = [&](std::uint32_t patch) {
+    const auto at_corners = [&](std::uint32_t patch, double factor) {
         std::array<Rgb, 4> values;
         const CellCorners corners = scene.corners(patch);
         const std::uint32_t surface = scene.surface_of(patch);
         const Tessellation& cut = scene.tessellation(surface);
         for (std::size_t k = 0; k < corners.count; ++k) {
             const double value =
-                ramp(scene.surfaces()[surface].at(static_cast<double>(corners.points[k].i) / cut.cells_u,
-                                                  static_cast<double>(corners.points[k].j) / cut.cells_v));
+                factor * ramp(scene.surfaces()[surface].at(static_cast<double>(corners.points[k].i) / cut.cells_u,
+                                                           static_cast<double>(corners.points[k].j) / cut.cells_v));
             values[k] = {value, 2.0 * value, 3.0 * value};
         }
         return values;
     };
-    const PatchMesh mesh = patch_mesh(scene, at_corners, at_corners);
-    REQUIRE(mesh.error == mesh.radiosity);
+    const PatchMesh mesh = patch_mesh(
+        scene, [&](std::uint32_t patch) { return at_corners(patch, 1.0); },
+        [&](std::uint32_t patch) { return at_corners(patch, 0.25); });
+    REQUIRE(mesh.error.size() == mesh.radiosity.size());
     for (std::size_t n = 0; n < mesh.positions.size(); ++n) {
         const double value = ramp(to_vec3(mesh.positions[n]));
         const double tolerance = 1e-6 * value; // floats
         REQUIRE(std::abs(static_cast<double>(mesh.radiosity[n][0]) - value) < tolerance);
         REQUIRE(std::abs(static_cast<double>(mesh.radiosity[n][2]) - 3.0 * value) < 3.0 * tolerance);
+        REQUIRE(std::abs(static_cast<double>(mesh.error[n][2]) - 0.75 * value) < tolerance);
     }
 }
 

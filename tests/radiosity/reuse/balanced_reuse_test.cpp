@@ -287,6 +287,32 @@ TEST_CASE("the variance tells the scatter of independent runs, in a room with a 
     CHECK(told < 2.5 * seen);
 }
 
+// The rays are the same in both rooms, and so is what they find to arrive.
+TEST_CASE("the standard deviation of the direct light is proportional to the reflectance, in every colour")
+{
+    const auto variance_with = [](double dim) {
+        SceneBuilder builder;
+        const std::uint32_t wall = builder.material({0.8 * dim, 0.8 * dim, 0.8 * dim}, {});
+        const std::uint32_t lamp = builder.material({0.8 * dim, 0.8 * dim, 0.8 * dim}, {9, 3, 1});
+        builder.room({0.5, -1, 2}, {3.5, 1, 6}, wall).box({1, -1, 3}, {2, 0, 4.3}, wall);
+        builder.rectangle({1.2, 0.8, 2.5}, {1.5, 0, 0}, {0, 0, 1}, lamp);
+        const Scene scene = builder.scene(0.3);
+        PowerState state(scene);
+        return reuse_balanced(scene, SceneLights(scene, 2), *make_sequence("sobol-owen", 1),
+                              {0, std::uint64_t{32} * scene.patch_count(), true, false}, 1e9, {2}, state)
+            .variance;
+    };
+    const std::vector<Rgb> bright = variance_with(1.0);
+    const std::vector<Rgb> dim = variance_with(0.25);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < bright.size(); ++i) {
+        sum += bright[i].g;
+        CHECK(std::abs(bright[i].r - 16.0 * dim[i].r) <= 1e-9 * bright[i].r);
+        CHECK(std::abs(bright[i].b - 16.0 * dim[i].b) <= 1e-9 * bright[i].b);
+    }
+    CHECK(sum > 0.0);
+}
+
 // The light of the floor comes from a spot on the ceiling that some of the few rays of a patch meet, or none. Believed,
 // those of none would stay dark, and the error would be 1e-2.
 TEST_CASE("patches whose few rays agree by chance do not count as certain")

@@ -1,5 +1,6 @@
 #include "radiosity/reuse/gathered_light.h"
 
+#include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 
@@ -108,6 +109,37 @@ TEST_CASE("lamps 128 times as bright give 128 times the direct light, and the sa
     const std::vector<Rgb> found = direct_radiosity(bright, 2);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         CHECK(found[i] == 128.0 * expected[i]);
+}
+
+// Floors of two materials and of patches of many sizes see nothing but the sky, so that each receives its area times
+// the light of the sky. A patch of a fifth of a ray seldom has one, which must then count for five.
+TEST_CASE("floors in the open get the light of the sky from however few rays, also by the patches' own ones")
+{
+    SceneBuilder builder;
+    const std::uint32_t materials[] = {builder.material({0.8, 0.5, 0.1}, {}), builder.grey(0.3, 0.0)};
+    for (int k = 0; k < 40; ++k)
+        builder.rectangle({2.5 * k, 3, 7}, {0, 0, 0.2 + 0.05 * k}, {1 + 0.03 * k, 0, 0}, materials[k % 3 / 2]);
+    SceneFile file = builder.file();
+    const Rgb sky = {3, 2, 1};
+    add_sky(file, sky);
+    const Scene scene(file, 0.4);
+    const SceneLights lights(scene, 2);
+    for (const std::uint32_t rays : {scene.patch_count() / 5, 3 * scene.patch_count()}) {
+        CAPTURE(rays);
+        const auto sequence = make_sequence("sobol-owen", 1);
+        const GatheredSkylight found = gathered_skylight(scene, lights.patches(), *sequence, 0, rays, {2});
+        Rgb by_own_rays;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            if (scene.is_sky_patch(i))
+                continue;
+            by_own_rays += found.by_own_rays[i];
+            CHECK(found.incident[i].r == doctest::Approx(scene.area(i) * sky.r).epsilon(1e-9));
+            CHECK(found.incident[i].b == doctest::Approx(scene.area(i) * sky.b).epsilon(1e-9));
+        }
+        const double one_ray = 1.01 / rays; // more or less, by rounding
+        CHECK(by_own_rays.r == doctest::Approx(scene.own_area() * sky.r).epsilon(one_ray));
+        CHECK(by_own_rays.b == doctest::Approx(scene.own_area() * sky.b).epsilon(one_ray));
+    }
 }
 
 } // namespace direct_radiosity_test

@@ -147,6 +147,28 @@ TEST_CASE("rows that lose some of their light add up to the areas of the patches
     CHECK(std::sqrt(squares / runs) < 0.018);
 }
 
+// Through a slit in the ceiling the light gets out of the scene, or meets the backs of a hull around it, whose fronts
+// are dark. Many patches have no line of their own that gets out. The ceiling has none at all: what it is taken to
+// lose, less than a line for each patch, is divided like all that is lost, from the fronts of the hull, too.
+TEST_CASE("what no line shows to be lost escapes where there is an outside, and else is lost behind")
+{
+    for (const bool enclosed : {false, true}) {
+        CAPTURE(enclosed);
+        SceneBuilder builder;
+        const std::uint32_t wall = builder.grey(0.7, 0.0);
+        builder.room({3, 1, -2}, {5, 2, -1}, {builder.grey(0.7, 1.0), wall, wall, wall, wall, wall});
+        if (enclosed)
+            builder.box({2.5, 0.5, -2.5}, {5.5, 2.5, -0.5}, wall);
+        SceneFile file = builder.file();
+        file.surfaces[1].edge_u = 0.95 * file.surfaces[1].edge_u;
+        const Solution solution = solve(Scene(file, 0.2), reuse_options(1u << 14), silent);
+        const double escaped = solution.balance.escaped.g;
+        const double behind = solution.balance.behind.g;
+        CHECK(behind + escaped > 0.02 * solution.balance.emitted.g);
+        CHECK((enclosed ? escaped : behind) < 1e-3 * solution.balance.emitted.g);
+    }
+}
+
 TEST_CASE("light that meets nothing escapes, all of it")
 {
     SceneBuilder builder;

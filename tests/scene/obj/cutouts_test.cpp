@@ -128,14 +128,18 @@ TEST_CASE("areas are those of the opaque pixels, and textures stay where they ar
 {
     Files files;
     files.folder.write("mask.pgm", pgm(leaf));
-    files.folder.write("colours.ppm", "P3 2 1 255\n255 255 255 0 0 0\n");
+    files.folder.write("colours.ppm", "P3 2 2 255\n255 0 0 0 255 0\n0 0 255 255 255 255\n");
     const SceneFile file = files.read(square + quad, "newmtl m\nKe 1\nKd 0.5\nmap_Kd colours.ppm\nmap_d mask.pgm\n");
     CHECK(area(file) == doctest::Approx(2.0 * 13.0 / 35.0).epsilon(1e-12));
     const Scene scene(file, 0.01);
     for (std::uint32_t i = 0; i < scene.patch_count(); i += 7) {
         const Vec3 centre = scene.patch(i).shape.centre();
-        if (std::abs(centre.x - 1.0) > 0.02)
-            CHECK(scene.reflectance(i).g == doctest::Approx(centre.x < 1.0 ? 0.5 : 0.0));
+        if (std::abs(centre.x - 1.0) < 0.02 || std::abs(centre.y - 0.5) < 0.02)
+            continue;
+        const bool right = centre.x > 1.0, low = centre.y < 0.5;
+        CHECK(scene.reflectance(i).r == doctest::Approx(right == low ? 0.5 : 0.0));
+        CHECK(scene.reflectance(i).g == doctest::Approx(right ? 0.5 : 0.0));
+        CHECK(scene.reflectance(i).b == doctest::Approx(low ? 0.5 : 0.0));
     }
     CHECK(contains(file.warnings.at(0), "transparent parts of `m` (mask.pgm) are cut out"));
 }
@@ -206,6 +210,17 @@ TEST_CASE("a mask that would make too many surfaces is made coarser, and that is
     CHECK(file.surfaces.size() <= 32768);
     CHECK(area(file) == doctest::Approx(2.0 * 11.0 / 16.0).epsilon(4 * 0.0018));
     CHECK(contains(file.warnings.at(0), "by a mask of 256 x 256 instead of 512 x 512 pixels"));
+    // The transparent border of a clamped image goes on around it, on three quarters of the face.
+    for (std::size_t k = 0; k < noise.size(); ++k)
+        noise[k] = k < 16 || k >= 496 ? std::string(512, '.')
+                                      : std::string(16, '.') + noise[k].substr(16, 480) + std::string(16, '.');
+    files.folder.write("noise.pgm", pgm(noise));
+    const SceneFile clamped =
+        files.read("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nvt -0.5 0\nvt 1.5 0\nvt 1.5 2\nvt -0.5 2\n" + quad,
+                   "newmtl m\nKe 1\nKd 0.5\nmap_d -clamp on noise.pgm\n");
+    const double inner = 480.0 / 512.0;
+    CHECK(area(clamped) == doctest::Approx(2.0 / 4.0 * inner * inner * 11.0 / 16.0).epsilon(4 * 0.0018));
+    CHECK(contains(clamped.warnings.at(0), "by a mask of 256 x 256"));
     // A million repetitions are too many to visit.
     files.folder.write("mask.pgm", pgm(leaf));
     const SceneFile wide =

@@ -1,10 +1,12 @@
 #include "transport/exchange/sparse_exchange.h"
 
+#include "scene/daylight.h"
 #include "test_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <numeric>
 
 namespace sparse_exchange_test {
 
@@ -44,15 +46,20 @@ std::vector<std::uint32_t> sides(const Scene& scene)
     return result;
 }
 
-Counted counted(const Scene& scene, double rays_per_patch)
+Counted counted(const Scene& scene, const std::vector<double>& expected)
 {
-    const Allotment rays(rays_of_patches(scene, rays_per_patch), 0.5);
+    const Allotment rays(expected, 0.5);
     Counted result{LineCounts(scene.patch_count()), {}};
     ShardRange range = ShardRange::of(ray_blocks(rays).count(), {});
     count_rays(scene, rays, *make_sequence("sobol", 0), 0, range, {2}, result.counts);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         result.density.push_back(static_cast<double>(rays.rays_of(i)) / scene.area(i));
     return result;
+}
+
+Counted counted(const Scene& scene, double rays_per_patch)
+{
+    return counted(scene, rays_of_patches(scene, rays_per_patch));
 }
 
 /// A room with a box in it and without one wall.
@@ -196,6 +203,86 @@ TEST_CASE("an exchange is the same in any unit of length and of light")
                 CHECK(result[i].b == doctest::Approx(length * length * light * y[i].b).epsilon(1e-5));
             }
         }
+}
+
+// A sheet with one face stands before the open wall: light escapes, and is lost behind the sheet.
+TEST_CASE("a patch without rays of its own loses as much of its light each way as all others together")
+{
+    SceneFile file = open_room().file();
+    file.surfaces.push_back({Shape::parallelogram, {0.1, 0.15, 0.8}, {0.75, 0, 0}, {0, 0.7, 0.1}});
+    for (auto* list : {&file.material, &file.group, &file.line})
+        list->push_back(0);
+    const Scene scene(file, 0.1);
+    std::vector<double> rays = rays_of_patches(scene, 20.0);
+    for (std::size_t i = 0; i < rays.size(); i += 5)
+        rays[i] = 0.0;
+    const Counted all = counted(scene, rays);
+    double escaped = 0.0;
+    double lost = 0.0;
+    for (const SparseExchange::LossCounts& counts : all.losses(scene)) {
+        escaped += counts.escaped;
+        lost += counts.lost();
+    }
+    CHECK(escaped > 0.3 * lost);
+    CHECK(escaped < 0.8 * lost);
+    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0, 2);
+    int losing = 0; // the rays of the others fill some rows
+    for (std::uint32_t i = 0; i < rays.size(); i += 5)
+        if (const double area = exchange.escaping(i) + exchange.behind(i); area > 0.0) {
+            ++losing;
+            CHECK(exchange.escaping(i) == doctest::Approx(area * escaped / lost).epsilon(1e-9).scale(0.0));
+        }
+    CHECK(losing > 50);
+}
+
+// The patches around lie in another space, and each is the only one of its surface.
+TEST_CASE("a closed room beside one that loses light keeps its own")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 1.0);
+    builder.room({0, 0, 0}, {1, 1, 1}, grey).box({0.2, 0.2, 0.2}, {0.5, 0.6, 0.7}, grey);
+    const std::size_t closed = builder.file().surfaces.size();
+    const Scene open = open_room();
+    for (const Surface& surface : open.surfaces())
+        builder.surface({surface.shape, surface.origin + Vec3{2, 0, 0}, surface.edge_u, surface.edge_v}, grey);
+    const Scene scene = builder.scene(0.1);
+    const Counted all = counted(scene, 16.0);
+    std::vector<SparseExchange::LossCounts> losses = all.losses(scene);
+    for (SparseExchange::LossCounts& of_patch : losses)
+        of_patch.around = 0.3;
+    std::vector<std::uint32_t> alone(scene.patch_count());
+    std::iota(alone.begin(), alone.end(), 0u);
+    const SparseExchange exchange(all.counts, scene.areas(), all.density, losses, alone, {}, 0.0, 2);
+    double lost[2] = {};
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        lost[scene.surface_of(i) < closed ? 0 : 1] += exchange.escaping(i) + exchange.behind(i);
+    CHECK(lost[0] < 1e-9);
+    CHECK(lost[1] > 0.5);
+}
+
+// With the radiosity of all and of the sky equal, all rays of a patch bring the same.
+TEST_CASE("in a furnace, also below a sky as bright, the ray that brings light takes as much away as any other")
+{
+    SceneFile file = open_room().file();
+    add_sky(file, {1, 1, 1});
+    const Scene scene(file, 0.1);
+    std::vector<std::uint32_t> sky;
+    std::vector<double> expected = rays_of_patches(scene, 20.0);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (scene.is_sky_patch(i)) {
+            expected[i] = 0.0;
+            sky.push_back(i);
+        }
+    const Counted all = counted(scene, expected);
+    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), sky, 0.0, 2);
+    CHECK(exchange.lost_area() > 0.5);
+    const std::vector<Rgb> one(scene.patch_count(), Rgb{1, 1, 1});
+    const SparseExchange::Returns returns =
+        exchange.returns(one, std::vector<Rgb>(scene.patch_count(), Rgb{0.5, 0.2, 0.9}), 2);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        CHECK(std::abs(returns.incident[i].r) < 1e-6 * scene.area(i));
+        CHECK(std::abs(returns.incident[i].b) < 1e-6 * scene.area(i));
+    }
 }
 
 } // namespace sparse_exchange_test
