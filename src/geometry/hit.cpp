@@ -147,11 +147,13 @@ bool have_same_outline(const Hit& a, const Hit& b)
 
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
 {
+    const auto arrivals = std::count_if(hits, hits + count, [](const Hit& hit) { return hit.front; });
+    const bool encloses_solids = starts_in_solid && 2 * static_cast<std::size_t>(arrivals) == count;
     for (std::size_t first = 0; first + 1 < count;) {
         const std::size_t last = end_of_group(hits, count, first);
         if (last - first > 1) {
             const bool arrival_expected =
-                (!starts_in_solid && is_sheet(hits, first, last)) ||
+                (!encloses_solids && is_sheet(hits, first, last)) ||
                 (first == 0 ? first_is_arrival(hits, count, starts_in_solid)
                             : !hits[first - 1].front && !is_floor_from_below(hits, count, first, last));
             if (last - first == 2) // nearly always

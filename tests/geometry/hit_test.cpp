@@ -107,6 +107,32 @@ TEST_CASE("when no hit tells, faces of one outline are a sheet")
     CHECK(first_of({1.0, 1, 0.3, 0.4, true}) == 0);
 }
 
+// A plate without a back, in a room, before or behind a lamp with a cover: the plate encloses nothing.
+TEST_CASE("faces of one outline are a sheet on a line through faces without backs")
+{
+    const Hit lamp{2.0, 0, 0.2, 0.3, true};
+    const Hit cover{2.0, 1, 0.3, 0.2, false};
+    const Hit plate{1.0, 2, 0.7, 0.4, true};
+    const Hit wall_before{0.0, 3, 0.5, 0.6, false};
+    const Hit wall_behind{3.0, 4, 0.5, 0.6, true};
+    for (const double at : {1.0, 2.5}) {
+        Hit here = plate;
+        here.t = at;
+        std::vector<Hit> hits = {wall_before, lamp, cover, wall_behind};
+        hits.insert(at < 2.0 ? hits.begin() + 1 : hits.end() - 1, here);
+        order_coincident_hits(hits, true);
+        const std::size_t first = at < 2.0 ? 2 : 1;
+        CHECK(hits[first].surface == lamp.surface);
+        CHECK(hits[first + 1].surface == cover.surface);
+    }
+    // Two boxes of the same outline that stand on each other, in a room: a gap.
+    Hit bottom_of_upper = cover;
+    Hit end_of_lower{2.5, 5, 0.5, 0.5, false};
+    std::vector<Hit> hits = {wall_before, plate, lamp, bottom_of_upper, end_of_lower, wall_behind};
+    order_coincident_hits(hits, true);
+    CHECK(hits[2].surface == bottom_of_upper.surface);
+}
+
 TEST_CASE("no hit is lost when coincident faces do not alternate")
 {
     CHECK(ordered("DA=A=D") == "0132"); // two arrivals cannot alternate: the second comes last

@@ -21,8 +21,7 @@ struct BalancedRays
     const Importance* importance = nullptr; ///< if set, the patches that matter get more rays (I1); null: all are equal
 };
 
-/// Minimum number of rays for balanced reuse. With fewer, the first round, which has at most half of the rays, could
-/// not give every patch a ray of each kind (see reuse_balanced()).
+/// Minimum number of rays for balanced reuse, 8 per patch. With fewer, particles are as exact, and unbiased.
 std::uint64_t min_balanced_rays(const Scene& scene);
 
 /// [bytes] Lower bound of the total memory of a run with balanced reuse, without the light cuts (LightCuts).

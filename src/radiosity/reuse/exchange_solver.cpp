@@ -171,8 +171,17 @@ void remove_negative_light(const Scene& scene, double Rgb::*channel, PowerState&
 
 void remove_negative_light(const Scene& scene, PowerState& state)
 {
-    for (double Rgb::*channel : {&Rgb::r, &Rgb::g, &Rgb::b})
+    for (double Rgb::*channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
         remove_negative_light(scene, channel, state);
+        double& escaped = state.escaped.*channel;
+        double& behind = state.behind.*channel;
+        if (escaped >= 0.0 && behind >= 0.0)
+            continue;
+        const double lost = escaped + behind;
+        state.emitted.*channel += std::max(0.0, lost) - lost;
+        (escaped < 0.0 ? behind : escaped) = std::max(0.0, lost);
+        (escaped < 0.0 ? escaped : behind) = 0.0;
+    }
 }
 
 } // namespace multipath

@@ -48,7 +48,8 @@ void distribute(const Scene& scene, const Exchange& exchange, const std::vector<
 /// Removes negative irradiance, which the noise of the exchange causes in dark places. Replaces the irradiance by the
 /// nearest one, in least squares weighted by area, that is nowhere negative and of which the patches absorb the same
 /// power as before. If this power is right, the projection onto a convex set does not increase the squared error of the
-/// irradiance. A channel without negative irradiance does not change.
+/// irradiance. A channel without negative irradiance does not change. Negative escaped power, or power behind surfaces,
+/// is taken from the other of the two.
 void remove_negative_light(const Scene& scene, PowerState& state);
 
 } // namespace multipath

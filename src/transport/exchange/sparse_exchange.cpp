@@ -57,8 +57,10 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         lost_[s] = 0.0;
     }
     balance(wanted, unseen_rays > 0.0 ? wanted : area, threads);
+    std::vector<double> cut = large_vector<double>(size()); // [m^2] of what is lost, since others' rays join too much
     const double unseen_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
         const double left = area_[i] - joined(i);
+        cut[i] = std::max(0.0, lost_[i] - left);
         lost_[i] = std::min(lost_[i], left);
         const double lacks = left - lost_[i];
         const bool is_unknown = density[i] == 0.0 && unseen_rays == 0.0 && counts_.row(i).first == counts_.row(i).last;
@@ -71,6 +73,8 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         unseen_[i] = lacks - more_lost;
         return unseen_[i];
     });
+    if (all.lost() > 0.0)
+        move_cut_losses(side, cut);
     if (unseen_area > 0.0) {
         if (space_.empty())
             find_spaces(side);
@@ -90,9 +94,10 @@ void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
 {
     DisjointSets spaces(size());
     for (std::uint32_t i = 0; i < size(); ++i) {
-        if (i > 0 && side[i] == side[i - 1])
+        const CountRow row = counts_.row(i);
+        if (row.first == row.last && i > 0 && side[i] == side[i - 1]) // what lies around a patch without rays
             spaces.unite(i, i - 1);
-        for (const std::uint32_t j : counts_.row(i))
+        for (const std::uint32_t j : row)
             if (j < i)
                 spaces.unite(i, j);
     }
@@ -124,6 +129,25 @@ void SparseExchange::bound_losses_around(const std::vector<std::uint32_t>& group
         const Sums& all = sums[group[i]];
         if (all.cast > own.cast)
             own.around = std::min(own.around, (all.lost - own.lost()) / (all.cast - own.cast));
+    }
+}
+
+/// What is cut off the losses of some patches gets lost from the deficits of others on their side.
+void SparseExchange::move_cut_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& cut)
+{
+    const std::size_t sides = size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1};
+    std::vector<double> cut_off(sides);
+    std::vector<double> unseen(sides);
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        cut_off[side[i]] += cut[i];
+        unseen[side[i]] += loses_[space_[i]] ? unseen_[i] : 0.0;
+    }
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        if (!loses_[space_[i]])
+            continue;
+        const double moved = unseen_[i] * std::min(1.0, quotient(cut_off[side[i]], unseen[side[i]]));
+        lost_[i] += moved;
+        unseen_[i] -= moved;
     }
 }
 

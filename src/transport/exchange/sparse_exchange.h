@@ -104,6 +104,7 @@ private:
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
     void find_spaces(const std::vector<std::uint32_t>& side);
     void bound_losses_around(const std::vector<std::uint32_t>& group);
+    void move_cut_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& cut);
     void share_deficits();
     std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
