@@ -46,12 +46,12 @@ std::vector<std::uint32_t> sides(const Scene& scene)
     return result;
 }
 
-Counted counted(const Scene& scene, const std::vector<double>& expected)
+Counted counted(const Scene& scene, const std::vector<double>& expected, std::uint64_t seed = 0)
 {
     const Allotment rays(expected, 0.5);
     Counted result{LineCounts(scene.patch_count()), {}};
     ShardRange range = ShardRange::of(ray_blocks(rays).count(), {});
-    count_rays(scene, rays, *make_sequence("sobol", 0), 0, range, {2}, result.counts);
+    count_rays(scene, rays, *make_sequence(seed == 0 ? "sobol" : "sobol-owen", seed), 0, range, {2}, result.counts);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         result.density.push_back(static_cast<double>(rays.rays_of(i)) / scene.area(i));
     return result;
@@ -233,6 +233,37 @@ TEST_CASE("a patch without rays of its own loses as much of its light each way a
             CHECK(exchange.escaping(i) == doctest::Approx(area * escaped / lost).epsilon(1e-9).scale(0.0));
         }
     CHECK(losing > 50);
+}
+
+// As in a dim room that many rays from outside reach: the rays of others fill the rows, up to noise, whatever the few
+// own rays of the patches have lost.
+TEST_CASE("sides whose patches cast few rays lose what these rays have lost on the mean")
+{
+    const Scene scene = open_room();
+    for (const double few : {3.0, 6.0}) {
+        std::vector<double> rays(scene.patch_count(), 100.0);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            if (scene.surface_of(i) < 3)
+                rays[i] = few;
+        double lost[3] = {};
+        double by_own_rays[3] = {};
+        for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+            const Counted all = counted(scene, rays, seed);
+            const std::vector<SparseExchange::LossCounts> losses = all.losses(scene);
+            const SparseExchange exchange(all.counts, scene.areas(), all.density, losses, sides(scene), {}, 0.0, 2);
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+                if (const std::uint32_t side = scene.surface_of(i); side < 3) {
+                    lost[side] += exchange.escaping(i) + exchange.behind(i);
+                    by_own_rays[side] += scene.area(i) * losses[i].lost() / losses[i].cast;
+                }
+        }
+        for (int side = 0; side < 3; ++side) {
+            CAPTURE(few);
+            CAPTURE(side);
+            CAPTURE(by_own_rays[side]);
+            CHECK(lost[side] == doctest::Approx(by_own_rays[side]).epsilon(0.1).scale(0.0));
+        }
+    }
 }
 
 // The patches around lie in another space, and each is the only one of its surface.
