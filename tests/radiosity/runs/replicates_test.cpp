@@ -83,6 +83,32 @@ TEST_CASE("intervals of 95 % cover the truth in 90 to 99 % of cases" * doctest::
     }
 }
 
+// A yard between two houses, one of them lit within, below a sky and a lamp that stands in the yard.
+TEST_CASE("in open scenes, too, intervals of 95 % cover the truth" * doctest::test_suite("statistics"))
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.6, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 4}, {5, 0, 0}, grey);
+    builder.box({0.5, 0, 0.5}, {1.5, 2, 3.5}, grey).box({3, 0, 1}, {4.5, 1.5, 3}, grey);
+    builder.rectangle({2, 0, 2}, {0, 0.8, 0}, {0, 0, 0.5}, builder.grey(0.2, 5.0));
+    SceneFile file = builder.file();
+    add_sky(file, {1.0, 1.0, 1.0});
+    const Scene scene(file, 0.5);
+    constexpr int replicates = 10;
+    constexpr double student = 2.262;
+    for (const bool table : {true, false}) {
+        SolveOptions options = options_of(Method::reuse, "sobol-owen", 1u << 23);
+        const std::vector<Rgb> truth = solve(scene, options, silent).radiosity;
+        options.all_pairs = table;
+        options.lines = std::uint64_t{640} * scene.patch_count();
+        const double share = coverage(scene, options, replicates, student, truth);
+        CAPTURE(table);
+        CAPTURE(scene.patch_count());
+        CHECK(share > 0.90);
+        CHECK(share < 0.99);
+    }
+}
+
 TEST_CASE(
     "replicates of many patches with few lines each do without a table of pairs, which all lines together pay for")
 {
