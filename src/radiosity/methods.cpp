@@ -59,7 +59,7 @@ bool gathers(const Run& run)
 
 bool are_few(const Run& run)
 {
-    return run.lines_left() < min_balanced_rays(run.scene);
+    return run.lines_left() < (run.preparation.unoccluded ? min_table_lines(run.scene) : min_balanced_rays(run.scene));
 }
 
 /// Lets particles carry the light if there are too few lines per patch for line reuse. Returns whether it has.

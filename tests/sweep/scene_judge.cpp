@@ -178,7 +178,7 @@ private:
         if (!convex_)
             refine_truth(2 * runs);
         const bool by_particles = way.method != Method::reuse || way.direct == Direct::shoot ||
-                                  lines_ < min_balanced_rays(scene_); // the direct light or all
+                                  lines_ < (has_table ? min_table_lines(scene_) : min_balanced_rays(scene_));
         // [1] Pairs that no line has met are guessed from those around (docs/line_reuse.md).
         const double lines_per_patch = static_cast<double>(lines_) / scene_.patch_count();
         const double guessed = 0.8 / lines_per_patch;

@@ -217,6 +217,11 @@ void clamp_to_positive(PairMatrix<float>& pairs)
 
 } // namespace
 
+std::uint64_t min_table_lines(const Scene& scene)
+{
+    return std::uint64_t{4} * scene.patch_count();
+}
+
 double reuse_bytes(const Scene& scene)
 {
     const auto pairs = static_cast<double>(PairMatrix<float>::pair_count(scene.patch_count()));

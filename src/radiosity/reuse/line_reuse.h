@@ -20,6 +20,10 @@ struct ReusedLines
     std::uint64_t seed = 0;            ///< seed for rounding expected numbers of rays to whole ones
 };
 
+/// Number of lines, 4 per patch, from which reuse_lines() is to be preferred to particles: it knows what patches
+/// exchange without obstacles.
+std::uint64_t min_table_lines(const Scene& scene);
+
 /// [bytes] Memory that reuse_lines() needs for its tables of pairs of patches and of pairs of blocks of patches
 /// (estimation_bytes()). The blocks take most of it if nearly every surface is one patch.
 double reuse_bytes(const Scene& scene);
