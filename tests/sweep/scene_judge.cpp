@@ -183,9 +183,9 @@ private:
         const double lines_per_patch = static_cast<double>(lines_) / scene_.patch_count();
         const double guessed = 0.8 / lines_per_patch;
         // [1] Line reuse is not linear: with fewer than 32 lines per patch at once it has a bias of this order
-        // (docs/line_reuse.md), and the least memory holds no more than these.
+        // (docs/line_reuse.md), and the least memory holds 24 rays of each patch.
         const double at_once =
-            way.memory == Way::least ? lines_per_patch / std::ceil(lines_per_patch / 32.0) : lines_per_patch;
+            way.memory == Way::least ? lines_per_patch / std::ceil(lines_per_patch / 24.0) : lines_per_patch;
         const double of_few_lines = at_once < 32.0 && way.method == Method::reuse ? 0.25 / at_once : 0.0;
         const double mean_light = mean_radiosity();
         const double unseen = 2e-4 * mean_light; // light that few lines find

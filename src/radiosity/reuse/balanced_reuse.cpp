@@ -47,7 +47,7 @@ std::array<std::uint64_t, rounds> ends_of_rounds(std::uint64_t rays, std::uint64
 
 constexpr double bytes_per_ray = 10.0; // a note at both ends, and for some rays another one until they are sorted
 // The solution is not linear in the counts: with this number of rays its bias is about 0.1 % / (1 - R_ave).
-constexpr double least_rays_at_once = 32.0; // per patch
+constexpr double least_rays_at_once = 24.0; // per patch
 
 /// [bytes] Memory of a run with this number of rays, without the counts. An empirical formula.
 double bytes_without_counts(const Scene& scene, double rays)
@@ -413,7 +413,7 @@ private:
     }
 
     /// Sets the number of parts of the last round, so that the counts of each part fit into the memory, but with at
-    /// least 32 rays per patch. Throws InputError if a shard would need more than one part.
+    /// least 24 rays per patch. Throws InputError if a shard would need more than one part.
     void cut_into_parts(std::vector<double>& hemisphere)
     {
         double rays = 0.0;
