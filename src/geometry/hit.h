@@ -21,12 +21,12 @@ struct Hit
 bool have_same_outline(const Hit& a, const Hit& b);
 
 /// Reorders each group of hits with equal t, in a list sorted by t, to the order in which the line passes the
-/// coincident surfaces: arrivals (meeting a front) and departures (leaving through a front) alternate, as in every
-/// sound scene. Within a group, arrivals stay in the order of the list and departures are put in the opposite order. On
-/// the reversed line, arrivals and departures change places. So if its list has the hits of a group in the same order,
-/// the two lines pass the surfaces of the group in opposite orders. If no hit shows whether the line starts inside a
-/// solid, `starts_in_solid` decides; hit.cpp states the rules and their exceptions (thin sheets, floors met from
-/// below).
+/// coincident surfaces: arrivals (meeting a front) and departures (leaving through a front) alternate, but a line
+/// leaves all solids that it is inside before it arrives. Within a group, arrivals stay in the order of the list and
+/// departures are put in the opposite order. On the reversed line, arrivals and departures change places. So if its
+/// list has the hits of a group in the same order, the two lines pass the surfaces of the group in opposite orders. If
+/// no hit shows whether the line starts inside a solid, `starts_in_solid` decides; hit.cpp states the rules and their
+/// exceptions (thin sheets, floors met from below).
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
 
 inline void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)

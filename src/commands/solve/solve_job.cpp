@@ -166,7 +166,7 @@ std::string summary_text(const SolveSummary& s)
         lines < min_balanced_rays(s.scene))
         text +=
             format("warning    too few lines per patch for line reuse: particles carried the light, with more noise; "
-                   "reuse begins at %s lines\n",
+                   "%s lines are enough for reuse\n",
                    grouped(min_balanced_rays(s.scene)).c_str());
     else if (constexpr std::uint64_t few = 16; lines < few * s.scene.patch_count())
         text +=

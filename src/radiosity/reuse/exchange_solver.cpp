@@ -177,10 +177,10 @@ void remove_negative_light(const Scene& scene, PowerState& state)
         double& behind = state.behind.*channel;
         if (escaped >= 0.0 && behind >= 0.0)
             continue;
-        const double lost = escaped + behind;
-        state.emitted.*channel += std::max(0.0, lost) - lost;
-        (escaped < 0.0 ? behind : escaped) = std::max(0.0, lost);
-        (escaped < 0.0 ? escaped : behind) = 0.0;
+        const double lost = std::max(0.0, escaped + behind);
+        state.emitted.*channel += lost - (escaped + behind);
+        behind = escaped < 0.0 ? lost : 0.0;
+        escaped = lost - behind;
     }
 }
 

@@ -84,4 +84,23 @@ TEST_CASE("irradiance that is nowhere negative stays as it is, bit for bit")
     CHECK(state.incident == before);
 }
 
+TEST_CASE("negative losses are taken from the other kind, or else from the power emitted")
+{
+    const Scene scene = room_of_three();
+    for (const double escaped : {-2.0, 1.0, 3.0})
+        for (const double behind : {-2.0, 1.0, 3.0}) {
+            PowerState state(scene);
+            state.emitted.g = 10.0;
+            state.escaped.g = escaped;
+            state.behind.g = behind;
+            remove_negative_light(scene, state);
+            CHECK(state.escaped.g >= 0.0);
+            CHECK(state.behind.g >= 0.0);
+            CHECK(state.escaped.g + state.behind.g == std::max(0.0, escaped + behind));
+            CHECK(10.0 - state.emitted.g == escaped + behind - (state.escaped.g + state.behind.g));
+            if (escaped >= 0.0 && behind >= 0.0)
+                CHECK(state.escaped.g == escaped);
+        }
+}
+
 } // namespace distribution_test
