@@ -377,22 +377,13 @@ private:
     std::vector<SparseExchange::LossCounts> later_losses() const
     {
         auto result = large_vector<SparseExchange::LossCounts>(n_);
-        auto lost = large_vector<RaySums>(n_);
         for (std::uint32_t i = 0; i < n_; ++i) {
             const SparseExchange::LossCounts& first = first_losses_[i];
             result[i] = losses(i);
             if (result[i].cast > first.cast)
                 result[i] = {result[i].cast - first.cast, result[i].escaped - first.escaped,
                              result[i].behind - first.behind};
-            lost[i] = {result[i].cast, result[i].cast, result[i].lost(), result[i].lost()};
         }
-        const auto loses = [](const RaySums& sums) { return sums.value > 0.0; };
-        if (std::none_of(lost.begin(), lost.end(), loses))
-            return result;
-        constexpr double enough = 32.0;
-        lost = pooled_around(patches_, lost, enough, run_.threads);
-        for (std::uint32_t i = 0; i < n_; ++i)
-            result[i].around = quotient(lost[i].value, lost[i].weight);
         return result;
     }
 

@@ -24,67 +24,55 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
       factors_(vector_with_capacity<Factors>(area.size())),
       losses_(std::move(losses)),
       sky_(std::move(sky)),
+      lost_rays_(large_vector<double>(area.size())),
       lost_(large_vector<double>(area.size())),
       own_(large_vector<double>(area.size())),
       unseen_(large_vector<double>(area.size()))
 {
-    LossCounts all = {0.0, 0.0, 0.0};
+    LossCounts all = {};
     for (std::uint32_t i = 0; i < size(); ++i) {
         unit_ += area[i];
         all.cast += losses_[i].cast;
         all.escaped += losses_[i].escaped;
         all.behind += losses_[i].behind;
     }
-    const double lost_share = quotient(all.lost(), all.cast);
     escaping_share_ = all.lost() > 0.0 ? all.escaped / all.lost() : 1.0;
     for (const double d : density)
         factors_.push_back({static_cast<float>(d * unit_), 1.0f});
     if (all.lost() > 0.0)
         find_spaces(side);
-    std::vector<double> wanted = large_vector<double>(size()); // [m^2] of rays that join patches
-    std::vector<double> lost_part = large_vector<double>(size());
+    std::vector<double> wanted = large_vector<double>(size()); // [m^2] of all rays of a patch
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
+        if (is_sky(i))
+            return;
         const CountRow row = counts_.row(i);
-        const bool is_known = row.first != row.last; // backs of the sky see nothing
-        lost_part[i] = losses_[i].cast + unseen_rays > 0.0 ? part_lost(i, unseen_rays) : is_known ? lost_share : 0.0;
-        lost_[i] = area[i] * lost_part[i];
-        const double left = area[i] - lost_[i];
-        const auto joining = static_cast<double>(row.last - row.first);
-        wanted[i] = left > rounding_of_rows * area[i] ? left * quotient(joining, joining + unseen_rays) : 0.0;
+        lost_rays_[i] = quotient(losses_[i].lost(), losses_[i].cast) * density[i] * area[i];
+        const double rays = static_cast<double>(row.last - row.first) + lost_rays_[i];
+        wanted[i] = area[i] * quotient(rays, rays + unseen_rays);
     });
-    for (const std::uint32_t s : sky_) {
-        sky_area_ += area[s];
-        lost_[s] = 0.0;
-    }
-    balance(wanted, unseen_rays > 0.0 ? wanted : area, threads);
-    std::vector<double> cut = large_vector<double>(size()); // [m^2] of what is lost, since others' rays join too much
-    const double unseen_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
-        const double left = area_[i] - joined(i);
-        cut[i] = std::max(0.0, lost_[i] - left);
-        lost_[i] = std::min(lost_[i], left);
-        const double lacks = left - lost_[i];
-        const bool is_unknown = density[i] == 0.0 && unseen_rays == 0.0 && counts_.row(i).first == counts_.row(i).last;
-        if (lacks <= rounding_of_rows * area_[i] || is_sky(i) || is_unknown) {
+    balance(wanted, threads);
+    const std::vector<double> lost_share = lost_shares(side);
+    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+        lost_[i] = lost(i);
+        const double lacks = area_[i] - joined(i) - lost_[i];
+        const bool is_unknown = density[i] == 0.0 && counts_.row(i).first == counts_.row(i).last;
+        const bool is_shared = unseen_rays > 0.0 || (loses(i) && !is_unknown);
+        if (lacks <= rounding_of_rows * area_[i] || is_sky(i) || !is_shared) {
             own_[i] = lacks;
-            return 0.0;
+            return;
         }
-        const double more_lost = lacks * lost_part[i];
+        const double more_lost = unseen_rays > 0.0 ? 0.0 : lacks * lost_share[side[i]];
         lost_[i] += more_lost;
         unseen_[i] = lacks - more_lost;
-        return unseen_[i];
     });
-    if (all.lost() > 0.0)
-        move_cut_losses(side, cut);
-    if (unseen_area > 0.0) {
-        if (space_.empty())
-            find_spaces(side);
-        if (unseen_rays > 0.0) { // light gets from everywhere to everywhere
-            space_.assign(size(), 0);
-            loses_.assign(size(), false);
-        }
+    if (unseen_rays > 0.0) { // light gets from everywhere to everywhere
+        space_.assign(size(), 0);
+        loses_.assign(size(), false);
+    }
+    if (!space_.empty())
         share_deficits();
-    } else
-        space_.clear();
+    for (const std::uint32_t i : sky_)
+        sky_area_ += area[i];
     const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return open(i); });
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
@@ -106,49 +94,21 @@ void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
     for (std::uint32_t i = 0; i < size(); ++i)
         if (losses_[i].lost() > 0.0)
             loses_[space_[i]] = true;
-    bound_losses_around(space_);
-    bound_losses_around(side);
 }
 
-/// The patches around may lie in another space, or face another way: no larger share is lost around a patch than by the
-/// other patches of its group.
-void SparseExchange::bound_losses_around(const std::vector<std::uint32_t>& group)
-{
-    struct Sums
-    {
-        double cast = 0.0;
-        double lost = 0.0;
-    };
-    std::vector<Sums> sums(size() == 0 ? 0 : *std::max_element(group.begin(), group.end()) + std::size_t{1});
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        sums[group[i]].cast += losses_[i].cast;
-        sums[group[i]].lost += losses_[i].lost();
-    }
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        LossCounts& own = losses_[i];
-        const Sums& all = sums[group[i]];
-        if (all.cast > own.cast)
-            own.around = std::min(own.around, (all.lost - own.lost()) / (all.cast - own.cast));
-    }
-}
-
-/// What is cut off the losses of some patches gets lost from the deficits of others on their side.
-void SparseExchange::move_cut_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& cut)
+/// [1] Of each side, the part of the rays that left it which met no patch.
+std::vector<double> SparseExchange::lost_shares(const std::vector<std::uint32_t>& side) const
 {
     const std::size_t sides = size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1};
-    std::vector<double> cut_off(sides);
-    std::vector<double> unseen(sides);
+    std::vector<double> cast(sides);
+    std::vector<double> lost(sides);
     for (std::uint32_t i = 0; i < size(); ++i) {
-        cut_off[side[i]] += cut[i];
-        unseen[side[i]] += loses_[space_[i]] ? unseen_[i] : 0.0;
+        cast[side[i]] += losses_[i].cast;
+        lost[side[i]] += losses_[i].lost();
     }
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        if (!loses_[space_[i]])
-            continue;
-        const double moved = unseen_[i] * std::min(1.0, quotient(cut_off[side[i]], unseen[side[i]]));
-        lost_[i] += moved;
-        unseen_[i] -= moved;
-    }
+    for (std::size_t k = 0; k < sides; ++k)
+        lost[k] = quotient(lost[k], cast[k]);
+    return lost;
 }
 
 /// The patches of a space share their deficits. What a patch would share with itself, much if its space has few
@@ -159,7 +119,7 @@ void SparseExchange::share_deficits()
     for (std::uint32_t i = 0; i < size(); ++i)
         unseen_sum_[space_[i]] += unseen_[i];
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (unseen_[i] > 0.0 && loses_[space_[i]]) {
+        if (unseen_[i] > 0.0 && loses(i)) {
             const double own = unseen_[i] * unseen_[i] / unseen_sum_[space_[i]];
             lost_[i] += own;
             own_[i] -= own;
@@ -174,52 +134,6 @@ std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
         if (unseen_[i] > 0.0)
             light[space_[i]] += (unseen_[i] / unseen_sum_[space_[i]]) * x[i];
     return light;
-}
-
-/// [1] Part of the exchange of a patch that reaches no patch. The fraction of its own rays is unbiased, but not always
-/// the better estimate. If the patches around have cast far more rays that join the patch, the ratio of its lost
-/// exchange to all of it says more. And if rays seldom meet anything, those of two patches seldom agree that anything
-/// lies between them, and the balance would leave most of the exchange unsampled: then the exchange by all rays counts
-/// as it is, which hardly ever exceeds the area of the patch. Only rays of other patches decide that hits are few.
-double SparseExchange::part_lost(std::uint32_t i, double unseen_rays) const
-{
-    const LossCounts& losses = losses_[i];
-    const double own = losses.lost() / (losses.cast + unseen_rays);
-    const CountRow row = counts_.row(i);
-    if (row.first == row.last || (own == 0.0 && losses.around == 0.0))
-        return own;
-    const double hits = joined(i) / unit_; // exchange by rays that join patches
-    const double of_others = std::max(0.0, 1.0 - 2.0 * own_share(i));
-    const double lost = quotient(losses.lost() * area_[i], losses.cast) / unit_;
-    const double by_many = (1.0 - of_others) * own + of_others * quotient(lost, lost + hits);
-    const double expected_hits = losses.cast * (1.0 - losses.around);
-    const double of_few = losses.around / (1.0 + expected_hits * expected_hits);
-    return std::clamp((1.0 - of_few) * by_many + of_few * (1.0 - hits * unit_ / area_[i]), 0.0, 1.0);
-}
-
-/// [1] Expected share of a patch's own rays among those that join it with others; 1/2 where all patches cast alike.
-double SparseExchange::own_share(std::uint32_t i) const
-{
-    const auto density = static_cast<double>(factors_[i].density);
-    double own = 0.0;
-    for (const std::uint32_t j : counts_.row(i))
-        own += density / (density + static_cast<double>(factors_[j].density));
-    const CountRow row = counts_.row(i);
-    return row.first == row.last ? 0.5 : own / static_cast<double>(row.last - row.first);
-}
-
-/// [1] Upper bounds of the factors of step 1 and of their reciprocals. The few rays of a patch that casts less than
-/// those around it, as a black one does, hardly sample what such patches exchange with each other. Without the bound,
-/// what the rays of the others have found would be scaled up to fill its row, and white patches would lose too much
-/// light to black ones. What is then missing is left to step 2. An empirical formula.
-std::vector<float> SparseExchange::largest_scales(double most, int threads) const
-{
-    std::vector<float> result = large_vector<float>(size());
-    parallel_numbers(size(), threads, [&](std::uint32_t i) {
-        const double less = 1.0 - 2.0 * own_share(i);
-        result[i] = static_cast<float>(less > 1.0 / (most * most) ? std::sqrt(1.0 / less) : most);
-    });
-    return result;
 }
 
 /// [m^2] Exchange area of a patch with the sky, or with the outside of the scene.
@@ -241,48 +155,70 @@ double SparseExchange::joined(std::uint32_t i) const
     return unit_ * static_cast<double>(factors_[i].scale) * sum;
 }
 
-/// Step 1: finds the factors x for which each patch has the exchange area `wanted` [m^2] with all patches.
-/// Where there are no such factors, none has more than `most` [m^2].
-void SparseExchange::balance(const std::vector<double>& wanted, const std::vector<double>& most, int threads)
+/// [m^2] Exchange area of patch i with no patch after step 1.
+double SparseExchange::lost(std::uint32_t i) const
 {
-    // Each step multiplies x_i by (wanted / sum)^(3/4) and by the previous change of x_i to the power of 1/16, the
-    // momentum of Polyak's heavy ball (1964). The power 1/2 alone would converge for certain. Where the
-    // pairs of a row are spread over the scene, as those of rays are, each step divides the errors by about 4. Errors
-    // that remain make closed spaces leak, and bright surfaces multiply the leak. Groups of patches that exchange with
-    // each other only, like two that face each other, hardly converge.
+    const Factors& own = factors_[i];
+    return lost_rays_[i] > 0.0
+               ? unit_ * static_cast<double>(own.scale) * lost_rays_[i] / static_cast<double>(own.density)
+               : 0.0;
+}
+
+/// Step 1: finds the densities D with which all rays of each patch have the exchange area `wanted` [m^2]. Where there
+/// are none, no patch has more than that.
+void SparseExchange::balance(const std::vector<double>& wanted, int threads)
+{
+    // Each step takes 3/4 of the step of Newton's method for 1 / row sum, which is nearly linear in D, as if the other
+    // densities stayed, times the previous change to the power of 1/16, the momentum of Polyak's heavy ball (1964).
+    // Where the pairs of a row are spread over the scene, as those of rays are, each step divides the errors by
+    // about 4. Errors that remain make closed spaces keep light, and groups of patches that exchange with each other
+    // only, like two that face each other, hardly converge.
     constexpr int most_steps = 16;
-    constexpr double small_leak = 2e-7;   // [1] share of the area
-    constexpr double most_scale = 1024.0; // where no factors exist, they would leave the range of single precision
+    constexpr double small_error = 2e-7;   // [1] share of the area
+    constexpr double most_change = 1024.0; // of a density, within the range of single precision
+    constexpr double most_of_step = 4.0;
     const auto root = [](double x) { return std::sqrt(x); };
+    const auto density = [&](std::uint32_t i) { return static_cast<double>(factors_[i].density); };
     std::vector<float> next = large_vector<float>(size());
     std::vector<float> before = large_vector<float>(size());
-    std::fill(before.begin(), before.end(), 1.0f);
+    std::vector<float> cast = large_vector<float>(size());
+    for (std::uint32_t i = 0; i < size(); ++i)
+        cast[i] = before[i] = next[i] = factors_[i].density;
     const double all = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return wanted[i]; });
-    double leak = 1.0;
-    const std::vector<float> largest = largest_scales(most_scale, threads);
-    for (int step = 0; step < most_steps && leak > small_leak; ++step) {
-        const double missing = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
-            const double sum = joined(i);
-            const auto scale = static_cast<double>(factors_[i].scale);
-            const double momentum = root(root(root(root(scale / static_cast<double>(before[i])))));
-            const double change = sum > 0.0 ? root(wanted[i] / sum) * root(root(wanted[i] / sum)) * momentum : 1.0;
-            const auto most_of_patch = static_cast<double>(largest[i]);
-            next[i] = wanted[i] > 0.0
-                          ? static_cast<float>(std::clamp(scale * change, 1.0 / most_of_patch, most_of_patch))
-                          : 0.0f;
-            return std::abs(wanted[i] - sum);
+    double error = 1.0;
+    for (int step = 0; step < most_steps && error > small_error; ++step) {
+        const double errors = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
+            const double own = density(i);
+            if (!(own > 0.0))
+                return 0.0;
+            double sum = lost_rays_[i] / own;
+            double slope = sum; // -dsum/dD, times D
+            for (const std::uint32_t j : counts_.row(i)) {
+                const double ray = 1.0 / (own + density(j));
+                sum += ray;
+                slope += own * ray * ray;
+            }
+            if (!(sum > 0.0))
+                return 0.0;
+            const double excess = unit_ * sum / wanted[i] - 1.0;
+            const double change = std::clamp(1.0 + 0.75 * excess * sum / slope, 1.0 / most_of_step, most_of_step);
+            const double momentum = root(root(root(root(own / static_cast<double>(before[i])))));
+            const auto first = static_cast<double>(cast[i]);
+            const double wished = own * change * momentum;
+            const double fitted = std::clamp(wished, first / most_change, first * most_change);
+            next[i] = static_cast<float>(fitted);
+            return fitted == wished ? std::abs(excess) * wanted[i] : 0.0;
         });
-        leak = all > 0.0 ? missing / all : 0.0;
+        error = quotient(errors, all);
         parallel_numbers(size(), threads, [&](std::uint32_t i) {
-            before[i] = factors_[i].scale;
-            factors_[i].scale = next[i];
+            before[i] = factors_[i].density;
+            factors_[i].density = next[i];
         });
     }
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
-        const double sum = joined(i);
+        const double sum = joined(i) + lost(i);
         constexpr double below_one = 1.0 - 1.5e-7; // keeps the sum below it after rounding to float
-        const double limit = sum > 0.0 ? std::min(1.0, below_one * most[i] / sum) : 1.0;
-        next[i] = static_cast<float>(static_cast<double>(factors_[i].scale) * limit);
+        next[i] = static_cast<float>(sum > 0.0 ? std::min(1.0, below_one * wanted[i] / sum) : 1.0);
     });
     parallel_numbers(size(), threads, [&](std::uint32_t i) { factors_[i].scale = next[i]; });
 }
@@ -381,11 +317,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
             area += ray;
             squares += ray * ray;
         }
-        // Lost rays, too, if few of many rays are the patch's own: what is lost was found from all of them.
-        const CountRow row = counts_.row(i);
-        const double joined_ray = quotient(area - lost_[i], static_cast<double>(row.last - row.first));
-        const double lost_ray = quotient(lost_[i], losses_[i].lost());
-        squares += lost_[i] * (joined_ray > 0.0 ? std::min(lost_ray, 2.0 * joined_ray) : lost_ray);
+        squares += quotient(lost_[i] * lost_[i], lost_rays_[i]);
         if (!(area > 0.0))
             return {};
         constexpr double most = 0.5; // of 1 / (n - 1): a patch of one or two rays has no other ones

@@ -11,24 +11,21 @@ namespace multipath {
 
 /// Exchange areas (exchange.h) estimated from counts of rays ((R4) in docs/equations.md), closed so that light is
 /// conserved: symmetric, nowhere negative but for rounding, and with row sums equal to the areas of the patches. A row
-/// sum here includes the losses (escaping and behind). With d_i rays per m^2 of patch i, and C_ij rays between i and j,
-/// started at either end, the estimate of A_i F_ij is C_ij / (d_i + d_j): the balance heuristic of Veach and Guibas
-/// (1995), which is never much worse than the best combination of the two kinds of rays. What is lost is known from
-/// the patch's own rays (LossCounts), the fraction of them that reached no patch, unless the patches around cast far
-/// more rays or nearly all rays are lost: then the rays that join the patch count as well.
-/// Two steps close the estimate:
+/// sum here includes the losses (escaping and behind). d_i rays per m^2 leave patch i; C_ij rays join i and j, started
+/// at either end, and L_i rays of i met no patch. They are Poisson numbers of means (d_i + d_j) G_ij and d_i G_i0.
 ///
-/// Step 1: G_ij = x_i x_j C_ij / (d_i + d_j), with one factor x per patch, by symmetric matrix balancing after Sinkhorn
-/// and Knopp (1967). The factors remove the noise of how many rays of other patches happened to meet each patch.
-/// Patches that cast fewer rays than those around them are scaled less. After the step no row sum exceeds the area of
-/// the patch.
+/// Step 1 finds the exchange of greatest likelihood for which the rows add up to the areas (Aitchison and Silvey 1958):
+/// G_ij = C_ij / (D_i + D_j) and G_i0 = L_i / D_i, with one density D = d - lambda per patch, lambda the multiplier of
+/// its row. With D = d it would be the balance heuristic of Veach and Guibas (1995). What many rays of one end say is
+/// hardly changed by the noise of the few of the other, and the losses are unbiased to first order in 1 / rays. After
+/// the step no row sum exceeds the area of the patch.
 ///
-/// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. It is
-/// divided like the patch's own rays: a part escapes or arrives behind surfaces, the rest is spread over the patches
-/// with a deficit in the same space: sides of surfaces that rays join directly or through others. G_ij grows by
+/// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. In a space
+/// that loses no ray it becomes self-exchange: spread over the patches, it would carry light past the few rays that
+/// lead into a narrow gap. A space is the patches that rays join, directly or through others. In a space that loses
+/// rays, the part that the rays of the same side have lost is lost, and the rest is shared: G_ij grows by
 /// delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch
-/// this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange instead, so
-/// that no light gets into closed spaces.
+/// this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange everywhere.
 ///
 /// If the scene has a sky, all that escapes reaches it. Its patches cast no rays: what they exchange with the other
 /// patches is known from these, and the rest of their area is exchange with themselves. So the irradiance from a sky is
@@ -42,7 +39,6 @@ public:
         double cast;
         double escaped;
         double behind;
-        double around = 0.0; ///< [1] the lost share of the rays of other patches around
         double lost() const { return escaped + behind; }
     };
 
@@ -91,25 +87,23 @@ private:
     /// makes its rows add up to the areas.
     struct Factors
     {
-        float density; ///< d [rays per unit_]
-        float scale;   ///< x [1]
+        float density; ///< D [rays per unit_]
+        float scale;   ///< [1] below 1 where the rays would have more than the area of the patch
     };
 
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
-    double part_lost(std::uint32_t i, double unseen_rays) const;
-    double own_share(std::uint32_t i) const;
-    std::vector<float> largest_scales(double most, int threads) const;
+    bool loses(std::uint32_t patch) const { return !space_.empty() && loses_[space_[patch]]; }
     double open(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
+    double lost(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
     void find_spaces(const std::vector<std::uint32_t>& side);
-    void bound_losses_around(const std::vector<std::uint32_t>& group);
-    void move_cut_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& cut);
+    std::vector<double> lost_shares(const std::vector<std::uint32_t>& side) const;
     void share_deficits();
     std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
     void multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const;
-    void balance(const std::vector<double>& wanted, const std::vector<double>& most, int threads);
+    void balance(const std::vector<double>& wanted, int threads);
 
     const LineCounts& counts_;
     std::vector<double> area_;
@@ -118,6 +112,7 @@ private:
     std::vector<LossCounts> losses_;
     std::vector<std::uint32_t> sky_;
     double sky_area_ = 0.0;            ///< [m^2]
+    std::vector<double> lost_rays_;    ///< rays of a patch that met no patch, as if all its rays had counted for that
     std::vector<double> lost_;         ///< [m^2] exchange area with no patch
     double escaping_share_ = 1.0;      ///< [1] part of all lost rays that escaped
     std::vector<double> own_;          ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
