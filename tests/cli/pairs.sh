@@ -273,4 +273,83 @@ upwards() {
     paste y.parts z.parts | awk '{ d = $1 / $2 - 1; if (d * d > 0.0009) { print; bad = 1 } sum += $1 } END { exit bad || NR != 12 || sum == 0 }'
 }
 check "--up turns camera and sun with the scene" upwards
+
+# Light is linear: what lamps, sky and sun bring alone adds up to what they bring together, in whatever shows it. Faces are
+# turned over here and by --flip, so that no side depends on the light.
+awk '$1 == "newmtl" { name = $2 } !/^(Ke|map_Ke) / || name != "lamp"' textured.mtl >unlit.mtl
+turned_over <textured.obj >lamps.obj && with_mtl unlit.mtl <lamps.obj >unlit.obj && cp unlit.obj sky.obj && cp unlit.obj sun.obj && cp lamps.obj all.obj
+sky="--sky 3,2,1" sun="--sun 130,50,40,30,20"
+# usage: lit NAME OPTIONS...     what the scene NAME.obj shows: NAME.csv, NAME-grid.csv, NAME-smooth.pfm ...
+lit() {
+    name=$1
+    shift
+    look="-q --size 40x30 --samples 4 --camera view.json"
+    ends 0 solve $name.obj -q --flip --ignore ceiling --two-sided --patch-size 0.4 --lines 2^17 "$@" --json -o $name.csv -o $name.state && cp out $name.json &&
+        ends 0 render $name.state -q --grid 0.9,0.45 -o $name-grid.csv && ends 0 render $name.state $look -o $name-smooth.pfm &&
+        ends 0 render $name.state $look --shading gather -o $name-gather.pfm && ends 0 render $name.state $look --show direct --shading gather -o $name-direct.pfm
+}
+# Four files side by side: rows of `key red green blue`, whose sums over each key are compared.
+# usage: adds_up WHAT TOLERANCE KEYS
+adds_up() {
+    paste lamps.rows sky.rows sun.rows all.rows | awk -v what="$1" -v tolerance="$2" -v least="$3" 'NF != 16 || $1 != $13 { print what, "row", NR ":", $0; exit bad = 1 }
+        { keys[$1]; for (c = 2; c < 5; ++c) { sum[$1, c] += $c + $(c + 4) + $(c + 8); all[$1, c] += $(c + 12); whole[c] += $(c + 12) } }
+        END { for (key in keys) ++count
+              for (key in keys) for (c = 2; c < 5; ++c) { d = sum[key, c] - all[key, c]; if (d < 0) d = -d; size = (all[key, c] + whole[c] / count) / 2
+                  if (d > worst * size) worst = d / size; if (d > tolerance * size) { print what, key, c, sum[key, c], all[key, c]; bad = 1 } }
+              print what ":", count, "keys,", worst; exit bad || count < least }'
+}
+superposed() {
+    lit lamps && lit sky $sky && lit sun $sun && lit all $sky $sun || return
+    for name in lamps sky sun all; do rows $name.csv | awk -F, 'NR > 1 && $9 > 0 { print $2 ($6 * $7 + $8 > 0), $9 * $16, $9 * $17, $9 * $18 }' >$name.rows; done
+    adds_up tables 0.02 18 || return
+    for name in lamps sky sun all; do awk -F, '/^[-0-9]/ { print int(n / 10), $4, $5, $6; ++n }' $name-grid.csv >$name.rows; done
+    adds_up grids 0.01 6 || return
+    for how in smooth:0.03 gather:0.015 direct:0.01; do
+        tolerance=${how#*:} how=${how%:*}
+        for name in lamps sky sun all; do
+            tail -c 14400 $name-$how.pfm | od -An -v -tf4 -w12 | awk '{ print int((NR - 1) % 40 / 10) + 4 * int((NR - 1) / 400), $1, $2, $3 }' >$name.rows
+        done
+        adds_up $how $tolerance 12 || return
+    done
+}
+check "lamps, sky and sun add up, in tables, grids and pictures" superposed
+
+# What a report says of a scene and its light is what the table of the same run adds up to.
+# usage: numbers JSON KEY...      the numbers of these keys, in one line
+numbers() { tr -d '",[]' <"$1" | awk -v keys="$2" 'BEGIN { n = split(keys, key, " ") } { name = $1; sub(/:$/, "", name); $1 = ""; if (!(name in text)) text[name] = $0 } END { for (k = 1; k <= n; ++k) printf "%s", text[key[k]]; print "" }'; }
+# usage: same_numbers WHAT      compares the lines of `told` and `added`
+same_numbers() {
+    paste told added | awk -v what="$1" '{ for (k = 1; k <= NF / 2; ++k) { d = $k - $(k + NF / 2); if (d < 0) d = -d; if (!(d <= 1e-9 * ($k < 0 ? -$k : $k))) { print what ", number " k ":", $k, $(k + NF / 2); bad = 1 } } }
+        END { exit bad || NF < 4 || NF % 2 }'
+}
+totals() { # of a table without comments
+    awk -F, 'NR == 1 { next } { if (++n && $9 > 0 && $2 >= surfaces) surfaces = $2 + 1; a = $9; area += a; rho += a * ($10 + $11 + $12) / 3
+            for (c = 0; c < 3; ++c) { r[c] += a * $(10 + c); e[c] += a * $(13 + c); b[c] += a * $(16 + c) } }
+        END { printf "%d %d %.17g %.17g", n, surfaces, area, rho / area
+              for (c = 0; c < 3; ++c) printf " %.17g", b[c] / area
+              for (c = 0; c < 3; ++c) printf " %.17g", e[c]
+              for (c = 0; c < 3; ++c) printf " %.17g", r[c] / area; print "" }'
+}
+reported() {
+    of_run="patches surfaces area_m2 average_reflectance mean_radiosity_rgb"
+    numbers all.json "$of_run" >told && rows all.csv | totals | cut -d' ' -f1-7 >added && same_numbers "solve, sky and sun" || return
+    numbers lamps.json "$of_run source_power_rgb_w" >told && rows lamps.csv | totals | cut -d' ' -f1-10 >added && same_numbers "solve, lamps" || return
+    "$program" check textured.obj --json --two-sided --patch-size 0.7 --lines 1000 >check.json
+    ends 0 solve textured.obj -q --two-sided --patch-size 0.7 --lines 1000 -o check.csv && rows check.csv | totals >sums || return
+    numbers check.json "patches surfaces area_m2 average_reflectance source_power_rgb_w average_reflectance_rgb" >told
+    cut -d' ' -f1-4,8- sums >added && same_numbers check || return
+    # In words the same numbers with fewer digits.
+    "$program" check textured.obj --two-sided --patch-size 0.7 --lines 1000 >check.txt
+    numbers check.json "bounds_low bounds_high area_m2 patches hull_area_m2 average_reflectance source_power_w source_power_rgb_w intersections_hull intersections_hull_measured intersections_sphere intersections_sphere_measured lit_fraction lit_fraction_effective secondary_reflectance ratio_first_shot ratio_extended threshold_radiosity" | awk '{
+        printf "size: %.5g x %.5g x %.5g m from (%.5g, %.5g, %.5g) to (%.5g, %.5g, %.5g)\n", $4 - $1, $5 - $2, $6 - $3, $1, $2, $3, $4, $5, $6
+        printf "area: %.6g m^2 in %d patches of at most 0.7; convex hull %.6g m^2\n", $7, $8, $9
+        printf "reflectance          %.4f\nsources      %.6g W (%.4g, %.4g, %.4g)\n", $10, $11, $12, $13, $14
+        printf "lamp                 %.5g W (%.4g, %.4g, %.4g) from ", $11, $12, $13, $14
+        printf "\nhull %.4f (measured %.4f); through the sphere %.4f (%.4f)\n", $15, $16, $17, $18
+        printf "lit     %.4f visible, %.4f effective\nlit area   %.4f\n%.4f first shot, %.4f extended\n%.6g W/m^2\n", $19, $20, $21, $22, $23, $24 }' >words
+    grep '^[0-9]' check.csv | awk -F, '{ area[$3] += $10; for (c = 0; c < 3; ++c) r[$3, c] += $10 * $(11 + c) }
+        END { for (m in area) printf "%-20s reflectance %-26s %10.4g m^2\n", m, sprintf("(%.4g, %.4g, %.4g)", r[m, 0] / area[m], r[m, 1] / area[m], r[m, 2] / area[m]), area[m] / 2 }' >>words
+    [ "$(wc -l <words)" -gt 20 ] && while read -r words; do says check.txt "$words" || return; done <words
+}
+check "reports say what tables add up to, in words and in JSON" reported
 finish
