@@ -16,6 +16,8 @@
 #include "image/render.h"
 #include "scene/random_ray.h"
 #include "scene/scratch_folder.h"
+#include "viewer/typed_array.h"
+#include "viewer/viewer_page.h"
 
 #include <doctest/doctest.h>
 
@@ -184,6 +186,149 @@ TEST_CASE("tables and meshes say the same of every patch")
         CHECK(nearly(light_of_glb[name], light_of_table[name], 1e-5));
         CHECK(nearly(error_of_glb[name], error_of_table[name], 1e-5));
     }
+}
+
+namespace {
+
+std::vector<double> numbers(const JsonValue& list)
+{
+    std::vector<double> result;
+    for (const JsonValue& value : list.list)
+        result.push_back(value.number());
+    return result;
+}
+
+std::vector<double> channels(Rgb c)
+{
+    return {c.r, c.g, c.b};
+}
+
+/// Light that is packed with a shared exponent, as a reader of the page's document unpacks it.
+std::vector<Rgb> unpacked(const JsonValue& json, const std::string& key)
+{
+    std::vector<Rgb> light;
+    for (const std::uint32_t word : uint32_array(json[key].text)) {
+        const double unit = std::ldexp(json[key + "_unit"].number(), static_cast<int>(word >> 27) - 24);
+        light.push_back(unit * Rgb{1.0 * (word & 511), 1.0 * (word >> 9 & 511), 1.0 * (word >> 18 & 511)});
+    }
+    return light;
+}
+
+} // namespace
+
+TEST_CASE("a page says the same of every surface, material and patch")
+{
+    const Scene scene = irregular_scene();
+    const SceneFile& file = scene.file();
+    ViewerContent content;
+    content.camera = {{1.9, 2.9, 0.9}, {1.7, 2.6, -1.8}, {0.2, 1.0, 0.1}, 65.0};
+    content.render.width = 40;
+    content.render.height = 30;
+    content.tone.exposure = 0.75;
+    content.lines = 4321;
+    content.shown = 1;
+    for (std::uint64_t key = 1; key <= 2; ++key)
+        content.quantities.push_back({key == 1 ? "radiosity" : "more", key == 1 ? "Radiosity" : "More", "W",
+                                      ViewerColours::light, irregular_values(scene.patch_count(), key)});
+    content.stages = {{77, irregular_values(scene.patch_count(), 3)}};
+    ViewerLine line{{"line 3", {{{1, 2, 3}, {4, 5, 6}, false}, {{4, 5, 6}, {7, 8, 9.5}, true}}, {{4, 5, 6}}}, {}};
+    line.transfers = {{1, 5, 7, {1, 1, 2}, {3, 4, 4}, {6, 5, 6}}, {0, 6, Scene::no_patch, {2, 2, 2}, {}, {9, 8, 7}}};
+    content.chapters = {{"Title", "Note.", {line}}};
+    const std::string page = viewer_page(scene, content);
+    const std::size_t begin = page.find(room_data_begin) + std::string(room_data_begin).size();
+    const JsonValue room = JsonReader(page.substr(begin, page.find(room_data_end, begin) - begin)).document();
+
+    const JsonValue& surfaces = room["surfaces"];
+    const std::string triangles = base64_decoded(surfaces["triangles"].text);
+    const std::vector<float> geometry = float32_array(surfaces["geometry"].text);
+    const std::vector<std::uint32_t> cells = uint32_array(surfaces["cells"].text);
+    const std::vector<float> frames = float32_array(surfaces["texture_frames"].text);
+    REQUIRE(geometry.size() == 9 * file.surfaces.size());
+    REQUIRE(frames.size() == 6 * file.surfaces.size());
+    for (std::uint32_t s = 0; s < file.surfaces.size(); ++s) {
+        CAPTURE(s);
+        const Surface& surface = file.surfaces[s];
+        CHECK(triangles[s] == (surface.shape == Shape::triangle ? 1 : 0));
+        CHECK(cells[2 * s] == scene.tessellation(s).cells_u);
+        CHECK(cells[2 * s + 1] == scene.tessellation(s).cells_v);
+        std::size_t at = 9 * s;
+        for (const Vec3 v : {surface.origin - mesh_origin(scene), surface.edge_u, surface.edge_v})
+            for (const double x : {v.x, v.y, v.z})
+                CHECK(geometry[at++] == doctest::Approx(x));
+        at = 6 * s;
+        const TextureFrame frame = scene.shows_texture(s) ? file.texture_frames[s] : TextureFrame{};
+        for (const TexturePoint p : {frame.origin, frame.along_u, frame.along_v})
+            for (const double x : {p.s, p.t}) {
+                CHECK(std::isnan(frames[at]) == !scene.shows_texture(s));
+                CHECK((std::isnan(frames[at]) || std::abs(frames[at] - x) < 1e-6));
+                ++at;
+            }
+    }
+    CHECK(uint32_array(surfaces["materials"].text) == file.material);
+    CHECK(uint32_array(surfaces["groups"].text) == file.group);
+    CHECK(uint32_array(surfaces["lines"].text) == file.line);
+    const std::vector<std::uint8_t> levels = scene.levels();
+    CHECK(base64_decoded(surfaces["levels"].text) == std::string(levels.begin(), levels.end()));
+    std::vector<std::uint32_t> covered;
+    const std::vector<bool> is_covered = covered_patches(scene, 1);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (is_covered[i] || scene.is_sky(scene.surface_of(i)))
+            covered.push_back(i);
+    CHECK(uint32_array(surfaces["covered"].text) == covered);
+
+    REQUIRE(room["materials"].list.size() == file.materials.size());
+    for (std::size_t m = 0; m < file.materials.size(); ++m) {
+        const JsonValue& material = room["materials"][m];
+        CHECK(material["name"].text == file.materials[m].name);
+        CHECK(numbers(material["reflectance"]) == channels(file.materials[m].reflectance));
+        CHECK(numbers(material["emittance"]) == channels(file.materials[m].emittance));
+        if (file.materials[m].texture != Material::no_texture) {
+            CHECK(material["texture"].count() == file.materials[m].texture);
+            CHECK(numbers(material["white"]) == channels(file.materials[m].texture_scale));
+        }
+    }
+    REQUIRE(room["textures"].list.size() == file.textures.size());
+    for (std::size_t k = 0; k < file.textures.size(); ++k) {
+        CHECK((room["textures"][k]["repeats"].text == "true") == file.textures[k]->repeats());
+        CHECK(base64_decoded(room["textures"][k]["data"].text) == texture_files(scene)[k].bytes);
+    }
+    for (std::size_t k = 0; k < file.groups.size(); ++k)
+        CHECK(room["groups"][k].text == file.groups[k]);
+
+    const std::vector<Rgb> reflectances = unpacked(room["reflectances"], "light");
+    const std::vector<Rgb> more = unpacked(room["quantities"][1], "light");
+    const std::vector<Rgb> stage = unpacked(room["stages"][0], "light");
+    const std::vector<float> first = float32_array(room["quantities"][0]["values"].text);
+    REQUIRE(more.size() == scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        CHECK(nearly(reflectances.at(i), scene.reflectance(i), 2e-3));
+        CHECK(nearly(more[i], content.quantities[1].values[i], 2e-3));
+        CHECK(nearly(stage.at(i), content.stages[0].radiosity[i], 2e-3));
+        CHECK(nearly({first.at(3 * i), first.at(3 * i + 1), first.at(3 * i + 2)}, content.quantities[0].values[i], 1e-6));
+    }
+    CHECK(room["stages"][0]["lines"].count() == 77);
+    CHECK(room["lines"].count() == 4321);
+    CHECK(room["shown"].count() == 1);
+    CHECK(room["patches"].count() == scene.patch_count());
+    CHECK(room["two_sided"].text == "true");
+    CHECK(room["tone"]["exposure"].number() == 0.75);
+    CHECK(numbers(room["camera"]["eye"]) == std::vector<double>{1.9, 2.9, 0.9});
+    CHECK(numbers(room["camera"]["target"]) == std::vector<double>{1.7, 2.6, -1.8});
+    CHECK(numbers(room["camera"]["up"]) == std::vector<double>{0.2, 1.0, 0.1});
+    CHECK(room["camera"]["field_of_view"].number() == 65.0);
+
+    const JsonValue& told = room["trace"][0]["lines"][0];
+    CHECK(numbers(told["points"]) == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9.5});
+    CHECK(told["bold"].text == "01");
+    CHECK(numbers(told["crossings"]) == std::vector<double>{4, 5, 6});
+    CHECK(told["transfers"][0]["segment"].count() == 1);
+    CHECK(told["transfers"][0]["from"].count() == 5);
+    CHECK(told["transfers"][0]["to"].count() == 7);
+    CHECK(told["transfers"][1]["to"].text == "null");
+    CHECK(numbers(told["transfers"][0]["forecast"]) == std::vector<double>{1, 1, 2});
+    CHECK(numbers(told["transfers"][0]["held"]) == std::vector<double>{3, 4, 4});
+    CHECK(numbers(told["transfers"][0]["counted"]) == std::vector<double>{6, 5, 6});
+    CHECK(numbers(told["transfers"][1]["forecast"]) == std::vector<double>{2});
 }
 
 namespace {
