@@ -147,7 +147,6 @@ awk 'function linear(value) { return exp(2.4 * log((value / 255 + 0.055) / 1.055
     $1 == "Ke" || ($1 == "Kd" && (name == "south" || name == "chest" || name == "board")) {
         $0 = sprintf("%s %.17g %.17g %.17g", $1, $2 * linear(200), $3 * linear(100), $4 * linear(50)) } { print }' room.mtl >coloured.mtl
 with_mtl coloured.mtl <room.obj >coloured.obj
-echo '{"eye": [1.5, 2, -0.5], "target": [3, 1.5, 0.7], "up": [0.2, 1, 0.1], "fov": 70}' >view.json
 
 rows() { grep -v '^#' "$1" | cut -d, -f1,2,4-; } # without the names of materials
 
@@ -173,23 +172,54 @@ means() {
               print count, "colours,", worst, "of the tolerance"; exit bad || count < 9 }' "$1" "$2"
 }
 
+# What a camera in the same place sees, by the sums over 4 x 3 parts of the picture, which a mirror exchanges.
+# usage: looks A.pfm B.pfm TOLERANCE LIGHT MIRRORED
+looks() {
+    for picture in "$1" "$2"; do
+        tail -c 14400 "$picture" | od -An -v -tf4 -w12 | awk -v mirrored="${picture#$1}:$5" '{ column = int((NR - 1) % 40 / 10); if (mirrored ~ /.:yes$/) column = 3 - column
+            part = column + 4 * int((NR - 1) / 400); for (c = 1; c < 4; ++c) sum[part, c] += $c } END { for (part = 0; part < 12; ++part) print sum[part, 1], sum[part, 2], sum[part, 3] }'
+    done | awk -v tolerance="$3" -v light="$4" '{ for (c = 1; c < 4; ++c) { if (NR <= 12) { part[NR, c] = $c; all += $c } else { d = $c / light - part[NR - 12, c]; if (d < 0) d = -d
+            if (d > tolerance * (part[NR - 12, c] + all / 36) / 2) { print "picture, part", NR - 12 ":", part[NR - 12, c], $c / light; bad = 1 } } } } END { exit bad || NR != 24 || all == 0 }'
+}
+
+# Where the camera is in the scenes that are moved.
+view() { awk '{ point[NR] = "[" $2 ", " $3 ", " $4 "]" } END { print "{\"eye\": " point[1] ", \"target\": " point[2] ", \"up\": " point[3] ", \"fov\": 70}" }'; }
+for way in "room:1 0 0 0 1 0 0 0 1:0 0 0" "turned:2 -1 2 2 2 -1 -1 2 2:300.3 -50.7 20.1" "exchanged:0 1 0 0 0 1 1 0 0:0 0 0" \
+    "mirrored:-1 0 0 0 1 0 0 0 1:0 0 0" "large:128 0 0 0 128 0 0 0 128:0 0 0"; do
+    file=${way%%:*} way=${way#*:}
+    {
+        printf 'v 1.5 2 -0.5\nv 3 1.5 0.7\n' | placed "${way%:*}" "${way#*:}"
+        echo "v 0.2 1 0.1" | placed "${way%:*}" "0 0 0"
+    } | view >$file.json
+done
+
 # usage: pair HOW "SCENE OPTIONS" "SCENE OPTIONS"
-# HOW: `bytes` of the rows; `near`, or `near:LENGTH:LIGHT` with these factors; or a tolerance for means.
+# HOW: `bytes` of the rows; `near`, or `near:LENGTH:LIGHT` with these factors; or a tolerance for means. The pictures are
+# compared, too, unless $pictures is `no`.
 solved() {
     case $2 in *--patch-size*) ;; *) set -- "$1" "$2 --patch-size 0.7" ;; esac
     case $2 in *--lines*) ;; *) set -- "$1" "$2 --lines $lines" ;; esac
-    ends 0 solve -q -o "$1.csv" $2
+    camera=${2%%.obj*}.json
+    [ -f "$camera" ] || camera=room.json
+    seen=
+    [ $pictures = no ] || seen="-o $1.pfm --size 40x30 --samples 1 --camera $camera"
+    [ $how = bytes ] && seen="$seen -o $1.ply"
+    ends 0 solve -q -o "$1.csv" $seen $2
 }
 pair() {
+    how=$1
     solved a "$2" && solved b "$3" || return
+    mirrored=no
+    case $3 in mirrored*) mirrored=yes ;; esac
     case $1 in
-    bytes) rows a.csv >first && rows b.csv >second && cmp first second && [ "$(wc -l <first)" -gt 100 ] ;;
-    near) near a.csv b.csv 1 1 ;;
-    near:*) near a.csv b.csv $(echo "$1" | sed 's/near//; s/:/ /g') ;;
-    *) means a.csv b.csv "$1" ;;
+    bytes) rows a.csv >first && rows b.csv >second && cmp first second && [ "$(wc -l <first)" -gt 100 ] && cmp a.pfm b.pfm && same_mesh ;;
+    near) near a.csv b.csv 1 1 && looks a.pfm b.pfm 1e-3 1 ;;
+    near:*) factors=$(echo "$1" | sed 's/near//; s/:/ /g') && near a.csv b.csv $factors && looks a.pfm b.pfm 1e-3 "${1##*:}" ;;
+    *) means a.csv b.csv "$1" && { [ $pictures = no ] || looks a.pfm b.pfm "$(echo "$1" | awk '{ print 0.03 + 2 * $1 }')" 1 $mirrored; } ;;
     esac
 }
-lines=2^15
+same_mesh() { for mesh in a b; do sed '1,/^end_header/d' $mesh.ply >$mesh.body; done && [ -s a.body ] && cmp a.body b.body; }
+lines=2^15 pictures=yes
 # Of two faces back to back none has an inside, so the floor is cut along them as along partitions: the patches differ, and are small.
 while IFS='|' read -r how sentence first second; do
     check "$sentence" pair $how "$first" "$second"
@@ -220,7 +250,7 @@ END
 
 # The other methods, and other ways of the default one. Tolerances are about twice what the noise makes at this number of lines;
 # global lines alone and gathering walks seldom meet the lamp.
-lines=2^18
+lines=2^18 pictures=no
 while IFS='|' read -r how options; do
     check "like the default: $options" pair $how room.obj "room.obj $options"
 done <<'END'
@@ -244,7 +274,7 @@ END
 
 # What a state must keep, all at once.
 outside="textured.obj --ignore ceiling --lamp floor=1,2,3 --sky 3,2,1 --sun 130,50,20,19,18 --unit-light lux --unit cm --two-sided"
-outside="$outside --reflectance-limit 0.6 --adaptive 500 --lines 2^13 --state" view="-q --size 40x30 --samples 1 --camera view.json"
+outside="$outside --reflectance-limit 0.6 --adaptive 500 --lines 2^13 --state" view="-q --size 40x30 --samples 1 --camera room.json"
 same_files() {
     for kind in csv pfm png glb ply obj html; do
         [ -s "$1.$kind" ] && cmp "$1.$kind" "$2.$kind" || return
@@ -283,8 +313,8 @@ sky="--sky 3,2,1" sun="--sun 130,50,40,30,20"
 lit() {
     name=$1
     shift
-    look="-q --size 40x30 --samples 4 --camera view.json"
-    ends 0 solve $name.obj -q --flip --ignore ceiling --two-sided --patch-size 0.4 --lines 2^17 "$@" --json -o $name.csv -o $name.state && cp out $name.json &&
+    look="-q --size 40x30 --samples 4 --camera room.json"
+    ends 0 solve $name.obj -q --flip --ignore ceiling --two-sided --patch-size 0.5 --lines 2^16 "$@" --json -o $name.csv -o $name.state && cp out $name.json &&
         ends 0 render $name.state -q --grid 0.9,0.45 -o $name-grid.csv && ends 0 render $name.state $look -o $name-smooth.pfm &&
         ends 0 render $name.state $look --shading gather -o $name-gather.pfm && ends 0 render $name.state $look --show direct --shading gather -o $name-direct.pfm
 }
@@ -304,7 +334,7 @@ superposed() {
     adds_up tables 0.02 18 || return
     for name in lamps sky sun all; do awk -F, '/^[-0-9]/ { print int(n / 10), $4, $5, $6; ++n }' $name-grid.csv >$name.rows; done
     adds_up grids 0.01 6 || return
-    for how in smooth:0.03 gather:0.015 direct:0.01; do
+    for how in smooth:0.06 gather:0.015 direct:0.01; do
         tolerance=${how#*:} how=${how%:*}
         for name in lamps sky sun all; do
             tail -c 14400 $name-$how.pfm | od -An -v -tf4 -w12 | awk '{ print int((NR - 1) % 40 / 10) + 4 * int((NR - 1) / 400), $1, $2, $3 }' >$name.rows
