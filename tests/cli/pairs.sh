@@ -304,6 +304,30 @@ upwards() {
 }
 check "--up turns camera and sun with the scene" upwards
 
+# Colours of vertices: of 1600 faces as many, or as many materials.
+awk 'function linear(value) { return value <= 0.04045 ? value / 12.92 : exp(2.4 * log((value + 0.055) / 1.055)) }
+    BEGIN {
+        print "mtllib sides.mtl\nv -1 0.6 -1\nv -1 0.6 4\nv 5 0.6 4\nusemtl sides\nf 3 2 1" >"vertices.obj"
+        print "mtllib faces.mtl\nv -1 0.6 -1\nv -1 0.6 4\nv 5 0.6 4\nusemtl sides\nf 3 2 1" >"faces.obj"
+        print "newmtl sides\nKd 0.2 0.3 0.4\nKe 3 2 1\nnewmtl white\nKd 1 1 1" >"sides.mtl"
+        print "newmtl sides\nKd 0.2 0.3 0.4\nKe 3 2 1" >"faces.mtl"
+        for (k = 0; k < 1600; ++k) {
+            r = (50 + k % 200) / 255; g = (40 + int(k / 10)) / 255; b = (250 - k % 130) / 255; x = k % 40 * 0.1; z = int(k / 40) * 0.07
+            for (c = 0; c < 4; ++c) { corner = sprintf("v %.17g %.17g %.17g", x + (c > 1) * 0.1, 0.03 * x + 0.01 * c, z + (c == 1 || c == 2) * 0.07)
+                printf "%s %.17g %.17g %.17g\n", corner, r, g, b >"vertices.obj"; print corner >"faces.obj" }
+            print (k ? "" : "usemtl white\n") "f -4 -3 -2 -1" >"vertices.obj"
+            print "usemtl m" k "\nf -4 -3 -2 -1" >"faces.obj"
+            printf "newmtl m%d\nKd %.17g %.17g %.17g\n", k, linear(r), linear(g), linear(b) >"faces.mtl"
+        } }'
+sed 's/sides.mtl/plain_sides.mtl/' vertices.obj >white.obj && sed '/^Kd 1 1 1/d' sides.mtl >plain_sides.mtl
+vertex_colours() {
+    of_faces() { ends 0 solve $1.obj -q --method local --patch-size 9 --lines 2^12 $2 -o $1.csv && rows $1.csv >$1.rows; }
+    of_faces vertices "--reflectance-limit 0.7" && of_faces white "--reflectance-limit 0.7" && cmp vertices.rows white.rows || return
+    of_faces vertices && of_faces faces && paste -d, vertices.rows faces.rows | awk -F, '
+        { for (k = 10; k < 13; ++k) { d = $k - $(k + 18); if (NR > 1 && d * d > 1e-8) { print NR, k, $k, $(k + 18); exit bad = 1 } } } END { exit bad || NR < 1600 }'
+}
+check "colours of vertices are those of materials, and a material without Kd is white" vertex_colours
+
 # Light is linear: what lamps, sky and sun bring alone adds up to what they bring together, in whatever shows it. Faces are
 # turned over here and by --flip, so that no side depends on the light.
 awk '$1 == "newmtl" { name = $2 } !/^(Ke|map_Ke) / || name != "lamp"' textured.mtl >unlit.mtl
