@@ -14,6 +14,7 @@
 #include "image/gather/light_grid.h"
 #include "image/png.h"
 #include "image/render.h"
+#include "image/shading/smooth_shading.h"
 #include "scene/random_ray.h"
 #include "scene/scratch_folder.h"
 #include "viewer/typed_array.h"
@@ -350,22 +351,30 @@ SceneFile exchanged(SceneFile file)
     for (Material& material : file.materials) {
         material.reflectance = exchanged(material.reflectance);
         material.emittance = exchanged(material.emittance);
+        material.texture_scale = exchanged(material.texture_scale);
     }
     file.sun = Sun{exchanged(file.sun->direction), exchanged(file.sun->irradiance)};
     return file;
 }
 
-/// Without textures, whose colours cannot be exchanged.
-Scene plain_scene(bool is_exchanged)
+/// `textured`: with a texture of pixels that each lack a channel, else with none.
+Scene paint_scene(bool is_exchanged, bool textured)
 {
     SceneFile file = irregular_file();
+    const char* pixels = is_exchanged ? "P3 3 2 255\n0 250 90 40 0 200 130 60 0\n0 70 240 220 0 30 80 160 0\n"
+                                      : "P3 3 2 255\n250 90 0 0 200 40 60 0 130\n70 240 0 0 30 220 160 0 80\n";
+    const auto texture = std::make_shared<const Texture>("paint.ppm", pixels, true);
     for (Material& material : file.materials)
         if (material.texture != Material::no_texture) {
-            material.texture = Material::no_texture;
-            material.reflectance = material.reflectance + Rgb{0.1, 0.05, 0.2};
+            material.texture = textured ? 0 : Material::no_texture;
+            const Rgb mean = is_exchanged ? Rgb{texture->mean().g, texture->mean().b, texture->mean().r} : texture->mean();
+            material.reflectance = material.texture_scale * mean;
         }
     file.textures.clear();
-    file.texture_frames.clear();
+    if (textured)
+        file.textures = {texture};
+    else
+        file.texture_frames.clear();
     return unevenly_refined(Scene(is_exchanged ? exchanged(file) : file, 0.7, true));
 }
 
@@ -395,10 +404,18 @@ std::size_t different(const Image& image, const Image& other, double tolerance)
 
 TEST_CASE("with axes and colours exchanged everything shows the same, exchanged")
 {
-    const Scene one = plain_scene(false);
-    const Scene other = plain_scene(true);
+    const Scene one = paint_scene(false, true);
+    const Scene other = paint_scene(true, true);
+    for (std::uint32_t i = 0; i < one.patch_count(); ++i) {
+        CHECK(nearly(exchanged(one.reflectance(i)), other.reflectance(i), 1e-12));
+        CHECK(nearly(exchanged(one.sunlight(i)), other.sunlight(i), 1e-12));
+    }
     const std::vector<Rgb> light = irregular_values(one.patch_count(), 3);
     const std::vector<Rgb> other_light = exchanged(light);
+    const std::vector<Rgb> plain = without_texture(one, light);
+    const std::vector<Rgb> other_plain = without_texture(other, other_light);
+    for (std::uint32_t i = 0; i < one.patch_count(); ++i)
+        CHECK(nearly(exchanged(plain[i]), other_plain[i], 1e-12));
     const Vec3 up = normalized(Vec3{0.2, 1.0, 0.1});
     const Camera camera = {{1.9, 2.9, 0.9}, {1.7, 2.6, -1.8}, up, 65.0};
     RenderOptions options;
@@ -432,7 +449,7 @@ std::vector<Rgb> values_of_sides(const Scene& scene, std::uint64_t key)
 
 TEST_CASE("a light grid fills the scene at its height, with the light that random rays find there")
 {
-    const Scene scene = plain_scene(false);
+    const Scene scene = paint_scene(false, false);
     const std::vector<Rgb> light = values_of_sides(scene, 4);
     const GridPlan plan = {1.4, 0.45, normalized(Vec3{0.2, 1.0, 0.1})};
     constexpr int rays = 4096;
