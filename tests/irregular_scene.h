@@ -15,7 +15,8 @@ namespace multipath {
 
 /// A scene in which no two things are equal, so that what takes one for another shows: slanted parallelograms and
 /// triangles of different sizes, nowhere at 0; surfaces, materials, groups and lines numbered differently; two lamps,
-/// sky and sun of different colours; a repeated and a clamped texture, neither square, each seen through slanted frames.
+/// sky and sun of different colours; a repeated and a clamped texture, neither square, each seen through slanted
+/// frames.
 inline SceneFile irregular_file()
 {
     SceneBuilder builder;
@@ -45,8 +46,12 @@ inline SceneFile irregular_file()
     for (Material& material : file.materials)
         if (material.texture != Material::no_texture)
             material.reflectance = file.textures[material.texture]->mean() * material.texture_scale;
-    file.texture_frames = {{}, {}, {{0.1, 0.2}, {2, 0.3}, {-0.2, 1.1}, true}, {{0.3, -0.2}, {0.4, 0.9}, {-0.5, 0.6}, true},
-                           {}, {{7.2, -3.4}, {0.3, -1.2}, {1.7, 0.2}, true}};
+    file.texture_frames = {{},
+                           {},
+                           {{0.1, 0.2}, {2, 0.3}, {-0.2, 1.1}, true},
+                           {{0.3, -0.2}, {0.4, 0.9}, {-0.5, 0.6}, true},
+                           {},
+                           {{7.2, -3.4}, {0.3, -1.2}, {1.7, 0.2}, true}};
     file.sun = sun_at(130.0, 50.0, {0, 1, 0}, {40, 30, 20});
     add_sky(file, {3, 2, 1});
     return file;
@@ -63,7 +68,9 @@ inline std::vector<Rgb> irregular_values(std::size_t count, std::uint64_t key)
 {
     std::vector<Rgb> values;
     for (std::uint64_t k = 0; k < count; ++k) {
-        const auto number = [&](std::uint64_t channel) { return 0.5 + bits_to_unit(random_bits(key, 3 * k + channel)); };
+        const auto number = [&](std::uint64_t channel) {
+            return 0.5 + bits_to_unit(random_bits(key, 3 * k + channel));
+        };
         values.push_back({number(0), 2.0 * number(1), 3.0 * number(2)});
     }
     return values;

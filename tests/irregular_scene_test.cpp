@@ -7,8 +7,8 @@
 #include "export/mesh/ply_reader.h"
 #include "export/patch_table.h"
 #include "export/state_file.h"
-#include "geometry/intersector/intersector.h"
 #include "geometry/elementary.h"
+#include "geometry/intersector/intersector.h"
 #include "geometry/polygon.h"
 #include "image/camera.h"
 #include "image/gather/light_grid.h"
@@ -130,8 +130,7 @@ TEST_CASE("tables and meshes say the same of every patch")
         for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
             const Vec3 part = area_vector({corners[0], corners[k], corners[k + 1]});
             area[face.patch] = area[face.patch] + part;
-            moment[face.patch] =
-                moment[face.patch] + length(part) / 3.0 * (corners[0] + corners[k] + corners[k + 1]);
+            moment[face.patch] = moment[face.patch] + length(part) / 3.0 * (corners[0] + corners[k] + corners[k + 1]);
         }
     }
     REQUIRE(table.areas.size() == scene.patch_count());
@@ -163,7 +162,8 @@ TEST_CASE("tables and meshes say the same of every patch")
         const std::vector<Vec3> places = glb.corners(n);
         for (std::size_t k = 0; k < corners.size(); k += 3) {
             const Vec3 part = area_vector({places[k], places[k + 1], places[k + 2]});
-            of_glb[name] = of_glb[name] + length(part) * Vec3{1, 0, 0} + part.y * Vec3{0, 1, 0} + part.z * Vec3{0, 0, 1};
+            of_glb[name] =
+                of_glb[name] + length(part) * Vec3{1, 0, 0} + part.y * Vec3{0, 1, 0} + part.z * Vec3{0, 0, 1};
             for (std::size_t c = k; c < k + 3; ++c) {
                 const auto at = 3 * static_cast<std::size_t>(corners[c]);
                 light_of_glb[name] += length(part) / 3.0 * Rgb{light[at], light[at + 1], light[at + 2]};
@@ -305,7 +305,8 @@ TEST_CASE("a page says the same of every surface, material and patch")
         CHECK(nearly(reflectances.at(i), scene.reflectance(i), 2e-3));
         CHECK(nearly(more[i], content.quantities[1].values[i], 2e-3));
         CHECK(nearly(stage.at(i), content.stages[0].radiosity[i], 2e-3));
-        CHECK(nearly({first.at(3 * i), first.at(3 * i + 1), first.at(3 * i + 2)}, content.quantities[0].values[i], 1e-6));
+        CHECK(
+            nearly({first.at(3 * i), first.at(3 * i + 1), first.at(3 * i + 2)}, content.quantities[0].values[i], 1e-6));
     }
     CHECK(room["stages"][0]["lines"].count() == 77);
     CHECK(room["lines"].count() == 4321);
@@ -367,7 +368,8 @@ Scene paint_scene(bool is_exchanged, bool textured)
     for (Material& material : file.materials)
         if (material.texture != Material::no_texture) {
             material.texture = textured ? 0 : Material::no_texture;
-            const Rgb mean = is_exchanged ? Rgb{texture->mean().g, texture->mean().b, texture->mean().r} : texture->mean();
+            const Rgb mean =
+                is_exchanged ? Rgb{texture->mean().g, texture->mean().b, texture->mean().r} : texture->mean();
             material.reflectance = material.texture_scale * mean;
         }
     file.textures.clear();

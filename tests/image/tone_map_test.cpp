@@ -77,7 +77,6 @@ TEST_CASE("light of one channel is exposed by its part of the luminance, of Rec.
     CHECK(white == doctest::Approx(0.0722 * scale_of({0, 0, 3})));
 }
 
-
 // The mean of every square of 8 x 8 pixels must be the value between two bytes that no single pixel can show, to 1/64.
 TEST_CASE("dither keeps shades between two bytes")
 {

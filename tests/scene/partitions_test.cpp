@@ -1,7 +1,7 @@
 #include "scene/partitions.h"
 
-#include "seeded_runs.h"
 #include "geometry/intersector/surface_sizes.h"
+#include "seeded_runs.h"
 #include "test_scenes.h"
 
 #include <algorithm>

@@ -231,7 +231,8 @@ TEST_CASE("what is found when the work is left keeps the balance of power, and c
     }
 }
 
-TEST_CASE("what patches have not sent on adds up to the balance's part, whatever the number of replicates that are done")
+TEST_CASE(
+    "what patches have not sent on adds up to the balance's part, whatever the number of replicates that are done")
 {
     const Scene scene = room();
     const SolveOptions options = options_of(Method::global, "sobol", 30000);
