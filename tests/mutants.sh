@@ -3,12 +3,36 @@
 # test noticed each bug, and ends with the line "N killed, N survived". Fails if a bug survives that is not marked as
 # equivalent, does not compile, or is no longer found. MUTANTS chooses: those whose first line matches this pattern of
 # awk. Needs BUILD/unit_tests and PROGRAM; make(1) hands on CXX and CXXFLAGS.
-# usage: mutants.sh BUILD PROGRAM
-[ $# -eq 2 ] || { echo "usage: mutants.sh BUILD PROGRAM" >&2; exit 2; }
+# With --stale builds nothing, and only tells which bugs are no longer found, or found more than once.
+# usage: mutants.sh BUILD PROGRAM | --stale
+case $#:$1 in 1:--stale | 2:*) ;; *) echo "usage: mutants.sh BUILD PROGRAM | --stale" >&2; exit 2 ;; esac
 cd "$(dirname "$0")/.." || exit 1
-build=$1 program=$2
 LC_ALL=C
 export LC_ALL
+
+[ "$1" != --stale ] || exec awk '
+    function bare(text) { sub(/^[ \t]+/, "", text); return text }
+    function read_source(    text, n) {
+        while ((getline text <file) > 0) line[file, ++n] = bare(text)
+        close(file)
+        lines[file] = n + 0
+    }
+    function judge(    i, k, found) {
+        if (!name) return
+        if (!(file in lines)) read_source()
+        for (i = 1; i + olds - 1 <= lines[file]; ++i) {
+            for (k = 1; k <= olds && line[file, i + k - 1] == old[k]; ++k)
+                ;
+            found += k > olds
+        }
+        if (found != 1) { print name ": found " found + 0 " times, expected once"; stale = 1 }
+        ++bugs
+    }
+    /^[a-z]+\/[a-z0-9_\/.]+: / { judge(); name = $0; file = "src/" substr($0, 1, index($0, ":") - 1); olds = 0; next }
+    /^[- ]/ { old[++olds] = bare(substr($0, 2)) }
+    END { judge(); exit stale || !bugs }
+    ' tests/mutants.list
+build=$1 program=$2
 work=$PWD/$build/mutants
 copy=$work/copy list=$work/list kept=$work/kept
 rm -rf "$work" && mkdir -p "$copy/$build" "$list" || exit 1

@@ -66,4 +66,13 @@ written_once() {
     silent twice
 }
 check "no two commands of the README write the same file" written_once
+
+# The bugs to plant are of the sources as they are.
+planted() {
+    sh "$root/tests/mutants.sh" --stale || return
+    mkdir -p copy/tests copy/src/image && cp "$root/tests/mutants.sh" copy/tests && printf 'image/a.cpp: twice\n-one\n\nimage/a.cpp: once\n+more\n-two\n' >copy/tests/mutants.list &&
+        printf '  one\ntwo\none\n' >copy/src/image/a.cpp && sh copy/tests/mutants.sh --stale >out && return 1
+    [ "$(cat out)" = "image/a.cpp: twice: found 2 times, expected once" ]
+}
+check "every bug of the list of mutants is found once in its file" planted
 finish

@@ -59,6 +59,13 @@ later_line() {
 }
 check "--first tells a later line with the powers that the lines before it left" later_line
 
+skipped() {
+    for run in "--method local" "--method gathering" "--stage first-shot"; do
+        ends 0 explain "$scene" $run --of 2^14 --lines 2 --skip 5000 && says out " 1 of " && says out ": item 5,000 = " && says out ": item 5,001 = " || return
+    done
+}
+check "--skip leaves out the first items, of every kind of path" skipped
+
 grey_and_colour() {
     ends 0 explain "$root/tests/fixtures/reference/5cubes-grey.obj" --of 2^14 && ! grep -q "sends forecast (" out && says out "sends forecast" &&
         ends 0 explain "$scene" --of 2^14 && says out "sends forecast ("

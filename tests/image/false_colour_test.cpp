@@ -138,39 +138,47 @@ TEST_CASE("the scale ends at twice what nine tenths of the picture stay below")
 }
 
 // A wall of eight columns, brighter by one from each to the next; the camera sees all of it, twenty pixels per column.
-TEST_CASE("contours lie where the interpolated values reach the numbers of the legend")
+// The wall is whole, or ends one pixel beyond a contour, where slopes are known from one side only.
+TEST_CASE("contours lie where the interpolated values reach the numbers of the legend, also at a border")
 {
-    SceneBuilder builder;
-    builder.rectangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}, builder.grey(0.5, 0.0));
-    builder.rectangle({0, 0, 200}, {0, 1, 0}, {1, 0, 0}, builder.grey(0.0, 1.0)); // behind the camera
-    const Scene scene = builder.scene(1.0);
-    REQUIRE(scene.patch_count() == 65);
-    Quantity ramp{"ramp", {}};
-    for (std::uint32_t patch = 0; patch < 65; ++patch) {
-        const double value = scene.patch(patch).shape.centre().x;
-        ramp.values.push_back({value, value, value});
-    }
-    const Camera facing = {{4, 4, 100}, {4, 4, 0}, {0, 1, 0}, 2.0 * std::atan(0.04) * 180.0 / 3.14159265358979};
-    const RenderOptions size = sized(160, 160);
-    const ScreenImage plain = false_colour(scene, ramp, facing, size);
-    ramp.contours = true;
-    ScreenImage lined = false_colour(scene, ramp, facing, size);
-    const LegendScale scale = round_scale(7.5);
-    REQUIRE(scale.top() == 8.0);
-    REQUIRE(scale.steps == 4); // 2, 4, 6
-    long columns = 0;
-    for (int x = 0; x < 160; ++x) {
-        const double value = (x + 0.5) / 20.0;
-        const bool near = std::abs(std::remainder(value, 2.0)) <= 0.05 && value > 1.0 && value < 7.0;
-        columns += near ? 1 : 0;
-        for (int y = 0; y < 160; ++y) {
-            CAPTURE(x);
-            CAPTURE(y);
-            const auto* before = &plain.bytes[3 * pixel_index(160, x, y)];
-            CHECK(std::equal(before, before + 3, lined.at(x, y)) == !near);
+    for (const bool whole : {true, false}) {
+        CAPTURE(whole);
+        SceneBuilder builder;
+        const std::uint32_t grey = builder.grey(0.5, 0.0);
+        if (whole)
+            builder.rectangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}, grey);
+        else
+            builder.rectangle({0, 0, 0}, {4.05, 0, 0}, {0, 8, 0}, grey)
+                .rectangle({5, 0, 0}, {3, 0, 0}, {0, 8, 0}, grey);
+        builder.rectangle({0, 0, 200}, {0, 1, 0}, {1, 0, 0}, builder.grey(0.0, 1.0)); // behind the camera
+        const Scene scene = builder.scene(1.0);
+        Quantity ramp{"ramp", {}};
+        for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+            const double value = scene.patch(patch).shape.centre().x;
+            ramp.values.push_back({value, value, value});
         }
+        const Camera facing = {{4, 4, 100}, {4, 4, 0}, {0, 1, 0}, 2.0 * std::atan(0.04) * 180.0 / 3.14159265358979};
+        const RenderOptions size = sized(160, 160);
+        const ScreenImage plain = false_colour(scene, ramp, facing, size);
+        ramp.contours = true;
+        ScreenImage lined = false_colour(scene, ramp, facing, size);
+        const LegendScale scale = round_scale(7.5);
+        REQUIRE(scale.top() == 8.0);
+        REQUIRE(scale.steps == 4); // 2, 4, 6
+        long columns = 0;
+        for (int x = 0; x < 160; ++x) {
+            const double value = (x + 0.5) / 20.0;
+            const bool near = std::abs(std::remainder(value, 2.0)) <= 0.05 && value > 1.0 && value < 7.0;
+            columns += near ? 1 : 0;
+            for (int y = 0; y < 160; ++y) {
+                CAPTURE(x);
+                CAPTURE(y);
+                const auto* before = &plain.bytes[3 * pixel_index(160, x, y)];
+                CHECK(std::equal(before, before + 3, lined.at(x, y)) == !near);
+            }
+        }
+        CHECK(columns == 6);
     }
-    CHECK(columns == 6);
 }
 
 TEST_CASE("what only touches a level has no contour")

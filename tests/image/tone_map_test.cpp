@@ -66,6 +66,17 @@ TEST_CASE("brighter stays brighter, and the white point is where white begins")
     }
 }
 
+TEST_CASE("light of one channel is exposed by its part of the luminance, of Rec. 709")
+{
+    const auto scale_of = [](Rgb light) {
+        return automatic_scale({4, 3, std::vector<Rgb>(12, light)}, ToneOperator::linear);
+    };
+    const double white = scale_of({3, 3, 3});
+    CHECK(white == doctest::Approx(0.2126 * scale_of({3, 0, 0})));
+    CHECK(white == doctest::Approx(0.7152 * scale_of({0, 3, 0})));
+    CHECK(white == doctest::Approx(0.0722 * scale_of({0, 0, 3})));
+}
+
 // The mean of every square of 8 x 8 pixels must be the value between two bytes that no single pixel can show, to 1/64.
 TEST_CASE("dither keeps shades between two bytes")
 {

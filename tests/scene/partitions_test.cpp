@@ -1,5 +1,6 @@
 #include "scene/partitions.h"
 
+#include "geometry/intersector/surface_sizes.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
 
@@ -229,6 +230,36 @@ TEST_CASE("behind a partition on floors that run on below it, it is dark")
         CHECK(before.dark > 1e-3 * before.lit);
         const bool open = c.name.find("ten-millionth") != std::string::npos; // a ray at the corner passes
         CHECK(after.dark <= (open ? 1e-4 : 0.0) * after.lit);
+    }
+}
+
+TEST_CASE("partition lines end where they end, however many pieces of the partition lie on them")
+{
+    for (const Case& c : cases()) {
+        CAPTURE(c.name);
+        const SceneFile whole = file_of(c);
+        SurfaceList more = whole.surfaces;
+        for (std::size_t s = c.triangles ? 12 : 6; s < whole.surfaces.size(); ++s) // parts of its edges again
+            for (const double from : {0.3, 0.6}) {
+                Surface low = whole.surfaces[s];
+                Surface left = low;
+                low = {low.shape, low.at(from, 0.0), 0.2 * low.edge_u, 0.3 * low.edge_v};
+                left = {left.shape, left.at(0.0, from), 0.3 * left.edge_u, 0.2 * left.edge_v};
+                more.insert(more.end(), {low, left});
+            }
+        const auto expected = find_partition_lines(whole.surfaces, c.two_sided).lines;
+        auto found = find_partition_lines(more, c.two_sided).lines;
+        found.erase(std::remove_if(found.begin(), found.end(),
+                                   [&](const PartitionLine& line) { return line.surface >= whole.surfaces.size(); }),
+                    found.end());
+        REQUIRE(found.size() == expected.size());
+        const double rounding = 1e-5 * bounds_of(whole.surfaces).diagonal();
+        for (const PartitionLine& line : expected)
+            CHECK(std::any_of(found.begin(), found.end(), [&](const PartitionLine& other) {
+                const bool same = length(line.from - other.from) + length(line.to - other.to) < rounding;
+                const bool reversed = length(line.from - other.to) + length(line.to - other.from) < rounding;
+                return line.surface == other.surface && (same || reversed);
+            }));
     }
 }
 

@@ -70,6 +70,7 @@ std::vector<LeavingLines> sums_over(const PatchBlocks& blocks, const std::vector
 /// The losses of every patch: its area times the fraction of the lines leaving it that reach no patch. With the weight
 /// of one line each, the whole scene is the prior of the side of a surface, the side that of a block of patches, and
 /// the block that of the patch (empirical Bayes), but no less than the patches in front cannot fill without obstacles.
+/// What share of them is lost behind surfaces has the side's as its prior.
 /// Sets `variance` [m^4] to that of the losses, which the patches around and the estimated exchange predict: by its own
 /// lines, a loss that is too large by chance would look certain. It is 0 if the scene has lost no line. `in_sight` and
 /// `joined` [m^2] are the sums of the rows without obstacles and with them.
@@ -101,7 +102,7 @@ ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::v
         const double around =
             std::max(least, lost_without(of_blocks[blocks.block_of[i]], own, lost_without(side, own, overall)));
         const double lost = lost_without(own, {}, around);
-        const double behind = quotient(own.behind + side.behind, own.lost() + side.lost());
+        const double behind = (own.behind + quotient(side.behind, side.lost())) / (own.lost() + 1.0);
         result.behind[i] = area * lost * behind;
         result.escaping[i] = area * lost - result.behind[i];
         const double not_lost = std::max(1.0 - around, std::min(1.0, joined[i] / area));

@@ -231,6 +231,27 @@ TEST_CASE("what is found when the work is left keeps the balance of power, and c
     }
 }
 
+TEST_CASE(
+    "what patches have not sent on adds up to the balance's part, whatever the number of replicates that are done")
+{
+    const Scene scene = room();
+    const SolveOptions options = options_of(Method::global, "sobol", 30000);
+    int finished_parts = 0;
+    for (int pause = 0;; pause += 3) {
+        TestCheckpoint left(pause);
+        const Solution then = solved(scene, options, 4, &left);
+        Rgb unshot;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            unshot += scene.area(i) * then.unshot[i];
+        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b})
+            CHECK(unshot.*c == doctest::Approx(then.balance.unshot.*c).epsilon(1e-9));
+        if (left.finished())
+            break;
+        finished_parts += then.replicates > 1 ? 1 : 0;
+    }
+    CHECK(finished_parts > 0);
+}
+
 // Gathering walks ask patch after patch: what is left must not be a scene of which one half is dark.
 TEST_CASE("gathering walks that are left have asked all patches alike, or say that nothing is distributed")
 {
