@@ -190,6 +190,7 @@ struct Sender
 {
     Rgb radiosity;        ///< [W/m^2]
     double density = 0.0; ///< [1/m^2]
+    bool is_rare = false; ///< casts less than one ray an iteration on the mean, of several iterations
 };
 
 /// The rays of one iteration: those of the plan between the fractions `part` and `end_part`.
@@ -207,7 +208,8 @@ public:
             first_item_[i] = plan.first_item(i) + before;
             first_ray_[i + 1] = first_ray_[i] + rays;
             senders_[i] = {(1.0 / scene.area(i)) * power[i],
-                           (expected < 1.0 ? expected : static_cast<double>(rays)) / scene.area(i)};
+                           (expected < 1.0 ? expected : static_cast<double>(rays)) / scene.area(i),
+                           expected < 1.0 && end_part - part < 1.0};
         }
     }
 
@@ -251,15 +253,26 @@ private:
 
 /// A ray and the power that it carries. The rays that leave i have the density n_i / A_i. In both directions, a ray
 /// between i and j might as well have left j, and all rays between the two must together carry what they exchange. So
-/// each carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic (Veach and Guibas 1995).
+/// each carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic (Veach and Guibas 1995). The ray of a rare
+/// sender carries nothing back to it: such a patch would hold light just after it has sent, and none when its next ray
+/// comes, iterations later.
 IterationRay carried_by(const SentRays& rays, std::uint32_t from, std::uint32_t to, bool bidirectional)
 {
     const Sender& sender = rays.sender(from);
     if (!bidirectional || !Segment::is_patch(to))
         return {0, from, to, sender.density, 0.0, (1.0 / sender.density) * sender.radiosity, {}}; // (J1)
     const Sender& other = rays.sender(to);
-    const double area = 1.0 / (sender.density + other.density); // (J2)
-    return {0, from, to, sender.density, other.density, area * sender.radiosity, area * other.radiosity};
+    const double other_density = other.is_rare ? 0.0 : other.density;             // of rays that carry back
+    const Rgb sent = (1.0 / (sender.density + other_density)) * sender.radiosity; // (J2)
+    if (sender.is_rare)
+        return {0, from, to, sender.density, 0.0, sent, {}};
+    return {0,
+            from,
+            to,
+            sender.density,
+            other.density,
+            sent,
+            (1.0 / (sender.density + other.density)) * other.radiosity}; // (J2)
 }
 
 /// Adds the power that the rays of a block carry.

@@ -50,8 +50,12 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         const double rays = static_cast<double>(row.last - row.first) + lost_rays_[i];
         wanted[i] = area[i] * quotient(rays, rays + unseen_rays);
     });
+    const std::vector<double> lost_share = lost_shares(side, threads);
     balance(wanted, threads);
-    const std::vector<double> lost_share = lost_shares(side);
+    if (all.lost() > 0.0) {
+        correct_losses(side, lost_share);
+        balance(wanted, threads);
+    }
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         lost_[i] = lost(i);
         const double lacks = area_[i] - joined(i) - lost_[i];
@@ -61,7 +65,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
             own_[i] = lacks;
             return;
         }
-        const double more_lost = unseen_rays > 0.0 ? 0.0 : lacks * lost_share[side[i]];
+        const double more_lost = unseen_rays > 0.0 ? 0.0 : lacks * lost_share[i];
         lost_[i] += more_lost;
         unseen_[i] = lacks - more_lost;
     });
@@ -96,19 +100,64 @@ void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
             loses_[space_[i]] = true;
 }
 
-/// [1] Of each side, the part of the rays that left it which met no patch.
-std::vector<double> SparseExchange::lost_shares(const std::vector<std::uint32_t>& side) const
+/// [1] Of each patch, the part of a deficit that is lost: that of the losses in what only the patch's own rays tell.
+/// The losses are those of its side; an exchange that the rays of both ends tell counts by the share of the own ones.
+std::vector<double> SparseExchange::lost_shares(const std::vector<std::uint32_t>& side, int threads) const
 {
     const std::size_t sides = size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1};
-    std::vector<double> cast(sides);
+    std::vector<double> area(sides);
     std::vector<double> lost(sides);
+    for (std::uint32_t i = 0; i < size(); ++i)
+        if (losses_[i].cast > 0.0) {
+            area[side[i]] += area_[i];
+            lost[side[i]] += area_[i] * losses_[i].lost() / losses_[i].cast;
+        }
+    std::vector<double> shares = large_vector<double>(size());
+    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+        const auto density = static_cast<double>(factors_[i].density);
+        double by_own_rays = 0.0;
+        for (const std::uint32_t j : counts_.row(i)) {
+            const double ray = 1.0 / (density + static_cast<double>(factors_[j].density));
+            by_own_rays += unit_ * density * ray * ray;
+        }
+        const double losses = area_[i] * quotient(lost[side[i]], area[side[i]]);
+        shares[i] = quotient(losses, losses + by_own_rays);
+    });
+    return shares;
+}
+
+/// Scales the lost rays of each side so that its patches lose about as much as their own rays say, which is unbiased
+/// with any number of rays. With few rays, and many of others, step 1 shrinks what single rays have lost by chance, and
+/// loses nothing where by chance no ray was lost. The correction fades where most is lost: there it would carry the
+/// noise of the own rays into the exchange with patches.
+void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& lost_share)
+{
+    constexpr double most = 2.0;
+    struct Sums
+    {
+        double area = 0.0;
+        double lost = 0.0;
+        double of_deficits = 0.0;
+        double by_own_rays = 0.0;
+    };
+    std::vector<Sums> sums(size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1});
     for (std::uint32_t i = 0; i < size(); ++i) {
-        cast[side[i]] += losses_[i].cast;
-        lost[side[i]] += losses_[i].lost();
+        if (!(losses_[i].cast > 0.0))
+            continue;
+        Sums& of_side = sums[side[i]];
+        of_side.area += area_[i];
+        of_side.lost += lost(i);
+        of_side.of_deficits += lost_share[i] * std::max(0.0, area_[i] - joined(i) - lost(i));
+        of_side.by_own_rays += area_[i] * losses_[i].lost() / losses_[i].cast;
     }
-    for (std::size_t k = 0; k < sides; ++k)
-        lost[k] = quotient(lost[k], cast[k]);
-    return lost;
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        const Sums& of_side = sums[side[i]];
+        if (of_side.lost > 0.0) {
+            const double excess = (of_side.by_own_rays - of_side.of_deficits) / of_side.lost - 1.0;
+            const double kept = 1.0 - of_side.by_own_rays / of_side.area;
+            lost_rays_[i] *= std::clamp(1.0 + kept * excess, 1.0 / most, most);
+        }
+    }
 }
 
 /// The patches of a space share their deficits. What a patch would share with itself, much if its space has few
@@ -182,8 +231,10 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
     std::vector<float> next = large_vector<float>(size());
     std::vector<float> before = large_vector<float>(size());
     std::vector<float> cast = large_vector<float>(size());
-    for (std::uint32_t i = 0; i < size(); ++i)
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        factors_[i].scale = 1.0f;
         cast[i] = before[i] = next[i] = factors_[i].density;
+    }
     const double all = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return wanted[i]; });
     double error = 1.0;
     for (int step = 0; step < most_steps && error > small_error; ++step) {

@@ -23,9 +23,10 @@ namespace multipath {
 /// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. In a space
 /// that loses no ray it becomes self-exchange: spread over the patches, it would carry light past the few rays that
 /// lead into a narrow gap. A space is the patches that rays join, directly or through others. In a space that loses
-/// rays, the part that the rays of the same side have lost is lost, and the rest is shared: G_ij grows by
-/// delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch
-/// this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange everywhere.
+/// rays, a part of it is lost: that of the losses in what only the own rays of the patch tell. The rest is shared: G_ij
+/// grows by delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per
+/// patch this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange
+/// everywhere.
 ///
 /// If the scene has a sky, all that escapes reaches it. Its patches cast no rays: what they exchange with the other
 /// patches is known from these, and the rest of their area is exchange with themselves. So the irradiance from a sky is
@@ -98,7 +99,8 @@ private:
     double lost(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
     void find_spaces(const std::vector<std::uint32_t>& side);
-    std::vector<double> lost_shares(const std::vector<std::uint32_t>& side) const;
+    std::vector<double> lost_shares(const std::vector<std::uint32_t>& side, int threads) const;
+    void correct_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& lost_share);
     void share_deficits();
     std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
