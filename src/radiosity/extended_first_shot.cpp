@@ -24,59 +24,26 @@ double rounding_offset(std::uint64_t seed, std::size_t pass)
     return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
 }
 
-/// Successive passes over the patches, in one range of items.
-class Passes
+/// One pass over the patches: all that exceed the threshold shoot their excess with rays of `power_by_line` [W] each.
+/// False if there is no ray to cast.
+bool shoot_pass(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                const ExtendedShotOptions& options, double power_by_line, const RunControl& run,
+                const PassObserver& observe, std::vector<ShotPass>& passes, PowerState& state)
 {
-public:
-    Passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const ExtendedShotOptions& options)
-        : scene_(scene), sequence_(sequence), next_item_(first_item), options_(options)
-    {
-    }
-
-    /// Carries out passes. power_by_line(excess, passes so far) returns the power [W] of one ray, or 0 to end.
-    template <class PowerByLine>
-    std::vector<ShotPass> run(PowerState& state, const RunControl& control, const PassObserver& observe,
-                              const PowerByLine& power_by_line)
-    {
-        std::vector<ShotPass> passes;
-        std::vector<Shot> shots; // of the current pass
-        double excess = 0.0;
-        const Checkpoint::Part part(control.checkpoint, "shot passes", [&](Archive& archive) {
-            archive.value<std::uint64_t>("next item", next_item_);
-            archive.value<double>("excess", excess);
-            visit(archive, passes);
-            visit(archive, scene_, shots);
-        });
-        for (bool under_way = part.resumed();; under_way = false) {
-            if (!under_way) {
-                if (passes.size() >= static_cast<std::size_t>(options_.most_steps) || control.stopped())
-                    break;
-                excess = power_above(scene_, state, options_.threshold);
-                const double power = excess > 0.0 ? power_by_line(excess, passes) : 0.0;
-                if (!(power > 0.0))
-                    break;
-                shots = plan_shots(scene_, state,
-                                   {options_.threshold, power, rounding_offset(options_.seed, passes.size())});
-                if (ray_count(shots) == 0)
-                    break;
-                spend(scene_, options_.threshold, shots, state);
-            }
-            if (observe)
-                observe(next_item_, shots, state);
-            shoot(scene_, sequence_, next_item_, shots, control, state);
-            const std::uint64_t lines = ray_count(shots);
-            next_item_ += lines;
-            passes.push_back({lines, excess, power_balance(scene_, state)});
-        }
-        return passes;
-    }
-
-private:
-    const Scene& scene_;
-    const Sequence& sequence_;
-    std::uint64_t next_item_;
-    const ExtendedShotOptions& options_;
-};
+    const ShotRule rule{options.threshold, power_by_line, rounding_offset(options.seed, passes.size())};
+    const double excess = power_above(scene, state, options.threshold);
+    const std::vector<Shot> shots = plan_shots(scene, state, rule);
+    if (ray_count(shots) == 0)
+        return false;
+    PowerState next = state; // so that a run that is resumed within the pass plans it again from the same state
+    spend(scene, options.threshold, shots, next);
+    if (observe)
+        observe(first_item, shots, next);
+    shoot(scene, sequence, first_item, shots, run, next); // (S1)
+    state = std::move(next);
+    passes.push_back({ray_count(shots), excess, power_balance(scene, state)});
+    return true;
+}
 
 std::uint64_t lines_of(const std::vector<ShotPass>& passes)
 {
@@ -95,13 +62,30 @@ double power_from(const std::vector<ShotPass>& passes, std::size_t k)
 
 /// Passes with a small share of the lines, to estimate how the power of the sources is distributed over them.
 std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                const ExtendedShotOptions& options, const RunControl& run, PowerState state)
+                                const ExtendedShotOptions& options, int threads, PowerState state)
 {
     const std::uint64_t pilot_lines = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
-    const double pilot_power = power_above(scene, state, options.threshold) / static_cast<double>(pilot_lines);
-    const Checkpoint::Part part(run.checkpoint, "pilot", [&](Archive& archive) { state.visit(archive); });
-    return Passes(scene, sequence, first_item, options)
-        .run(state, {run.threads, {}, run.checkpoint}, {}, [&](double, const auto&) { return pilot_power; });
+    const double power_by_line = power_above(scene, state, options.threshold) / static_cast<double>(pilot_lines);
+    std::vector<ShotPass> passes;
+    while (power_by_line > 0.0 && passes.size() < static_cast<std::size_t>(options.most_steps) &&
+           shoot_pass(scene, sequence, first_item + lines_of(passes), options, power_by_line, {threads}, {}, passes,
+                      state))
+        ;
+    return passes;
+}
+
+/// [W] Power of one ray of the next pass, so that all passes together have options.lines rays; 0 if none are left.
+double power_by_line(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
+                     const std::vector<ShotPass>& done, double excess)
+{
+    if (options.power_by_line)
+        return *options.power_by_line;
+    const std::uint64_t used = std::min(options.lines, lines_of(done));
+    const auto left = static_cast<double>(options.lines - used);
+    const std::size_t k = done.size();
+    const double this_pass = k < pilot.size() ? pilot[k].power : 1.0;
+    const double from_here = k < pilot.size() ? power_from(pilot, k) : 1.0;
+    return left > 0.0 ? excess * (from_here / this_pass) / left : 0.0;
 }
 
 } // namespace
@@ -116,34 +100,23 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe)
 {
-    Passes passes(scene, sequence, first_item, options);
-    if (options.power_by_line)
-        return passes.run(state, run, observe, [&](double, const auto&) { return *options.power_by_line; });
-
-    if (options.most_steps == 1)
-        return passes.run(state, run, observe, [&](double excess, const auto&) {
-            return options.lines > 0 ? excess / static_cast<double>(options.lines) : 0.0;
-        });
-
     std::vector<ShotPass> pilot;
-    std::uint64_t pilot_done = 0;
-    const Checkpoint::Part part(run.checkpoint, "extended first shot", [&](Archive& archive) {
-        archive.value<std::uint64_t>("pilot done", pilot_done);
+    std::vector<ShotPass> passes;
+    const Checkpoint::Part part(run.checkpoint, "shot passes", [&](Archive& archive) {
+        visit(archive, passes);
+        const Archive::Inner inner(archive, "pilot");
         visit(archive, pilot);
     });
-    if (pilot_done == 0)
-        pilot = run_pilot(scene, sequence, first_item, options, run, state);
-    if (run.stopped())
-        return {};
-    pilot_done = 1;
-    return passes.run(state, run, observe, [&](double excess, const std::vector<ShotPass>& done) {
-        const std::uint64_t used = std::min(options.lines, lines_of(done));
-        const auto left = static_cast<double>(options.lines - used);
-        const std::size_t k = done.size();
-        const double this_pass = k < pilot.size() ? pilot[k].power : 1.0;
-        const double from_here = k < pilot.size() ? power_from(pilot, k) : 1.0;
-        return left > 0.0 ? excess * (from_here / this_pass) / left : 0.0;
-    });
+    if (!part.resumed() && !options.power_by_line && options.most_steps > 1)
+        pilot = run_pilot(scene, sequence, first_item, options, run.threads, state);
+    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
+        const double excess = power_above(scene, state, options.threshold);
+        const double power = excess > 0.0 ? power_by_line(options, pilot, passes, excess) : 0.0;
+        if (!(power > 0.0) ||
+            !shoot_pass(scene, sequence, first_item + lines_of(passes), options, power, run, observe, passes, state))
+            break;
+    }
+    return passes;
 }
 
 } // namespace multipath

@@ -1,12 +1,10 @@
 // Shooting takes three steps. plan_shots() divides the excess of the patches into rays of nearly equal power, spend()
-// subtracts it from the patches, and shoot() traces the rays and adds their power to the receivers. Threads trace
-// blocks of rays; the receivers are counted in the order of the rays, so the result does not depend on the number of
-// threads.
+// subtracts it from the patches, and the rays carry it to their receivers.
 
 #include "radiosity/first_shot.h"
 
-#include "parallel/blocks.h"
 #include "parallel/memory.h"
+#include "parallel/stage.h"
 #include "sampling/allotment.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
@@ -18,8 +16,6 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t rays_ahead = 24; // as in the global pass
-
 /// Number of rays before each shot, and the total as the last entry.
 std::vector<std::uint64_t> rays_before(const std::vector<Shot>& shots)
 {
@@ -29,11 +25,6 @@ std::vector<std::uint64_t> rays_before(const std::vector<Shot>& shots)
     return before;
 }
 
-std::size_t shot_of_ray(const std::vector<std::uint64_t>& before, std::uint64_t ray)
-{
-    return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), ray) - before.begin()) - 1;
-}
-
 /// Number of rays of one shot that arrived at each receiver. Counting first and multiplying by the power later avoids
 /// the drift of adding the same number 10^8 times.
 class ReceivedRays
@@ -41,7 +32,44 @@ class ReceivedRays
 public:
     explicit ReceivedRays(const Scene& scene) : scene_(scene), counts_(scene.patch_count(), 0) {}
 
-    /// Prefetches the data of a later ray's receiver.
+    /// Counts the rays first ... end - 1. `state`, into which they will be deposited, is prefetched.
+    void add(const std::vector<std::uint32_t>& receivers, std::size_t first, std::size_t end, const PowerState& state)
+    {
+        constexpr std::size_t rays_ahead = 24; // as in the global pass
+        for (std::size_t k = first; k < end; ++k) {
+            if (k + rays_ahead < receivers.size())
+                fetch(receivers[k + rays_ahead], state);
+            add(receivers[k]);
+        }
+    }
+
+    /// Adds the power of the counted rays, all from `shot`, to the state, and resets the counts.
+    void deposit(const Shot& shot, PowerState& state)
+    {
+        for (const std::uint32_t receiver : touched_) {
+            const Rgb power = static_cast<double>(counts_[receiver]) * shot.power_per_ray;
+            state.incident[receiver] += power;
+            state.unshot[receiver] += scene_.reflectance(receiver) * power;
+            counts_[receiver] = 0;
+        }
+        state.behind += static_cast<double>(behind_) * shot.power_per_ray;
+        state.escaped += static_cast<double>(outside_) * shot.power_per_ray;
+        touched_.clear();
+        behind_ = outside_ = 0;
+    }
+
+    void visit(Archive& archive) ///< for a checkpoint
+    {
+        archive.list<std::uint64_t>("receivers", counts_);
+        archive.value<std::uint64_t>("behind", behind_);
+        archive.value<std::uint64_t>("outside", outside_);
+        if (archive.reads())
+            for (std::uint32_t i = 0; i < counts_.size(); ++i)
+                if (counts_[i] > 0)
+                    touched_.push_back(i);
+    }
+
+private:
     void fetch(std::uint32_t receiver, const PowerState& state) const
     {
         if (!Segment::is_patch(receiver))
@@ -61,39 +89,94 @@ public:
             touched_.push_back(receiver);
     }
 
-    /// Reads or writes the counts for a checkpoint.
-    void visit(Archive& archive)
-    {
-        archive.list<std::uint64_t>("receivers", counts_);
-        archive.value<std::uint64_t>("behind", behind_);
-        archive.value<std::uint64_t>("outside", outside_);
-        if (archive.reads())
-            for (std::uint32_t i = 0; i < counts_.size(); ++i)
-                if (counts_[i] > 0)
-                    touched_.push_back(i);
-    }
-
-    /// Adds the power of the counted rays, all from `shot`, to the state, and resets the counts.
-    void deposit(const Shot& shot, PowerState& state)
-    {
-        for (const std::uint32_t receiver : touched_) {
-            const Rgb power = static_cast<double>(counts_[receiver]) * shot.power_per_ray;
-            state.incident[receiver] += power;
-            state.unshot[receiver] += scene_.reflectance(receiver) * power;
-            counts_[receiver] = 0;
-        }
-        state.behind += static_cast<double>(behind_) * shot.power_per_ray;
-        state.escaped += static_cast<double>(outside_) * shot.power_per_ray;
-        touched_.clear();
-        behind_ = outside_ = 0;
-    }
-
-private:
     const Scene& scene_;
     std::vector<std::uint64_t> counts_;  ///< per patch
     std::vector<std::uint32_t> touched_; ///< patches with a count above zero
     std::uint64_t behind_ = 0;
     std::uint64_t outside_ = 0;
+};
+
+/// The rays of all shots, in order.
+class ShotRays
+{
+public:
+    using Block = RayBlock;
+
+    ShotRays(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
+             PowerState& state)
+        : scene_(scene),
+          sequence_(sequence),
+          first_item_(first_item),
+          shots_(shots),
+          before_(rays_before(shots)),
+          state_(state),
+          received_(scene)
+    {
+    }
+
+    Blocks lines() const { return {before_.back(), rays_per_block}; }
+
+    void trace(std::uint64_t number, RayBlock& block) const
+    {
+        const std::uint64_t first = lines().first(number);
+        block.items.resize(lines().length(number));
+        sequence_.generate(first_item_ + first, block.items);
+        block.patches.clear();
+        for (std::size_t shot = shot_of_ray(first); block.patches.size() < block.items.size(); ++shot) {
+            const std::uint64_t end = std::min(before_[shot + 1] - first, std::uint64_t{block.items.size()});
+            block.patches.resize(static_cast<std::size_t>(end), shots_[shot].patch);
+        }
+        block.trace(scene_);
+    }
+
+    std::uint64_t take(std::uint64_t number, const RayBlock& block)
+    {
+        const std::uint64_t first = lines().first(number);
+        const std::uint64_t end = first + block.receivers.size();
+        for (std::uint64_t ray = first; ray < end;) {
+            if (ray >= before_[shot_ + 1]) {
+                received_.deposit(shots_[shot_], state_);
+                shot_ = shot_of_ray(ray);
+            }
+            const std::uint64_t end_of_shot = std::min(end, before_[shot_ + 1]);
+            received_.add(block.receivers, static_cast<std::size_t>(ray - first),
+                          static_cast<std::size_t>(end_of_shot - first), state_);
+            ray = end_of_shot;
+        }
+        return block.receivers.size();
+    }
+
+    /// Deposits the rays of the last shot.
+    void finish()
+    {
+        if (!shots_.empty())
+            received_.deposit(shots_[shot_], state_);
+    }
+
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("current shot", shot_);
+        received_.visit(archive);
+        if (!shots_.empty() && shot_ >= shots_.size())
+            throw ArchiveError("the state is damaged: no such rays");
+        const Archive::Inner inner(archive, "state");
+        state_.visit(archive);
+    }
+
+private:
+    std::size_t shot_of_ray(std::uint64_t ray) const
+    {
+        return static_cast<std::size_t>(std::upper_bound(before_.begin(), before_.end(), ray) - before_.begin()) - 1;
+    }
+
+    const Scene& scene_;
+    const Sequence& sequence_;
+    const std::uint64_t first_item_;
+    const std::vector<Shot>& shots_;
+    const std::vector<std::uint64_t> before_;
+    PowerState& state_;
+    ReceivedRays received_;
+    std::uint64_t shot_ = 0; ///< the one whose rays are being counted
 };
 
 } // namespace
@@ -109,64 +192,13 @@ void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerS
     }
 }
 
-void visit(Archive& archive, const Scene& scene, std::vector<Shot>& shots)
-{
-    archive.records(shots, field<std::uint32_t>("shooters", &Shot::patch), field<std::uint64_t>("rays", &Shot::rays),
-                    field<double>("power per ray", &Shot::power_per_ray));
-    for (const Shot& shot : shots)
-        if (shot.patch >= scene.patch_count())
-            throw ArchiveError("the state is damaged: no such patch");
-}
-
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            const RunControl& run, PowerState& state)
 {
-    const std::vector<std::uint64_t> before = rays_before(shots);
-    const std::uint64_t ray_count = before.back();
-    const Blocks rays = {ray_count, rays_per_block};
-    BlockBuffers<RayBlock> blocks(run.threads);
-
-    const auto trace = [&](std::uint64_t number, int slot) {
-        RayBlock& block = blocks[slot];
-        const std::uint64_t first = rays.first(number);
-        block.items.resize(rays.length(number));
-        sequence.generate(first_item + first, block.items);
-        block.patches.clear();
-        for (std::size_t shot = shot_of_ray(before, first); block.patches.size() < block.items.size(); ++shot) {
-            const std::uint64_t end = std::min(before[shot + 1] - first, std::uint64_t{block.items.size()});
-            block.patches.resize(static_cast<std::size_t>(end), shots[shot].patch);
-        }
-        block.trace(scene);
-    };
-    ReceivedRays received(scene);
-    std::uint64_t current_shot = 0;
-    std::uint64_t next_block = 0;
-    const Checkpoint::Part part(run.checkpoint, "shots", [&](Archive& archive) {
-        archive.value<std::uint64_t>("next block", next_block);
-        archive.value<std::uint64_t>("current shot", current_shot);
-        received.visit(archive);
-        if (next_block > rays.count() || (ray_count > 0 && current_shot >= shots.size()))
-            throw ArchiveError("the state is damaged: no such rays");
-    });
-    const auto count_receivers = [&](std::uint64_t number, int slot) {
-        const RayBlock& block = blocks[slot];
-        std::uint64_t ray = rays.first(number);
-        const std::size_t count = block.receivers.size();
-        for (std::size_t k = 0; k < count; ++k) {
-            if (ray++ >= before[current_shot + 1]) {
-                received.deposit(shots[current_shot], state);
-                current_shot = shot_of_ray(before, ray - 1);
-            }
-            if (k + rays_ahead < count)
-                received.fetch(block.receivers[k + rays_ahead], state);
-            received.add(block.receivers[k]);
-        }
-        run.count_lines(block.receivers.size());
-    };
-    resumable_blocks(next_block, rays.count(), run, trace, count_receivers);
-    if (ray_count > 0)
-        received.deposit(shots[current_shot], state);
-    keep_unsent(shots, rays.first(next_block), state);
+    ShotRays rays(scene, sequence, first_item, shots, state);
+    const std::uint64_t sent = run_stage("shots", rays, run); // (S1)
+    rays.finish();
+    keep_unsent(shots, sent, state);
 }
 
 namespace {

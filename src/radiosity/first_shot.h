@@ -20,17 +20,14 @@ struct Shot
 
 /// Casts the rays of all shots, in order, with one item each from first_item on. The power that arrives at a patch is
 /// added to the incident power of the patch, and the reflected part to its unshot power ((S1) in docs/equations.md).
-/// The caller subtracts the power from the shooters beforehand, see spend(), and saves `shots` and `state` in the
-/// checkpoint; this function saves the rest. If the run is stopped, the shooters get back the power of the rays that
-/// were not cast.
+/// The caller subtracts the power from the shooters beforehand, see spend(). The checkpoint saves `state`; the caller
+/// must give the same shots when the run is resumed. If the run is stopped, the shooters get back the power of the rays
+/// that were not cast.
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            const RunControl& run, PowerState& state);
 
 /// Adds the power of all rays but the first `rays_sent` back to the unshot power of their shooters.
 void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state);
-
-/// Saves the shots to a checkpoint or restores them. Throws ArchiveError for a patch that does not exist.
-void visit(Archive& archive, const Scene& scene, std::vector<Shot>& shots);
 
 /// Which part of the unshot power is shot, and by how many rays.
 struct ShotRule

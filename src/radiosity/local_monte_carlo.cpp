@@ -4,7 +4,7 @@
 
 #include "radiosity/local_monte_carlo.h"
 
-#include "parallel/blocks.h"
+#include "parallel/stage.h"
 #include "radiosity/first_shot.h"
 #include "sampling/random.h"
 #include "transport/lines/line_segments.h"
@@ -212,40 +212,72 @@ private:
     std::uint64_t count_ = 0;
 };
 
+/// The particles, whose power is added to the state where they arrive.
+class ParticleStage
+{
+public:
+    using Block = ParticleBlock;
+
+    ParticleStage(const Scene& scene, const Sequence& sequence, const LocalOptions& options, const Particles& particles,
+                  PowerState& state)
+        : scene_(scene),
+          sequence_(sequence),
+          options_(options),
+          particles_(particles),
+          state_(state),
+          sums_(PowerState::empty(scene))
+    {
+    }
+
+    Blocks lines() const { return {particles_.count(), particles_together(scene_)}; }
+    void trace(std::uint64_t number, ParticleBlock& block) const
+    {
+        block.follow(particles_, sequence_, options_.first_item, lines(), number);
+    }
+    std::uint64_t take(std::uint64_t, const ParticleBlock& block)
+    {
+        sums_.deposit_all(scene_, block.paths.steps, options_.estimator, state_);
+        segments_ += block.paths.steps.size();
+        return block.paths.steps.size();
+    }
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("segments", segments_);
+        sums_.visit(archive);
+        const Archive::Inner inner(archive, "state");
+        state_.visit(archive);
+    }
+
+    /// Completes the sums; returns the number of segments.
+    std::uint64_t finish()
+    {
+        sums_.flush(state_);
+        return segments_;
+    }
+
+private:
+    const Scene& scene_;
+    const Sequence& sequence_;
+    const LocalOptions& options_;
+    const Particles& particles_;
+    PowerState& state_;
+    PartialSums sums_;
+    std::uint64_t segments_ = 0;
+};
+
 } // namespace
 
 std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                              const RunControl& run, PowerState& state)
 {
-    std::vector<Shot> shots;
-    PartialSums sums(PowerState::empty(scene));
-    std::uint64_t segments = 0;
-    std::uint64_t next_block = 0;
-    const Checkpoint::Part part(run.checkpoint, "particles", [&](Archive& archive) {
-        archive.value<std::uint64_t>("next block", next_block);
-        archive.value<std::uint64_t>("segments", segments);
-        sums.visit(archive);
-        visit(archive, scene, shots);
-    });
-    if (!part.resumed()) {
-        shots = plan_particles(scene, state, options.lines, options.seed, run.threads).shots();
-        spend(scene, 0.0, shots, state);
-    }
-    const Particles particles(scene, shots, options.seed);
-    const Blocks all = {particles.count(), particles_together(scene)};
-    BlockBuffers<ParticleBlock> blocks(run.threads);
-    const auto trace = [&](std::uint64_t number, int slot) {
-        blocks[slot].follow(particles, sequence, options.first_item, all, number);
-    };
-    const auto deposit_all = [&](std::uint64_t, int slot) {
-        const ParticleBlock& block = blocks[slot];
-        sums.deposit_all(scene, block.paths.steps, options.estimator, state);
-        segments += block.paths.steps.size();
-        run.count_lines(block.paths.steps.size());
-    };
-    resumable_blocks(next_block, all.count(), run, trace, deposit_all);
-    sums.flush(state);
-    keep_unsent(shots, all.first(next_block), state);
+    const Particles particles = plan_particles(scene, state, options.lines, options.seed, run.threads);
+    PowerState next = state; // so that a run that is resumed plans the same particles again
+    spend(scene, 0.0, particles.shots(), next);
+    ParticleStage stage(scene, sequence, options, particles, next);
+    const std::uint64_t sent = run_stage("particles", stage, run); // (L1)
+    const std::uint64_t segments = stage.finish();
+    keep_unsent(particles.shots(), sent, next);
+    state = std::move(next);
     return segments;
 }
 

@@ -1,6 +1,6 @@
 #include "radiosity/multipath.h"
 
-#include "parallel/blocks.h"
+#include "parallel/stage.h"
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 
@@ -70,17 +70,23 @@ double forecast_variance(const Scene& scene, const GlobalLines& lines, const Glo
     return sum * std::max(2.0, crossings_per_line);
 }
 
-/// Traces the remaining blocks of a pass on all threads, and lets the walk follow their segments in order.
-void follow_lines(const LineBlocks& plan, std::uint64_t& next_block, const RunControl& run, PowerWalk& walk)
+/// The lines of a pass, with the walk that follows their segments.
+struct GlobalStage
 {
-    BlockBuffers<SegmentBlock> blocks(run.threads);
-    const auto trace = [&](std::uint64_t number, int slot) { blocks[slot].trace(plan, number); };
-    const auto follow = [&](std::uint64_t number, int slot) {
-        walk.follow(blocks[slot].segments);
-        run.count_lines(plan.lines.length(number));
-    };
-    resumable_blocks(next_block, plan.lines.count(), run, trace, follow);
-}
+    using Block = SegmentBlock;
+
+    Blocks lines() const { return plan.lines; }
+    void trace(std::uint64_t number, SegmentBlock& block) const { block.trace(plan, number); }
+    std::uint64_t take(std::uint64_t number, const SegmentBlock& block)
+    {
+        walk.follow(block.segments); // (M1) (M2)
+        return plan.lines.length(number);
+    }
+    void visit(Archive& archive) { walk.visit(archive); }
+
+    const LineBlocks plan;
+    PowerWalk walk;
+};
 
 } // namespace
 
@@ -90,19 +96,12 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
     if (pass.lines_cast == 0)
         return 0;
     const double variance = forecast_variance(scene, lines, pass, state);
-    PowerWalk walk(scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state); // (G1)
-    const LineBlocks plan{
-        scene, lines, sequence, pass.first_item, {pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))}};
-    std::uint64_t next_block = 0;
-    const Checkpoint::Part part(run.checkpoint, "global pass", [&](Archive& archive) {
-        archive.value<std::uint64_t>("next block", next_block);
-        walk.visit(archive);
-    });
-    follow_lines(plan, next_block, run, walk); // (M1) (M2)
-
-    const std::uint64_t cast = plan.lines.first(next_block);
+    GlobalStage stage{
+        {scene, lines, sequence, pass.first_item, {pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))}},
+        {scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state}}; // (G1)
+    const std::uint64_t cast = run_stage("global pass", stage, run);
     const double planned = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
-    walk.finish(planned, state);
+    stage.walk.finish(planned, state);
     state.emitted_variance += planned * variance;
     return cast;
 }

@@ -5,7 +5,7 @@
 
 #include "radiosity/family/gathering_walk.h"
 
-#include "parallel/blocks.h"
+#include "parallel/stage.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "transport/lines/line_segments.h"
@@ -144,6 +144,44 @@ void take_gathered(const Scene& scene, const Gathered& gathered, const std::vect
     settle_losses(state.emitted, absorbed, escaped, behind, state);
 }
 
+/// The walks of one round.
+struct WalkStage
+{
+    using Block = ParticleBlock;
+
+    Blocks lines() const { return {walks.count(), particles_together(scene)}; }
+    void trace(std::uint64_t number, ParticleBlock& block) const
+    {
+        block.follow(walks, sequence, first_item, lines(), number);
+    }
+    std::uint64_t take(std::uint64_t, const ParticleBlock& block)
+    {
+        const std::vector<ParticleStep>& steps = block.paths.steps;
+        for (std::size_t first = 0; first < steps.size();) {
+            std::size_t last = first;
+            while (!steps[last].ends())
+                ++last;
+            gathered.add(scene, &steps[first], &steps[last] + 1, estimator);
+            first = last + 1;
+        }
+        segments += steps.size();
+        return steps.size();
+    }
+    void visit(Archive& archive)
+    {
+        archive.value<std::uint64_t>("segments", segments);
+        gathered.visit(archive);
+    }
+
+    const Scene& scene;
+    const Sequence& sequence;
+    const std::uint64_t first_item;
+    const Estimator estimator;
+    const Particles walks;
+    Gathered& gathered;      ///< in all rounds
+    std::uint64_t& segments; ///< in all rounds
+};
+
 } // namespace
 
 Rgb gathered_irradiance(const Scene& scene, const ParticleStep& step, Estimator estimator)
@@ -161,51 +199,33 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
                                 const RunControl& run, PowerState& state)
 {
     const std::uint64_t rounds = count_rounds(scene, options.lines);
+    const std::uint64_t walks_per_round = count_walks(plan_first_round(scene, options, run.threads));
     Gathered gathered(scene);
-    std::uint64_t walks_per_round = 0;
     std::uint64_t round = 0;
     std::uint64_t first_walk = 0; // of the current round
     std::uint64_t segments = 0;
-    std::uint64_t next_block = 0;
-    const Checkpoint::Part part(run.checkpoint, "walks", [&](Archive& archive) {
-        archive.value<std::uint64_t>("walks per round", walks_per_round);
+    const Checkpoint::Part part(run.checkpoint, "rounds of walks", [&](Archive& archive) {
         archive.value<std::uint64_t>("round", round);
         archive.value<std::uint64_t>("first walk", first_walk);
-        archive.value<std::uint64_t>("next block", next_block);
         archive.value<std::uint64_t>("segments", segments);
         gathered.visit(archive);
     });
-    if (!part.resumed())
-        walks_per_round = count_walks(plan_first_round(scene, options, run.threads));
-    BlockBuffers<ParticleBlock> blocks(run.threads);
-    const auto take = [&](std::uint64_t, int slot) {
-        const std::vector<ParticleStep>& steps = blocks[slot].paths.steps;
-        for (std::size_t first = 0; first < steps.size();) {
-            std::size_t last = first;
-            while (!steps[last].ends())
-                ++last;
-            gathered.add(scene, &steps[first], &steps[last] + 1, options.estimator);
-            first = last + 1;
-        }
-        segments += steps.size();
-        run.count_lines(steps.size());
-    };
     std::vector<Shot> shots;
     std::uint64_t done = 0; // walks of the unfinished round
     for (; round < rounds; ++round) {
         shots = plan_walks(scene, walks_per_round, rounding_offset(round));
-        const Particles walks = walks_of_round(scene, shots, options.seed, round);
-        const Blocks all = {walks.count(), particles_together(scene)};
-        const auto trace = [&](std::uint64_t number, int slot) {
-            blocks[slot].follow(walks, sequence, options.first_item + first_walk, all, number);
-        };
-        resumable_blocks(next_block, all.count(), run, trace, take);
-        if (next_block < all.count()) {
-            done = all.first(next_block);
+        WalkStage stage{scene,
+                        sequence,
+                        options.first_item + first_walk,
+                        options.estimator,
+                        walks_of_round(scene, shots, options.seed, round),
+                        gathered,
+                        segments};
+        done = run_stage("walks", stage, run); // (W1)
+        if (done < stage.walks.count())
             break;
-        }
-        first_walk += walks.count();
-        next_block = 0;
+        first_walk += done;
+        done = 0;
     }
     if (round > 0)
         take_gathered(scene, gathered, rounds_of_patches(scene, round, shots, done), state);

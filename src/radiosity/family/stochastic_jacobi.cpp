@@ -4,7 +4,7 @@
 
 #include "radiosity/family/stochastic_jacobi.h"
 
-#include "parallel/blocks.h"
+#include "parallel/stage.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "transport/lines/line_segments.h"
@@ -286,64 +286,34 @@ void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, Tran
     }
 }
 
-/// Traces the rays of successive iterations, each of which can be interrupted and resumed.
-class RayIterations
+/// The rays of one iteration, and the power that they have carried.
+struct RayStage
 {
-public:
-    RayIterations(const Scene& scene, const Sequence& sequence, bool bidirectional, const RunControl& run)
-        : scene_(scene),
-          sequence_(sequence),
-          bidirectional_(bidirectional),
-          run_(run),
-          buffers_(run.threads),
-          transfer_(TransportEstimate::none(scene))
-    {
-    }
-
-    void visit(Archive& archive) ///< for a checkpoint
-    {
-        archive.value<std::uint64_t>("next block", next_block_);
-        transfer_.visit(archive);
-    }
-
-    /// Returns false if the run is stopped before the last ray.
-    bool cast(const SentRays& rays, std::uint64_t first_item)
-    {
-        const Blocks blocks = {rays.count(), rays_together};
-        const auto trace = [&](std::uint64_t number, int slot) {
-            Buffer& buffer = buffers_[slot];
-            rays.fill(sequence_, first_item, blocks.first(number), blocks.length(number), buffer.items, buffer.rays);
-            buffer.rays.trace(scene_);
-        };
-        const auto take = [&](std::uint64_t number, int slot) {
-            carry(rays, buffers_[slot].rays, bidirectional_, transfer_);
-            run_.count_lines(blocks.length(number));
-        };
-        resumable_blocks(next_block_, blocks.count(), run_, trace, take);
-        return next_block_ == blocks.count();
-    }
-
-    /// Returns the power carried by all rays since the last call, and starts a new iteration.
-    TransportEstimate take()
-    {
-        next_block_ = 0;
-        return std::exchange(transfer_, TransportEstimate::none(scene_));
-    }
-
-private:
-    struct Buffer
+    struct Block
     {
         RayBlock rays;
         std::vector<Item> items;
     };
 
-    const Scene& scene_;
-    const Sequence& sequence_;
-    bool bidirectional_;
-    const RunControl& run_;
-    BlockBuffers<Buffer> buffers_;
-    TransportEstimate transfer_;
-    std::uint64_t next_block_ = 0;
+    Blocks lines() const { return {sent.count(), rays_together}; }
+    void trace(std::uint64_t number, Block& block) const
+    {
+        sent.fill(sequence, first_item, lines().first(number), lines().length(number), block.items, block.rays);
+        block.rays.trace(scene);
+    }
+    std::uint64_t take(std::uint64_t number, const Block& block)
+    {
+        carry(sent, block.rays, bidirectional, transfer); // (J1) (J2)
+        return lines().length(number);
+    }
+    void visit(Archive& archive) { transfer.visit(archive); }
+
+    const Scene& scene;
+    const Sequence& sequence;
+    const std::uint64_t first_item;
+    const bool bidirectional;
+    const SentRays sent;
+    TransportEstimate transfer;
 };
 
 Rgb sum_of(const std::vector<Rgb>& powers)
@@ -378,7 +348,6 @@ double usual_sendings(const Scene& scene)
 std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const SeriesOptions& options,
                           const RunControl& run, PowerState& state)
 {
-    RayIterations rays(scene, sequence, options.bidirectional, run);
     double rays_per_power = static_cast<double>(options.lines) / usual_sendings(scene) / mean(sum_of(state.unshot));
     std::uint64_t passes = 0; // finished
     std::uint64_t cast = 0;   // rays of the finished passes
@@ -386,7 +355,6 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
         archive.value<double>("rays per watt", rays_per_power);
         archive.value<std::uint64_t>("passes", passes);
         archive.value<std::uint64_t>("cast", cast);
-        rays.visit(archive);
     });
     const std::uint64_t key = random_key(RandomStream::series_rays, options.seed);
     for (; cast < options.most_lines; ++passes) {
@@ -396,11 +364,16 @@ std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const Se
         // Power below that of a single ray is sent by one ray at random, or is lost (Russian roulette).
         const double wanted = std::min(rays_per_power * power, static_cast<double>(options.most_lines - cast));
         const RayPlan plan(shares_of_rays(scene, state.unshot, 0.0), wanted, bits_to_unit(random_bits(key, passes)));
-        const SentRays sent(scene, plan, state.unshot, 0.0, 1.0);
-        if (!rays.cast(sent, options.first_item + cast))
+        RayStage stage{scene,
+                       sequence,
+                       options.first_item + cast,
+                       options.bidirectional,
+                       {scene, plan, state.unshot, 0.0, 1.0},
+                       TransportEstimate::none(scene)};
+        if (run_stage("rays", stage, run) < stage.sent.count())
             break;
-        take_transfer(scene, rays.take(), state);
-        cast += sent.count();
+        take_transfer(scene, stage.transfer, state);
+        cast += stage.sent.count();
     }
     return cast;
 }
@@ -457,7 +430,6 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     const PowerState start(scene);
     JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
     const IterationPlan plan = plan_iterations(scene, sequence, options, iterations.power(), run.threads);
-    RayIterations rays(scene, sequence, options.bidirectional, run);
     std::uint64_t done = 0; // planned lines of the finished iterations
     std::uint64_t cast = 0; // rays of these; the same up to rounding
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
@@ -468,8 +440,6 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
         if (wanted != plan.importance_checksum)
             throw ArchiveError("in the state other patches are important");
         iterations.visit(archive);
-        const Archive::Inner inner(archive, "transfer");
-        rays.visit(archive);
     });
     if (!part.resumed())
         run.count_lines(plan.importance_rays);
@@ -478,12 +448,17 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
     };
     while (done < plan.lines) {
         const std::uint64_t next = iterations.next_lines(plan.lines - done);
-        const SentRays sent(scene, plan.rays, iterations.power(), part_of(done), part_of(done + next));
-        if (!rays.cast(sent, plan.first_item))
+        RayStage stage{scene,
+                       sequence,
+                       plan.first_item,
+                       options.bidirectional,
+                       {scene, plan.rays, iterations.power(), part_of(done), part_of(done + next)},
+                       TransportEstimate::none(scene)};
+        if (run_stage("rays", stage, run) < stage.sent.count())
             break;
-        iterations.add(rays.take(), static_cast<double>(next));
+        iterations.add(stage.transfer, static_cast<double>(next));
         done += next;
-        cast += sent.count();
+        cast += stage.sent.count();
     }
     if (done > 0)
         state = iterations.finish();

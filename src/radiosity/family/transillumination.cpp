@@ -7,7 +7,7 @@
 
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
-#include "parallel/blocks.h"
+#include "parallel/stage.h"
 #include "radiosity/family/stochastic_jacobi.h"
 #include "sampling/warp.h"
 #include "transport/lines/line_segments.h"
@@ -133,6 +133,34 @@ void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, std::uin
     }
 }
 
+/// The directions of one iteration.
+struct BundleStage
+{
+    using Block = BundleBlock;
+
+    Blocks lines() const { return {directions, std::max<std::uint64_t>(1, lines_together / bundle)}; }
+    void trace(std::uint64_t number, BundleBlock& block) const
+    {
+        block.items.resize(lines().length(number));
+        sequence.generate(first_item + lines().first(number), block.items);
+        block.trace(scene, bundle);
+    }
+    std::uint64_t take(std::uint64_t number, const BundleBlock& block)
+    {
+        carry(block, radiosity, directions, transfer);
+        return bundle * lines().length(number);
+    }
+    void visit(Archive& archive) { transfer.visit(archive); }
+
+    const Scene& scene;
+    const Sequence& sequence;
+    const std::uint64_t first_item;
+    const std::uint64_t bundle; ///< lines per direction
+    const std::uint64_t directions;
+    const std::vector<Rgb> radiosity; ///< [W/m^2] that the lines carry
+    TransportEstimate transfer;
+};
+
 } // namespace
 
 std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
@@ -173,50 +201,33 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
             return rays;
     }
     JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
-    TransportEstimate transfer = TransportEstimate::none(scene);
     std::uint64_t done = 0; // directions of the finished iterations
-    std::uint64_t next_block = 0;
     const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("directions", done);
-        archive.value<std::uint64_t>("next block", next_block);
         iterations.visit(archive);
-        const Archive::Inner inner(archive, "transfer");
-        transfer.visit(archive);
     });
-    const std::uint64_t first_direction = options.first_item + rays;
-    BlockBuffers<BundleBlock> blocks(run.threads);
     const BundlePlan plan = plan_bundles(options, rays);
-    const std::uint64_t bundle = plan.bundle;
-    const std::uint64_t all_directions = plan.directions;
-    const std::uint64_t directions_per_block = std::max<std::uint64_t>(1, lines_together / bundle);
-    while (done < all_directions) {
-        const std::uint64_t lines = iterations.next_lines((all_directions - done) * bundle);
-        const std::uint64_t directions = std::clamp<std::uint64_t>(lines / bundle, 1, all_directions - done);
+    while (done < plan.directions) {
+        const std::uint64_t left = plan.directions - done;
+        const std::uint64_t lines = iterations.next_lines(left * plan.bundle);
         std::vector<Rgb> radiosity = iterations.power();
         for (std::uint32_t i = 0; i < radiosity.size(); ++i)
             radiosity[i] = (1.0 / scene.area(i)) * radiosity[i];
-        const Blocks all = {directions, directions_per_block};
-        const auto trace = [&](std::uint64_t number, int slot) {
-            BundleBlock& block = blocks[slot];
-            block.items.resize(all.length(number));
-            sequence.generate(first_direction + done + all.first(number), block.items);
-            block.trace(scene, bundle);
-        };
-        const auto take = [&](std::uint64_t number, int slot) {
-            carry(blocks[slot], radiosity, directions, transfer);
-            run.count_lines(bundle * all.length(number));
-        };
-        resumable_blocks(next_block, all.count(), run, trace, take);
-        if (next_block < all.count())
+        BundleStage stage{scene,
+                          sequence,
+                          options.first_item + rays + done,
+                          plan.bundle,
+                          std::clamp<std::uint64_t>(lines / plan.bundle, 1, left),
+                          std::move(radiosity),
+                          TransportEstimate::none(scene)};
+        if (run_stage("bundles", stage, run) < stage.directions) // (P1)
             break;
-        iterations.add(transfer, static_cast<double>(directions * bundle));
-        done += directions;
-        next_block = 0;
-        transfer = TransportEstimate::none(scene);
+        iterations.add(stage.transfer, static_cast<double>(stage.directions * plan.bundle));
+        done += stage.directions;
     }
     if (done > 0)
         state = iterations.finish();
-    return rays + done * bundle;
+    return rays + done * plan.bundle;
 }
 
 } // namespace multipath

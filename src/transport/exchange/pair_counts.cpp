@@ -5,7 +5,7 @@
 
 #include "transport/exchange/pair_counts.h"
 
-#include "parallel/blocks.h"
+#include "parallel/stage.h"
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 
@@ -98,6 +98,37 @@ void add(const PairBlock& block, PairCounts& counts)
         (loss.behind ? counts.behind : counts.escaped)[loss.patch] += 1;
 }
 
+/// The lines, and the counts of their pairs and losses.
+struct CountStage
+{
+    using Block = PairBlock;
+
+    Blocks lines() const { return plan.lines; }
+    void trace(std::uint64_t number, PairBlock& block) const
+    {
+        block.pairs.clear();
+        block.losses.clear();
+        block.long_lines.clear();
+        const HitLists& lists = block.lines.trace(plan, number);
+        find_passages(plan.scene, lists, block.passages);
+        std::size_t first = 0;
+        for (std::size_t line = 0; line < lists.size(); ++line) {
+            record(first, lists[line].size(), block);
+            first += lists[line].size();
+        }
+    }
+    std::uint64_t take(std::uint64_t, const PairBlock& block)
+    {
+        add(block, counts);
+        counts.lines += block.lines.lines();
+        return block.lines.lines();
+    }
+    void visit(Archive& archive) { counts.visit(archive); }
+
+    const LineBlocks plan;
+    PairCounts counts;
+};
+
 } // namespace
 
 PairCounts& PairCounts::operator+=(const PairCounts& others)
@@ -125,37 +156,11 @@ void PairCounts::visit(Archive& archive)
 PairCounts count_pairs(const Scene& scene, const GlobalLines& lines, const Sequence& sequence, std::uint64_t first_item,
                        std::uint64_t lines_cast, const RunControl& run)
 {
-    PairCounts counts(scene.patch_count());
     const double crossings = std::min(crossings_per_line(scene, lines), static_cast<double>(many_crossings));
-    const LineBlocks plan{
-        scene, lines, sequence, first_item, {lines_cast, lines_per_block(0.5 * crossings * crossings + crossings)}};
-    ShardRange range = ShardRange::of(plan.lines.count(), run.shard);
-    const Checkpoint::Part part(run.checkpoint, "pair counts", [&](Archive& archive) {
-        range.visit(archive);
-        counts.visit(archive);
-    });
-    BlockBuffers<PairBlock> blocks(run.threads);
-    const auto trace_block = [&](std::uint64_t number, int slot) {
-        PairBlock& block = blocks[slot];
-        block.pairs.clear();
-        block.losses.clear();
-        block.long_lines.clear();
-        const HitLists& lists = block.lines.trace(plan, number);
-        find_passages(scene, lists, block.passages);
-        std::size_t first = 0;
-        for (std::size_t line = 0; line < lists.size(); ++line) {
-            record(first, lists[line].size(), block);
-            first += lists[line].size();
-        }
-    };
-    const auto add_block = [&](std::uint64_t, int slot) {
-        const PairBlock& block = blocks[slot];
-        add(block, counts);
-        counts.lines += block.lines.lines();
-        run.count_lines(block.lines.lines());
-    };
-    shard_blocks(range, run, trace_block, add_block);
-    return counts;
+    const std::uint64_t together = lines_per_block(0.5 * crossings * crossings + crossings);
+    CountStage stage{{scene, lines, sequence, first_item, {lines_cast, together}}, PairCounts(scene.patch_count())};
+    run_stage("pair counts", stage, run);
+    return std::move(stage.counts);
 }
 
 } // namespace multipath

@@ -128,17 +128,19 @@ std::vector<double> SparseExchange::lost_shares(const std::vector<std::uint32_t>
 
 /// Scales the lost rays of each side so that its patches lose about as much as their own rays say, which is unbiased
 /// with any number of rays. With few rays, and many of others, step 1 shrinks what single rays have lost by chance, and
-/// loses nothing where by chance no ray was lost. The correction fades where most is lost: there it would carry the
-/// noise of the own rays into the exchange with patches.
+/// loses nothing where by chance no ray was lost. The correction fades where few rays of the side were lost, or nearly
+/// all: there it would carry the noise of the own rays into the exchange with patches.
 void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& lost_share)
 {
     constexpr double most = 2.0;
+    constexpr double few_rays = 8.0; // too few lost rays to correct by
     struct Sums
     {
         double area = 0.0;
         double lost = 0.0;
         double of_deficits = 0.0;
         double by_own_rays = 0.0;
+        double lost_rays = 0.0;
     };
     std::vector<Sums> sums(size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1});
     for (std::uint32_t i = 0; i < size(); ++i) {
@@ -149,13 +151,15 @@ void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, cons
         of_side.lost += lost(i);
         of_side.of_deficits += lost_share[i] * std::max(0.0, area_[i] - joined(i) - lost(i));
         of_side.by_own_rays += area_[i] * losses_[i].lost() / losses_[i].cast;
+        of_side.lost_rays += losses_[i].lost();
     }
     for (std::uint32_t i = 0; i < size(); ++i) {
         const Sums& of_side = sums[side[i]];
         if (of_side.lost > 0.0) {
             const double excess = (of_side.by_own_rays - of_side.of_deficits) / of_side.lost - 1.0;
             const double kept = 1.0 - of_side.by_own_rays / of_side.area;
-            lost_rays_[i] *= std::clamp(1.0 + kept * excess, 1.0 / most, most);
+            const double trusted = kept * of_side.lost_rays / (of_side.lost_rays + few_rays);
+            lost_rays_[i] *= std::clamp(1.0 + trusted * excess, 1.0 / most, most);
         }
     }
 }
