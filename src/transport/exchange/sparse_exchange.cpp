@@ -50,10 +50,10 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         const double rays = static_cast<double>(row.last - row.first) + lost_rays_[i];
         wanted[i] = area[i] * quotient(rays, rays + unseen_rays);
     });
-    const std::vector<double> lost_share = lost_shares(side, threads);
     balance(wanted, threads);
+    const std::vector<SideLosses> of_sides = losses_of_sides(side);
     if (all.lost() > 0.0) {
-        correct_losses(side, lost_share);
+        correct_losses(side, of_sides);
         balance(wanted, threads);
     }
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
@@ -65,7 +65,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
             own_[i] = lacks;
             return;
         }
-        const double more_lost = unseen_rays > 0.0 ? 0.0 : lacks * lost_share[i];
+        const double more_lost = unseen_rays > 0.0 ? 0.0 : lacks * of_sides[side[i]].share();
         lost_[i] += more_lost;
         unseen_[i] = lacks - more_lost;
     });
@@ -100,67 +100,39 @@ void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
             loses_[space_[i]] = true;
 }
 
-/// [1] Of each patch, the part of a deficit that is lost: that of the losses in what only the patch's own rays tell.
-/// The losses are those of its side; an exchange that the rays of both ends tell counts by the share of the own ones.
-std::vector<double> SparseExchange::lost_shares(const std::vector<std::uint32_t>& side, int threads) const
+std::vector<SparseExchange::SideLosses> SparseExchange::losses_of_sides(const std::vector<std::uint32_t>& side) const
 {
-    const std::size_t sides = size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1};
-    std::vector<double> area(sides);
-    std::vector<double> lost(sides);
+    std::vector<SideLosses> sides(size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1});
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (losses_[i].cast > 0.0) {
-            area[side[i]] += area_[i];
-            lost[side[i]] += area_[i] * losses_[i].lost() / losses_[i].cast;
-        }
-    std::vector<double> shares = large_vector<double>(size());
-    parallel_numbers(size(), threads, [&](std::uint32_t i) {
-        const auto density = static_cast<double>(factors_[i].density);
-        double by_own_rays = 0.0;
-        for (const std::uint32_t j : counts_.row(i)) {
-            const double ray = 1.0 / (density + static_cast<double>(factors_[j].density));
-            by_own_rays += unit_ * density * ray * ray;
-        }
-        const double losses = area_[i] * quotient(lost[side[i]], area[side[i]]);
-        shares[i] = quotient(losses, losses + by_own_rays);
-    });
-    return shares;
+        if (losses_[i].cast > 0.0)
+            sides[side[i]] += {area_[i], area_[i] * losses_[i].lost() / losses_[i].cast, losses_[i].lost()};
+    return sides;
 }
 
 /// Scales the lost rays of each side so that its patches lose about as much as their own rays say, which is unbiased
 /// with any number of rays. With few rays, and many of others, step 1 shrinks what single rays have lost by chance, and
 /// loses nothing where by chance no ray was lost. The correction fades where few rays of the side were lost, or nearly
 /// all: there it would carry the noise of the own rays into the exchange with patches.
-void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& lost_share)
+void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, const std::vector<SideLosses>& of_sides)
 {
     constexpr double most = 2.0;
-    constexpr double few_rays = 8.0; // too few lost rays to correct by
-    struct Sums
-    {
-        double area = 0.0;
-        double lost = 0.0;
-        double of_deficits = 0.0;
-        double by_own_rays = 0.0;
-        double lost_rays = 0.0;
-    };
-    std::vector<Sums> sums(size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1});
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        if (!(losses_[i].cast > 0.0))
-            continue;
-        Sums& of_side = sums[side[i]];
-        of_side.area += area_[i];
-        of_side.lost += lost(i);
-        of_side.of_deficits += lost_share[i] * std::max(0.0, area_[i] - joined(i) - lost(i));
-        of_side.by_own_rays += area_[i] * losses_[i].lost() / losses_[i].cast;
-        of_side.lost_rays += losses_[i].lost();
-    }
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        const Sums& of_side = sums[side[i]];
-        if (of_side.lost > 0.0) {
-            const double excess = (of_side.by_own_rays - of_side.of_deficits) / of_side.lost - 1.0;
-            const double kept = 1.0 - of_side.by_own_rays / of_side.area;
-            const double trusted = kept * of_side.lost_rays / (of_side.lost_rays + few_rays);
-            lost_rays_[i] *= std::clamp(1.0 + trusted * excess, 1.0 / most, most);
+    constexpr double few_rays = 8.0;               // too few lost rays to correct by
+    std::vector<double> lost_now(of_sides.size()); // [m^2] by the rays
+    std::vector<double> expected(of_sides.size()); // [m^2] by the rays, if the deficits are lost as by own rays
+    for (std::size_t k = 0; k < of_sides.size(); ++k)
+        expected[k] = of_sides[k].lost;
+    for (std::uint32_t i = 0; i < size(); ++i)
+        if (losses_[i].cast > 0.0) {
+            lost_now[side[i]] += lost(i);
+            expected[side[i]] -= of_sides[side[i]].share() * std::max(0.0, area_[i] - joined(i) - lost(i));
         }
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        const SideLosses& own = of_sides[side[i]];
+        if (!(lost_now[side[i]] > 0.0))
+            continue;
+        const double excess = expected[side[i]] / lost_now[side[i]] - 1.0;
+        const double trusted = (1.0 - own.share()) * own.rays / (own.rays + few_rays);
+        lost_rays_[i] *= std::clamp(1.0 + trusted * excess, 1.0 / most, most);
     }
 }
 
@@ -372,7 +344,11 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
             area += ray;
             squares += ray * ray;
         }
-        squares += quotient(lost_[i] * lost_[i], lost_rays_[i]);
+        // Lost rays, too, if few of many rays are the patch's own: what is lost follows from all of them.
+        const CountRow row = counts_.row(i);
+        const double joined_ray = quotient(area - lost_[i], static_cast<double>(row.last - row.first));
+        const double lost_ray = quotient(lost_[i], lost_rays_[i]);
+        squares += lost_[i] * (joined_ray > 0.0 ? std::min(lost_ray, 2.0 * joined_ray) : lost_ray);
         if (!(area > 0.0))
             return {};
         constexpr double most = 0.5; // of 1 / (n - 1): a patch of one or two rays has no other ones

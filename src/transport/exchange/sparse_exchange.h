@@ -23,10 +23,9 @@ namespace multipath {
 /// Step 2: The deficit delta_i, the area of patch i minus its row sum, is exchange that no ray has sampled. In a space
 /// that loses no ray it becomes self-exchange: spread over the patches, it would carry light past the few rays that
 /// lead into a narrow gap. A space is the patches that rays join, directly or through others. In a space that loses
-/// rays, a part of it is lost: that of the losses in what only the own rays of the patch tell. The rest is shared: G_ij
-/// grows by delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per
-/// patch this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange
-/// everywhere.
+/// rays, the part that the rays of the same side of the surface have lost is lost, and the rest is shared: G_ij grows
+/// by delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch
+/// this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange everywhere.
 ///
 /// If the scene has a sky, all that escapes reaches it. Its patches cast no rays: what they exchange with the other
 /// patches is known from these, and the rest of their area is exchange with themselves. So the irradiance from a sky is
@@ -46,10 +45,10 @@ public:
     /// Keeps a reference to the counts, which must be merged. `area` [m^2] is per patch, and so is `density`
     /// [rays/m^2], the number of rays that left the patch over its area. `losses`, per patch, may leave out rays that
     /// decided how many others the patch cast: with them the losses would be biased. `side` numbers, per patch, the
-    /// side of a surface that it is on. The patches `sky`, whose emission
-    /// is uniform, are those of the sky; no ray may start or count as ending there. `unseen_rays` is a pseudo-count: so
-    /// many rays per patch, besides the counted ones, are taken to have reached unknown patches. A positive number lets
-    /// light get from every patch to every other, however few rays there are, at the price of a bias.
+    /// side of a surface that it is on. The patches `sky`, whose emission is uniform, are those of the sky; no ray may
+    /// start or count as ending there. `unseen_rays` is a pseudo-count: so many rays per patch, besides the counted
+    /// ones, are taken to have reached unknown patches. A positive number lets light get from every patch to every
+    /// other, however few rays there are, at the price of a bias.
     SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& density,
                    std::vector<LossCounts> losses, const std::vector<std::uint32_t>& side,
                    std::vector<std::uint32_t> sky, double unseen_rays, int threads);
@@ -92,6 +91,22 @@ private:
         float scale;   ///< [1] below 1 where the rays would have more than the area of the patch
     };
 
+    /// What the rays that left a side of a surface say of its losses.
+    struct SideLosses
+    {
+        double area = 0.0; ///< [m^2] of its patches that cast rays
+        double lost = 0.0; ///< [m^2] the area of each patch times the fraction of its rays that met no patch
+        double rays = 0.0; ///< number of these
+        double share() const { return area > 0.0 ? lost / area : 0.0; } ///< [1]
+        SideLosses& operator+=(const SideLosses& other)
+        {
+            area += other.area;
+            lost += other.lost;
+            rays += other.rays;
+            return *this;
+        }
+    };
+
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
     bool loses(std::uint32_t patch) const { return !space_.empty() && loses_[space_[patch]]; }
     double open(std::uint32_t patch) const;
@@ -99,8 +114,8 @@ private:
     double lost(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
     void find_spaces(const std::vector<std::uint32_t>& side);
-    std::vector<double> lost_shares(const std::vector<std::uint32_t>& side, int threads) const;
-    void correct_losses(const std::vector<std::uint32_t>& side, const std::vector<double>& lost_share);
+    std::vector<SideLosses> losses_of_sides(const std::vector<std::uint32_t>& side) const;
+    void correct_losses(const std::vector<std::uint32_t>& side, const std::vector<SideLosses>& of_sides);
     void share_deficits();
     std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
@@ -117,9 +132,9 @@ private:
     std::vector<double> lost_rays_;    ///< rays of a patch that met no patch, as if all its rays had counted for that
     std::vector<double> lost_;         ///< [m^2] exchange area with no patch
     double escaping_share_ = 1.0;      ///< [1] part of all lost rays that escaped
-    std::vector<double> own_;          ///< [m^2] self-exchange: the deficit that is only rounding; of the sky
+    std::vector<double> own_;          ///< [m^2] self-exchange: deficits from rounding and of closed spaces; of the sky
     std::vector<double> unseen_;       ///< [m^2] the part of the other deficits that is spread over the patches
-    std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if none is needed
+    std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if no ray is lost
     std::vector<bool> loses_;          ///< of each space, at its first patch: true if rays are lost
     std::vector<double> unseen_sum_;   ///< [m^2] of unseen_, at the first patch of each space
 };

@@ -90,10 +90,10 @@ TEST_CASE("without a table of pairs the share F arrives and the rest escapes, to
     const double f = 0.19982489569838746; // Howell, C-11, for opposite sides of a cube
     const double b_1 = 2.0 / (1.0 - 0.4 * 0.7 * f * f);
     const Solution solution = solve(scene, options, silent);
-    // The bias of parts of 32 rays for each patch, of which the lamp gets two to five: of the light that arrives at the
-    // other square it is 1.3 to 2.0 %, measured with eight seeds.
+    // Of a thousand parts of 32 rays for each patch, of which the lamp gets two to five: their bias. With eight seeds,
+    // half of them random, the light of the other square was 0.05 to 0.11 % too low.
     CHECK(solution.radiosity[0].r == doctest::Approx(b_1).epsilon(2e-3).scale(0.0));
-    CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(2.5e-2).scale(0.0));
+    CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(5e-3).scale(0.0));
     CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(5e-3).scale(0.0));
     CHECK(std::abs(solution.balance.unshot.r) < 1e-3);
 }

@@ -149,7 +149,7 @@ TEST_CASE("iterations for important patches, one way, and bundles of some lines 
 TEST_CASE("replicates and rounds are taken up again")
 {
     const Scene scene = room();
-    CHECK(check_all_pauses(scene, options_of(Method::extended, "sobol", 30000), 3, 31) > 25);
+    CHECK(check_all_pauses(scene, options_of(Method::extended, "sobol", 90000), 3, 31) > 40);
     CHECK(check_all_pauses(scene, options_of(Method::reuse, "random", 30000), 3, 199) > 400);
 
     const SolveOptions options = options_of(Method::reuse, "sobol", 0);
