@@ -45,7 +45,7 @@ alone = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
 # with the studies, and the rest.
 src/lines    = src/parallel src/sampling src/geometry src/transport src/radiosity/family $(addprefix src/, \
                radiosity/direct_light.cpp radiosity/first_shot.cpp radiosity/local_monte_carlo.cpp \
-               radiosity/multipath.cpp radiosity/power_state.cpp radiosity/solution.cpp \
+               radiosity/multipath.cpp radiosity/power_state.cpp radiosity/shot_rays.cpp radiosity/solution.cpp \
                radiosity/reuse/denoising.cpp scene/scene.cpp scene/tessellation.cpp)
 src/surfaces = $(filter-out %/denoising.cpp,$(wildcard src/radiosity/reuse/*.cpp)) src/image \
                src/scene/text src/scene/texture $(addprefix src/,scene/vertex_weld.cpp scene/obj/mesh_pieces.cpp \

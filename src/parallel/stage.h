@@ -5,18 +5,22 @@
 
 namespace multipath {
 
-/// Carries out a stage of a run: threads trace blocks of its lines, one thread at a time takes them in order, so that
-/// the result does not depend on the number of threads. A checkpoint may pause the stage between two blocks; a shard
-/// does its part of the blocks. Returns the number of lines before the first block that is not done: all lines, unless
-/// the checkpoint has stopped the run. `name`: that of its part in the checkpoint. A Stage has
+/// Carries out a stage of a run: threads trace blocks of its lines (or rays, walks, directions), and take them in
+/// order, so that the result does not depend on the number of threads. A checkpoint may pause the stage between two
+/// blocks; a shard does its part of the blocks. `name`: that of its part in the checkpoint. Returns the number of lines
+/// before the first block that is not done: all lines, unless the checkpoint has stopped the run. A Stage has
 ///
 ///   using Block = ...;                                      // what one thread traces at a time
-///   Blocks lines() const;                                   // all lines of the stage
-///   void trace(std::uint64_t number, Block& block) const;   // on any thread
-///   std::uint64_t take(std::uint64_t number, const Block&); // adds the block to the results; returns lines to count
-///   void visit(Archive& archive);                           // saves or restores the results so far
+///   Blocks lines() const;                                   // all lines of the stage, the same with any threads
+///   void trace(std::uint64_t number, Block& block) const;   // block `number`
+///   std::uint64_t take(std::uint64_t number, const Block&); // adds it to the results; returns the lines that it
+///   counts void visit(Archive& archive);                           // saves or restores the results
 ///
-/// Throws ArchiveError if the checkpoint holds the state of another stage.
+/// trace() runs on any thread, several at once, and while take() runs: it reads nothing that take() changes. take()
+/// runs once at a time, in the order of the numbers, on changing threads. A block is used again as it was left. visit()
+/// names all that take() changes, also outside the stage. A run that is resumed must make an equal stage again.
+/// Exceptions as in parallel_blocks. Throws ArchiveError if the checkpoint holds the state of another stage. A short
+/// example is GlobalStage in radiosity/multipath.cpp.
 template <class Stage>
 std::uint64_t run_stage(const char* name, Stage& stage, const RunControl& run)
 {

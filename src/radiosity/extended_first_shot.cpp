@@ -1,8 +1,18 @@
-// The total power of all passes is not known beforehand, and neither is the power per ray with which the passes use N_l
-// rays. A pilot run with a small fraction of the rays, which are not charged, estimates how the power is distributed
-// over the passes. Each pass then gets a fraction of the remaining rays: the power that the pilot shot in this pass,
-// over the power that it shot in this and all later passes. So later passes correct the errors of the pilot. The last
-// pass of the pilot, and any pass after it, gets all rays that are left.
+// The pseudocode of section 4.1 of the paper, with these differences:
+//
+// * The paper's user sets PowerByLine. Here N_l, the number of rays, is given, and PowerByLine is the power of all
+// passes
+//   over N_l. That power is not known beforehand: a pilot with a few rays, which do not count among the N_l, estimates
+//   it. Each pass divides what is still to be shot by the rays that are left, so that all rays carry about the same
+//   power, and an error of the pilot does not add up.
+// * All shots of a pass are planned before its first ray: what a patch receives in a pass it shoots in the next one, as
+//   the text of the paper says. The pseudocode changes the patches while it goes over them.
+// * The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
+//   that is worth less than a ray gets one at random (plan_shots).
+// * The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
+// global
+//   pass.
+// * Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/extended_first_shot.h"
 
@@ -15,34 +25,13 @@ namespace multipath {
 
 namespace {
 
-/// Offset of the rounding: 0.5 in the first pass, which thus shoots exactly its number of lines; random in later
-/// passes, so that no patch is favoured.
+/// Offset of the rounding to whole rays: 0.5 in the first pass, so that a plain first shot has exactly its number of
+/// rays; random in later passes, so that no patch is favoured.
 double rounding_offset(std::uint64_t seed, std::size_t pass)
 {
     if (pass == 0)
         return 0.5;
     return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
-}
-
-/// One pass over the patches: all that exceed the threshold shoot their excess with rays of `power_by_line` [W] each.
-/// False if there is no ray to cast.
-bool shoot_pass(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                const ExtendedShotOptions& options, double power_by_line, const RunControl& run,
-                const PassObserver& observe, std::vector<ShotPass>& passes, PowerState& state)
-{
-    const ShotRule rule{options.threshold, power_by_line, rounding_offset(options.seed, passes.size())};
-    const double excess = power_above(scene, state, options.threshold);
-    const std::vector<Shot> shots = plan_shots(scene, state, rule);
-    if (ray_count(shots) == 0)
-        return false;
-    PowerState next = state; // so that a run that is resumed within the pass plans it again from the same state
-    spend(scene, options.threshold, shots, next);
-    if (observe)
-        observe(first_item, shots, next);
-    shoot(scene, sequence, first_item, shots, run, next); // (S1)
-    state = std::move(next);
-    passes.push_back({ray_count(shots), excess, power_balance(scene, state)});
-    return true;
 }
 
 std::uint64_t lines_of(const std::vector<ShotPass>& passes)
@@ -51,41 +40,66 @@ std::uint64_t lines_of(const std::vector<ShotPass>& passes)
                            [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
 }
 
-/// [W] Power that the pilot shot in pass k and all later ones.
-double power_from(const std::vector<ShotPass>& passes, std::size_t k)
+/// Passes over the patches, until no patch exceeds the threshold (S2). power_of_ray(excess) is the power [W] of one ray
+/// of the next pass, which shoots `excess` [W]; 0 ends the passes, which are added to `passes`.
+template <class PowerOfRay>
+void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                  const ExtendedShotOptions& options, const PowerOfRay& power_of_ray, const RunControl& run,
+                  const PassObserver& observe, std::vector<ShotPass>& passes, PowerState& state)
 {
-    double power = 0.0;
-    for (std::size_t i = k; i < passes.size(); ++i)
-        power += passes[i].power;
-    return power;
+    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
+        const double excess = power_above(scene, state, options.threshold);
+        const double power = excess > 0.0 ? power_of_ray(excess) : 0.0;
+        if (!(power > 0.0))
+            return;
+        const ShotRule rule{options.threshold, power, rounding_offset(options.seed, passes.size())};
+        const std::vector<Shot> shots = plan_shots(scene, state, rule);
+        if (shots.empty())
+            return;
+        PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
+        spend(scene, options.threshold, shots, next);
+        const std::uint64_t first_ray = first_item + lines_of(passes);
+        if (observe)
+            observe(first_ray, shots, next);
+        shoot(scene, sequence, first_ray, shots, run, next); // (S1)
+        state = std::move(next);
+        passes.push_back({ray_count(shots), excess, power_balance(scene, state)});
+    }
 }
 
-/// Passes with a small share of the lines, to estimate how the power of the sources is distributed over them.
+/// Passes with a sixteenth of the rays, at most 4096, to estimate how the power is distributed over the passes. Uses
+/// the same items as the passes that follow.
 std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                 const ExtendedShotOptions& options, int threads, PowerState state)
 {
-    const std::uint64_t pilot_lines = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
-    const double power_by_line = power_above(scene, state, options.threshold) / static_cast<double>(pilot_lines);
+    const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
+    const double power = power_above(scene, state, options.threshold) / static_cast<double>(rays);
+    const RunControl without_checkpoint{threads};
     std::vector<ShotPass> passes;
-    while (power_by_line > 0.0 && passes.size() < static_cast<std::size_t>(options.most_steps) &&
-           shoot_pass(scene, sequence, first_item + lines_of(passes), options, power_by_line, {threads}, {}, passes,
-                      state))
-        ;
+    shoot_passes(
+        scene, sequence, first_item, options, [power](double) { return power; }, without_checkpoint, {}, passes, state);
     return passes;
 }
 
-/// [W] Power of one ray of the next pass, so that all passes together have options.lines rays; 0 if none are left.
-double power_by_line(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
-                     const std::vector<ShotPass>& done, double excess)
+/// [1] Power that is still to be shot, in units of that of the next pass, number k, as the pilot found it; 1 from its
+/// last pass on.
+double passes_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
+{
+    double power = 0.0;
+    for (std::size_t i = k; i < pilot.size(); ++i)
+        power += pilot[i].power;
+    return k < pilot.size() ? power / pilot[k].power : 1.0;
+}
+
+/// [W] Power of one ray of the next pass: what is still to be shot over the rays that are left; 0 if none are.
+double power_of_next_ray(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
+                         const std::vector<ShotPass>& done, double excess)
 {
     if (options.power_by_line)
         return *options.power_by_line;
     const std::uint64_t used = std::min(options.lines, lines_of(done));
     const auto left = static_cast<double>(options.lines - used);
-    const std::size_t k = done.size();
-    const double this_pass = k < pilot.size() ? pilot[k].power : 1.0;
-    const double from_here = k < pilot.size() ? power_from(pilot, k) : 1.0;
-    return left > 0.0 ? excess * (from_here / this_pass) / left : 0.0;
+    return left > 0.0 ? excess * passes_to_come(pilot, done.size()) / left : 0.0;
 }
 
 } // namespace
@@ -109,13 +123,8 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
     });
     if (!part.resumed() && !options.power_by_line && options.most_steps > 1)
         pilot = run_pilot(scene, sequence, first_item, options, run.threads, state);
-    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
-        const double excess = power_above(scene, state, options.threshold);
-        const double power = excess > 0.0 ? power_by_line(options, pilot, passes, excess) : 0.0;
-        if (!(power > 0.0) ||
-            !shoot_pass(scene, sequence, first_item + lines_of(passes), options, power, run, observe, passes, state))
-            break;
-    }
+    const auto power_of_ray = [&](double excess) { return power_of_next_ray(options, pilot, passes, excess); };
+    shoot_passes(scene, sequence, first_item, options, power_of_ray, run, observe, passes, state);
     return passes;
 }
 

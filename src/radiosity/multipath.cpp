@@ -41,7 +41,7 @@ void PowerWalk::follow(const std::vector<Segment>& segments)
 void PowerWalk::finish(double scale, PowerState& state) const
 {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-        state.emitted = state.emitted - state.unshot[i];
+        state.emitted = state.emitted - state.unshot[i]; // what was sent of it counts instead
         state.incident[i] += scale * patches_[i].incident;
         state.unshot[i] = scale * patches_[i].held;
     }
@@ -65,9 +65,9 @@ double forecast_variance(const Scene& scene, const GlobalLines& lines, const Glo
         const double unshot = mean(state.unshot[i]);
         sum += unshot * unshot / (departures_per_area * scene.area(i));
     }
-    const double crossings_per_line = departures_per_area * scene.total_area() /
-                                      static_cast<double>(pass.lines_cast); // of all lines: mean number of departures
-    return sum * std::max(2.0, crossings_per_line);
+    const double departures_per_line =
+        departures_per_area * scene.total_area() / static_cast<double>(pass.lines_cast); // the mean
+    return sum * std::max(2.0, departures_per_line);
 }
 
 /// The lines of a pass, with the walk that follows their segments.
@@ -100,9 +100,9 @@ std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, co
         {scene, lines, sequence, pass.first_item, {pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))}},
         {scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state}}; // (G1)
     const std::uint64_t cast = run_stage("global pass", stage, run);
-    const double planned = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
-    stage.walk.finish(planned, state);
-    state.emitted_variance += planned * variance;
+    const double planned_per_cast = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
+    stage.walk.finish(planned_per_cast, state);
+    state.emitted_variance += planned_per_cast * variance;
     return cast;
 }
 
