@@ -15,8 +15,8 @@
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects), TESTS (folder of compiled tests, which are used as they are) and DOCTEST
 # (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors.
-# Most of src is compiled as four files, and tests as one for each folder, small ones together; UNITY=no compiles every
-# file by itself, which takes four times as long from scratch and less after a change.
+# The files of a folder are compiled as one; UNITY=no compiles every file by itself, which takes longer from scratch and less
+# after a change.
 
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
@@ -27,11 +27,8 @@ PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconversion $(WERROR))
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
 machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
-# g++ collects its garbage less often: less time for a fifth more memory.
-garbage  := $(if $(findstring Free Software,$(shell $(CXX) --version 2>/dev/null)),--param ggc-min-expand=200 \
-            --param ggc-min-heapsize=300000)
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
-COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) $(garbage) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
 
 Q         = $(if $(V),,@)
@@ -40,34 +37,10 @@ sources      = $(sort $(shell find src -name '*.cpp'))
 test_sources = $(sort $(shell find tests -name '*.cpp' ! -path 'tests/bench/*' ! -path 'tests/fuzz/*'))
 
 # Compiled by themselves: kernels, whose lanes have the same names in each of them, and the version, which any change changes.
-alone = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
-# Folders and files that are compiled as one file: where lines fly, what runs for each surface, patch or pixel, the commands
-# with the studies, and the rest.
-src/lines    = src/parallel src/sampling src/geometry src/transport src/radiosity/family $(addprefix src/, \
-               radiosity/direct_light.cpp radiosity/first_shot.cpp radiosity/local_monte_carlo.cpp \
-               radiosity/multipath.cpp radiosity/power_state.cpp radiosity/shot_rays.cpp radiosity/solution.cpp \
-               radiosity/reuse/denoising.cpp scene/scene.cpp scene/tessellation.cpp)
-src/surfaces = $(filter-out %/denoising.cpp,$(wildcard src/radiosity/reuse/*.cpp)) src/image \
-               src/scene/text src/scene/texture $(addprefix src/,scene/vertex_weld.cpp scene/obj/mesh_pieces.cpp \
-               scene/obj/obj_mesh.cpp scene/obj/parallelogram_merge.cpp)
-src/commands = src/cli src/commands src/study
-src/rest     = $(filter-out $(alone) $(call within,$(src/lines) $(src/surfaces) $(src/commands)),$(sources))
-tests/small  = $(addprefix tests/,check cli commands explain export parallel refinement sampling selftest study viewer)
-
-# Patterns of the files named or lying in the folders named.
-within = $(filter %.cpp,$1) $(patsubst %,%/%,$(filter-out %.cpp,$1))
-
-ifeq ($(UNITY),no)
-units      = $(sources:%.cpp=%)
-test_units = $(test_sources:%.cpp=%)
-else
-# The linker keeps the first of several copies of a template's function: those of -O3 come first.
-units      = src/lines src/surfaces $(alone:%.cpp=%) src/commands src/rest
-folders    = $(sort $(foreach file,$1,$(word 1,$(subst /, ,$(file)))/$(word 2,$(subst /, ,$(file)))))
-test_units = tests/small $(patsubst %.cpp,%,$(filter-out $(tests/small),$(call folders,$(test_sources))))
-endif
-# Objects, those first that take longest to compile.
-longest_first = $(foreach unit,tests/small src/lines src/rest src/commands src/surfaces,$(filter %/$(unit).o,$1)) $1
+alone      = $(filter src/main.cpp src/cli/version.cpp %kernel.cpp,$(sources))
+folders    = $(patsubst %/,%,$(sort $(dir $1)))
+units      = $(if $(filter no,$(UNITY)),$(sources:%.cpp=%),$(call folders,$(filter-out $(alone),$(sources))) $(alone:%.cpp=%))
+test_units = $(if $(filter no,$(UNITY)),$(test_sources:%.cpp=%),$(call folders,$(test_sources)))
 objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
@@ -75,7 +48,7 @@ ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 
-$(PROGRAM): $(call longest_first,$(objects))
+$(PROGRAM): $(objects)
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -pthread $(objects) -o $@
 
@@ -98,7 +71,7 @@ test long-tests: $(BUILD)/unit_tests $(PROGRAM)
 
 parts_tested = $(filter-out $(BUILD)/src/main.o,$(objects))
 
-$(BUILD)/unit_tests: $(call longest_first,$(parts_tested) $(test_objects))
+$(BUILD)/unit_tests: $(parts_tested) $(test_objects)
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -pthread $(parts_tested) $(test_objects) -o $@
 
@@ -113,7 +86,7 @@ $(BUILD)/doctest.path: tests/find_doctest.sh
 # The files of the viewer's page as string literals: {"name", "line\n" "line\n" ...}, for each.
 page_files = $(wildcard src/viewer/page/*)
 
-$(filter $(BUILD)/src/viewer% $(BUILD)/src/rest.o,$(objects)): $(BUILD)/generated/viewer/page_files.inc
+$(filter $(BUILD)/src/viewer%,$(objects)): $(BUILD)/generated/viewer/page_files.inc
 
 $(BUILD)/generated/viewer/page_files.inc: $(page_files)
 	@mkdir -p $(@D)
@@ -130,8 +103,11 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
-$(BUILD)/src/surfaces.o: OPTIMISE = -O1
-$(patsubst %,$(BUILD)/%.o,src/commands src/rest $(test_units)): OPTIMISE = -Og
+# -O3 for the rooms where lines fly, -O1 for what runs for each surface or pixel; the others and the tests compile faster.
+of_rooms = $(filter $(foreach room,$1,$(BUILD)/src/$(room).o $(BUILD)/src/$(room)/%),$(objects))
+$(objects) $(test_objects): OPTIMISE = -Og
+$(call of_rooms,scene image): OPTIMISE = -O1
+$(call of_rooms,base parallel sampling geometry transport radiosity): OPTIMISE = -O3
 
 define compile
 @mkdir -p $(@D)
@@ -149,7 +125,7 @@ $(BUILD)/%.o: $(BUILD)/unity/%.cpp
 .PRECIOUS: $(BUILD)/unity/%.cpp
 $(BUILD)/unity/%.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(filter-out $(alone),$(filter $(call within,$(or $($*),$*)),$(sources) $(test_sources))) > $@.new
+	@printf '#include "%s"\n' $(filter-out $(alone),$(wildcard $*/*.cpp)) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 sweep: $(BUILD)/unit_tests

@@ -1,17 +1,16 @@
 // multipath COMMAND [OPTIONS] ARGUMENTS: finds the command, runs it, and turns exceptions into one line on stderr and
 // an exit code.
 
+#include "base/errors.h"
+#include "base/memory.h"
+#include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/help_text.h"
-#include "cli/options/usage_error.h"
 #include "cli/version.h"
 #include "commands/commands.h"
 #include "parallel/instruction_set.h"
-#include "parallel/memory.h"
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -24,9 +23,6 @@
 namespace {
 
 using namespace multipath;
-
-constexpr int exit_done = 0;
-constexpr int exit_usage = 2;
 
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
 {

@@ -7,18 +7,18 @@ src=${1%/}
 complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp' -o -name '*.cc' -o -name '*.inl' \) \
     -exec awk -v src="$src" '
     BEGIN {
-        below["parallel"] = ""
-        below["geometry"] = " parallel "
-        below["sampling"] = " geometry parallel "
-        below["scene"] = " geometry parallel "
-        below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel "
+        below["base"] = ""
+        below["parallel"] = " base "
+        below["geometry"] = " parallel base "
+        below["sampling"] = below["scene"] = " geometry parallel base "
+        below["image"] = below["export"] = below["transport"] = " geometry scene sampling parallel base "
         below["radiosity"] = below["transport"] "transport "
         below["check"] = below["explain"] = below["radiosity"] "radiosity "
         below["selftest"] = below["radiosity"] "export radiosity "
         below["viewer"] = below["image"] "image export "
         below["refinement"] = below["radiosity"] "image radiosity "
         below["study"] = below["radiosity"] "image export radiosity check "
-        below["cli"] = " geometry scene parallel "
+        below["cli"] = " geometry scene parallel base "
         below["commands"] = below["study"] "study refinement selftest viewer explain cli "
         below["main.cpp"] = below["commands"] "commands "
         for (i = 1; i < ARGC; ++i)

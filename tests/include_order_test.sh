@@ -24,10 +24,10 @@ check "geometry knows nothing of light" forbidden geometry/line.h '#include "sce
     "tree/geometry/line.h:2: room 'geometry' may not include 'scene/rgb.h'"
 check "sampling knows nothing of scenes" forbidden sampling/warp.cpp '  #  include "scene/rgb.h" // why' \
     "tree/sampling/warp.cpp:2: room 'sampling' may not include 'scene/rgb.h'"
-check "pictures and the solver do not know each other" forbidden image/png.cpp '#include "radiosity/solve.h"' \
-    "tree/image/png.cpp:2: room 'image' may not include 'radiosity/solve.h'"
-check "the viewer does not know how the room was solved" forbidden viewer/viewer_page.cpp '#include "radiosity/solve.h"' \
-    "tree/viewer/viewer_page.cpp:2: room 'viewer' may not include 'radiosity/solve.h'"
+check "pictures and the solver do not know each other" forbidden image/png.cpp '#include "radiosity/run/solve.h"' \
+    "tree/image/png.cpp:2: room 'image' may not include 'radiosity/run/solve.h'"
+check "the viewer does not know how the room was solved" forbidden viewer/viewer_page.cpp '#include "radiosity/run/solve.h"' \
+    "tree/viewer/viewer_page.cpp:2: room 'viewer' may not include 'radiosity/run/solve.h'"
 check "no room includes the command line" forbidden study/paper.h '#include "commands/commands.h"' \
     "tree/study/paper.h:2: room 'study' may not include 'commands/commands.h'"
 check "angle brackets are no way around" forbidden geometry/line.h '#include <scene/rgb.h>' \

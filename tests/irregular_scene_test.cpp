@@ -1,5 +1,6 @@
 #include "irregular_scene.h"
 
+#include "base/elementary.h"
 #include "export/mesh/coloured_mesh.h"
 #include "export/mesh/glb.h"
 #include "export/mesh/glb_reader.h"
@@ -7,7 +8,6 @@
 #include "export/mesh/ply_reader.h"
 #include "export/patch_table.h"
 #include "export/state_file.h"
-#include "geometry/elementary.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/polygon.h"
 #include "image/camera.h"

@@ -2,8 +2,8 @@
 // standard errors" takes the standard error from independent seeds. Even an exact law is missed by 4 of them once in
 // 16,000 cases, and once in 2,000 where two dozen seeds estimate it.
 
+#include "base/elementary.h"
 #include "form_factor.h"
-#include "geometry/elementary.h"
 #include "linear_system.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"

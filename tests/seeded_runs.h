@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "statistics.h"
 
 #include <cstdint>

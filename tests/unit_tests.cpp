@@ -1,7 +1,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
-#include "parallel/memory.h"
+#include "base/memory.h"
 
 int main(int argc, char** argv)
 {

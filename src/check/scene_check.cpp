@@ -1,13 +1,13 @@
 #include "check/scene_check.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
+#include "base/memory.h"
+#include "base/text_format.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "geometry/polygon.h"
-#include "parallel/memory.h"
 #include "scene/partitions.h"
 #include "scene/tessellation.h"
-#include "scene/text/text_format.h"
 #include "scene/vertex_weld.h"
 
 #include <algorithm>

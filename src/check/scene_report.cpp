@@ -5,8 +5,8 @@
 #include "check/scene_report.h"
 
 #include "parallel/blocks.h"
-#include "radiosity/solve.h"
-#include "radiosity/trapped_light.h"
+#include "radiosity/run/solve.h"
+#include "radiosity/run/trapped_light.h"
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/line_segments.h"

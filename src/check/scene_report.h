@@ -1,9 +1,9 @@
 #pragma once
 
 #include "geometry/convex_hull.h"
-#include "radiosity/direct_light.h"
-#include "radiosity/line_budget.h"
-#include "radiosity/power_state.h"
+#include "radiosity/paper/direct_light.h"
+#include "radiosity/paper/line_budget.h"
+#include "radiosity/paper/power_state.h"
 #include "scene/scene.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "cli/provenance.h"
 
+#include "base/text_format.h"
 #include "cli/version.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+#include "base/text_format.h"
 #include "check/scene_check.h"
 #include "check/scene_report.h"
 #include "cli/files/standard_streams.h"
@@ -7,7 +8,6 @@
 #include "export/json.h"
 #include "scene/obj/light_advice.h"
 #include "scene/scene_file.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 
-#include "cli/options/usage_error.h"
+#include "base/errors.h"
+#include "cli/options/choices.h"
 
 namespace multipath {
 

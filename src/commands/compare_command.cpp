@@ -3,6 +3,8 @@
 // If both are states of the same surfaces with different patches, or there is only A, what smooth shading shows of A is
 // compared at sample points with light gathered from B or A (refinement/shown_error.h).
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/number_text.h"
 #include "commands/commands.h"
@@ -11,10 +13,8 @@
 #include "export/csv_text.h"
 #include "export/json.h"
 #include "export/patch_table.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/statistics.h"
 #include "refinement/shown_error.h"
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

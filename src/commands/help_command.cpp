@@ -1,11 +1,11 @@
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/help_text.h"
-#include "cli/options/usage_error.h"
 #include "commands/commands.h"
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
 #include "sampling/sequence.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cstddef>

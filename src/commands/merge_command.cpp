@@ -1,10 +1,10 @@
+#include "base/errors.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "radiosity/runs/shard_sum.h"
-#include "radiosity/solution.h"
-#include "scene/input_error.h"
+#include "radiosity/run/shard_sum.h"
+#include "radiosity/run/solution.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,3 +1,4 @@
+#include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
@@ -7,7 +8,6 @@
 #include "commands/options/scene_options.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/tessellation.h"
-#include "scene/text/text_format.h"
 #include "study/paper_report.h"
 #include "study/study_table.h"
 

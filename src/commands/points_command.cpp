@@ -1,14 +1,15 @@
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
+#include "cli/options/choices.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
 #include "export/csv_text.h"
 #include "export/svg/point_plots.h"
 #include "sampling/discrepancy.h"
 #include "sampling/sequence.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/usage_error.h"
+#include "cli/options/choices.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "scene/text/text_format.h"
 
 namespace multipath {
 

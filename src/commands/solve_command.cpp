@@ -2,8 +2,10 @@
 // and prepares the state from which the run may resume. As much as possible is refused before the long work begins.
 // solve_job.cpp solves and writes the outputs.
 
+#include "base/elementary.h"
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "commands/commands.h"
 #include "commands/options/memory_limit.h"
@@ -11,13 +13,10 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
-#include "geometry/elementary.h"
 #include "image/camera.h"
 #include "radiosity/family/importance.h"
 #include "refinement/adaptive_patches.h"
 #include "refinement/shown_error.h"
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,14 @@
 // a cache folder, so that an interrupted study resumes. A checksum of options and scene is part of the name of a file
 // in the cache. The file itself records the sources of the program, and a program from other sources does not use it.
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
+#include "cli/options/choices.h"
 #include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/version.h"
@@ -20,10 +22,8 @@
 #include "commands/solve/saved_run.h"
 #include "export/patch_table.h"
 #include "image/checksum.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/statistics.h"
 #include "refinement/shown_error.h"
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
 #include "study/study_table.h"

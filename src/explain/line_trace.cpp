@@ -5,13 +5,14 @@
 
 #include "explain/line_trace.h"
 
+#include "base/errors.h"
 #include "radiosity/family/gathering_walk.h"
 #include "radiosity/family/transillumination.h"
-#include "radiosity/first_stage.h"
-#include "radiosity/line_budget.h"
-#include "radiosity/multipath.h"
-#include "radiosity/solve_options.h"
-#include "scene/input_error.h"
+#include "radiosity/paper/first_stage.h"
+#include "radiosity/paper/line_budget.h"
+#include "radiosity/paper/multipath.h"
+#include "radiosity/run/item_plan.h"
+#include "radiosity/run/solve_options.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "radiosity/extended_first_shot.h"
 #include "radiosity/family/stochastic_jacobi.h"
-#include "radiosity/local_monte_carlo.h"
-#include "radiosity/solve_options.h"
+#include "radiosity/paper/extended_first_shot.h"
+#include "radiosity/paper/local_monte_carlo.h"
+#include "radiosity/run/solve_options.h"
 #include "sampling/sequence.h"
 #include "transport/lines/line_segments.h"
 

@@ -1,6 +1,6 @@
 #include "export/html_text.h"
 
-#include "scene/text/text_format.h"
+#include "base/text_format.h"
 
 namespace multipath {
 

@@ -1,6 +1,6 @@
 #include "export/json.h"
 
-#include "scene/text/text_format.h"
+#include "base/text_format.h"
 
 #include <algorithm>
 #include <array>

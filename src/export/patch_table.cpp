@@ -1,8 +1,8 @@
 #include "export/patch_table.h"
 
+#include "base/memory.h"
 #include "export/csv_text.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 
 #include "export/state_file.h"
 
+#include "base/errors.h"
 #include "sampling/random.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "export/file_bytes.h"
-#include "parallel/archive.h"
+#include "base/archive.h"
+#include "base/file_bytes.h"
 #include "scene/scene.h"
 
 #include <cstdint>

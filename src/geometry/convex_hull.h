@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/line.h"
 #include "geometry/surface.h"
 #include "geometry/vec3.h"
-#include "parallel/memory.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "geometry/polygon.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

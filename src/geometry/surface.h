@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/bounds.h"
 #include "geometry/vec3.h"
-#include "parallel/memory.h"
 
 namespace multipath {
 

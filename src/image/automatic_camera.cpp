@@ -10,12 +10,12 @@
 
 #include "image/automatic_camera.h"
 
+#include "base/elementary.h"
+#include "base/errors.h"
 #include "geometry/bounds.h"
-#include "geometry/elementary.h"
 #include "geometry/polygon.h"
 #include "image/view_quality.h"
 #include "sampling/warp.h"
-#include "scene/input_error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "image/camera.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
+#include "base/errors.h"
 #include "sampling/warp.h"
-#include "scene/input_error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/line.h"

@@ -1,6 +1,6 @@
 #include "image/colour_scale.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "image/tone_map.h"
 
 #include <algorithm>

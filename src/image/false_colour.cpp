@@ -1,6 +1,6 @@
 #include "image/false_colour.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "image/colour_scale.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"

@@ -1,6 +1,6 @@
 #include "image/image.h"
 
-#include "scene/little_endian.h"
+#include "base/little_endian.h"
 
 namespace multipath {
 

@@ -5,8 +5,8 @@
 
 #include "image/png.h"
 
+#include "base/text_format.h"
 #include "image/checksum.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

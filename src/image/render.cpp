@@ -1,6 +1,6 @@
 #include "image/render.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/hit.h"
 #include "image/camera.h"
 #include "image/exposure.h"

@@ -5,7 +5,7 @@
 
 #include "image/tone_map.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

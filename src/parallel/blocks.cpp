@@ -1,5 +1,7 @@
 #include "parallel/blocks.h"
 
+#include "base/errors.h"
+
 #include <exception>
 #include <system_error>
 

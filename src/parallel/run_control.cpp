@@ -4,6 +4,8 @@
 
 #include "parallel/run_control.h"
 
+#include "base/errors.h"
+
 #include <utility>
 
 namespace multipath {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel/archive.h"
+#include "base/archive.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/errors.h"
 #include "parallel/blocks.h"
 #include "parallel/run_control.h"
 
@@ -20,7 +21,7 @@ namespace multipath {
 /// runs once at a time, in the order of the numbers, on changing threads. A block is used again as it was left. visit()
 /// names all that take() changes, also outside the stage. A run that is resumed must make an equal stage again.
 /// Exceptions as in parallel_blocks. Throws ArchiveError if the checkpoint holds the state of another stage. A short
-/// example is GlobalStage in radiosity/multipath.cpp.
+/// example is GlobalStage in radiosity/paper/multipath.cpp.
 template <class Stage>
 std::uint64_t run_stage(const char* name, Stage& stage, const RunControl& run)
 {

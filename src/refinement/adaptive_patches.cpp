@@ -1,6 +1,6 @@
 #include "refinement/adaptive_patches.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "image/shading/smooth_shading.h"
 
 #include <algorithm>

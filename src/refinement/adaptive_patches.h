@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/scene.h"
 
 #include <cstdint>

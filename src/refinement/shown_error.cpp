@@ -11,7 +11,7 @@
 #include "image/shading/smooth_shading.h"
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
-#include "radiosity/runs/replicates.h"
+#include "radiosity/run/replicates.h"
 #include "sampling/random.h"
 #include "sampling/sequence.h"
 #include "sampling/warp.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/hit.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 

@@ -1,6 +1,7 @@
 #include "sampling/allotment.h"
 
-#include "parallel/memory.h"
+#include "base/errors.h"
+#include "base/memory.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "sampling/discrepancy.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The maps of warp.cpp to the sphere and the hemisphere, and the sine and cosine of geometry/elementary.h, for several
+// The maps of warp.cpp to the sphere and the hemisphere, and the sine and cosine of base/elementary.h, for several
 // points at a time: the same operations in the same order, with selections instead of branches. Read warp.cpp first.
 // This file is included once for each instruction set; parallel/lanes/plain.inl defines the functions of lanes.
 
@@ -20,7 +20,7 @@ KERNEL_CODE DoubleLanes polynomial(DoubleLanes y, const double* coefficients, in
     return sum;
 }
 
-/// The same as sin_cos_of_turns of geometry/elementary.h. Instead of a conversion to an integer, 2^52 is added, so that
+/// The same as sin_cos_of_turns of base/elementary.h. Instead of a conversion to an integer, 2^52 is added, so that
 /// the fraction is rounded away; the lowest bits of the sum are then those of the integer.
 KERNEL_CODE LaneSinCos sin_cos_of_turns(DoubleLanes turns)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel/mix_bits.h"
+#include "base/mix_bits.h"
 
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,6 @@
 #include "sampling/warp.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "sampling/warp_kernel.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "parallel/instruction_set.h"
 
 #define KERNELS "sampling/lane_warp.inl"

@@ -1,7 +1,7 @@
 #include "scene/daylight.h"
 
+#include "base/elementary.h"
 #include "geometry/bounds.h"
-#include "geometry/elementary.h"
 #include "geometry/intersector/surface_sizes.h"
 
 #include <cmath>

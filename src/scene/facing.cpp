@@ -7,10 +7,10 @@
 
 #include "scene/facing.h"
 
-#include "geometry/elementary.h"
+#include "base/disjoint_sets.h"
+#include "base/elementary.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/polygon.h"
-#include "parallel/disjoint_sets.h"
 #include "scene/random_ray.h"
 #include "scene/vertex_weld.h"
 

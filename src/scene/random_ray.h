@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/mix_bits.h"
 #include "geometry/surface.h"
-#include "parallel/mix_bits.h"
 
 #include <algorithm>
 #include <cmath>

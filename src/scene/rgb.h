@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 
 #include <cmath>
 

@@ -4,12 +4,12 @@
 
 #include "scene/scene.h"
 
+#include "base/errors.h"
+#include "base/mix_bits.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "parallel/blocks.h"
-#include "parallel/mix_bits.h"
-#include "scene/input_error.h"
 
 #include <array>
 #include <cmath>

@@ -6,9 +6,9 @@
 
 #include "scene/tessellation.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
+#include "base/errors.h"
 #include "geometry/intersector/surface_sizes.h"
-#include "scene/input_error.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include "scene/vertex_weld.h"
 
-#include "parallel/memory.h"
-#include "parallel/mix_bits.h"
+#include "base/memory.h"
+#include "base/mix_bits.h"
 
 #include <cmath>
 #include <cstring>

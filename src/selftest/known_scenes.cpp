@@ -1,6 +1,6 @@
 #include "selftest/known_scenes.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/polygon.h"
 #include "scene/scene_builder.h"

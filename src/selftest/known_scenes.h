@@ -2,7 +2,7 @@
 
 #include "geometry/surface.h"
 #include "geometry/vec3.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/scene_file.h"
 
 #include <functional>

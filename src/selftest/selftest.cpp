@@ -1,12 +1,12 @@
 #include "selftest/selftest.h"
 
+#include "base/elementary.h"
+#include "base/text_format.h"
 #include "export/csv_text.h"
-#include "geometry/elementary.h"
 #include "parallel/blocks.h"
-#include "radiosity/runs/replicates.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/replicates.h"
+#include "radiosity/run/statistics.h"
 #include "sampling/sequence.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

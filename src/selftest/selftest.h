@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "selftest/known_scenes.h"
 
 #include <cstddef>

@@ -1,10 +1,10 @@
 #include "study/convergence.h"
 
+#include "base/text_format.h"
 #include "image/checksum.h"
 #include "parallel/blocks.h"
-#include "radiosity/runs/replicates.h"
-#include "radiosity/statistics.h"
-#include "scene/text/text_format.h"
+#include "radiosity/run/replicates.h"
+#include "radiosity/run/statistics.h"
 #include "transport/lines/global_lines.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "radiosity/solve.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/solve.h"
+#include "radiosity/run/statistics.h"
 #include "study/curve.h"
 
 #include <cstdint>

@@ -4,9 +4,9 @@
 
 #include "study/convergence_plot.h"
 
+#include "base/elementary.h"
+#include "base/text_format.h"
 #include "export/svg/svg_plot.h"
-#include "geometry/elementary.h"
-#include "scene/text/text_format.h"
 #include "study/study_table.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "study/curve.h"
 
-#include "geometry/elementary.h"
-#include "radiosity/statistics.h"
+#include "base/elementary.h"
+#include "radiosity/run/statistics.h"
 
 #include <algorithm>
 #include <cmath>

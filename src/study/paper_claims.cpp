@@ -2,10 +2,10 @@
 // The statement holds if the interval lies inside the range, differs if it lies outside, and is undecided otherwise.
 // The result of formula (3), which has no interval, must agree with the printed one to 0.015.
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "study/paper_report.h"
 
-#include "radiosity/statistics.h"
+#include "radiosity/run/statistics.h"
 #include "study/study_table.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "study/paper_report.h"
 
-#include "export/file_bytes.h"
+#include "base/file_bytes.h"
+#include "base/text_format.h"
 #include "export/html_text.h"
-#include "scene/text/text_format.h"
 #include "study/study_table.h"
 
 namespace multipath {

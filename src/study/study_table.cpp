@@ -1,7 +1,7 @@
 #include "study/study_table.h"
 
+#include "base/text_format.h"
 #include "export/csv_text.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -1,17 +1,17 @@
 #include "viewer/viewer_page.h"
 
+#include "base/elementary.h"
+#include "base/little_endian.h"
+#include "base/text_format.h"
 #include "export/html_text.h"
 #include "export/json.h"
 #include "export/mesh/patch_mesh.h"
-#include "geometry/elementary.h"
 #include "image/colour_scale.h"
 #include "image/png.h"
 #include "image/render.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
-#include "scene/little_endian.h"
 #include "scene/scene_file.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "contest.h"
 #include "crossings.h"
 #include "embree_scene.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "sampling/sequence.h"
 #include "sampling/warp_kernel.h"
 #include "transport/lines/global_lines.h"

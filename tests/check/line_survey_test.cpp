@@ -1,6 +1,6 @@
 #include "check/scene_report.h"
 
-#include "radiosity/line_budget.h"
+#include "radiosity/paper/line_budget.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "test_scenes.h"

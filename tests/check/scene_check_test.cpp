@@ -1,7 +1,7 @@
 #include "check/scene_check.h"
 
 #include "check/scene_report.h"
-#include "radiosity/line_budget.h"
+#include "radiosity/paper/line_budget.h"
 #include "sampling/sequence.h"
 #include "scene/partitions.h"
 #include "scene/tessellation.h"

@@ -1,6 +1,6 @@
 #include "explain/line_trace.h"
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "scene/scene_builder.h"
 
 #include <doctest/doctest.h>

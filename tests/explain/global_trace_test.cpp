@@ -1,8 +1,8 @@
 #include "explain/line_trace.h"
 
-#include "radiosity/first_stage.h"
-#include "radiosity/solve.h"
-#include "scene/input_error.h"
+#include "base/errors.h"
+#include "radiosity/paper/first_stage.h"
+#include "radiosity/run/solve.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "explain/line_trace.h"
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

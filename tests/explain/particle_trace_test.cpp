@@ -1,7 +1,7 @@
 #include "explain/line_trace.h"
 
-#include "radiosity/solve.h"
-#include "scene/input_error.h"
+#include "base/errors.h"
+#include "radiosity/run/solve.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

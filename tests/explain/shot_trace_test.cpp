@@ -1,7 +1,7 @@
 #include "explain/line_trace.h"
 
-#include "radiosity/first_stage.h"
-#include "scene/input_error.h"
+#include "base/errors.h"
+#include "radiosity/paper/first_stage.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

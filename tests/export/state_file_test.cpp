@@ -1,3 +1,4 @@
+#include "base/errors.h"
 #include "doctest/doctest.h"
 #include "export/state_file.h"
 #include "scene/scene_builder.h"

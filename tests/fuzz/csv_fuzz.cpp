@@ -1,8 +1,8 @@
 // Any bytes as a table of patches: lists of one length, or an InputError.
 
+#include "base/errors.h"
 #include "export/patch_table.h"
 #include "fuzz_file.h"
-#include "scene/input_error.h"
 
 #include <cstdlib>
 

@@ -1,5 +1,6 @@
 // Any bytes as an image: pixels of the size told, or an ImageError.
 
+#include "base/errors.h"
 #include "fuzz_file.h"
 #include "scene/texture/image_formats.h"
 

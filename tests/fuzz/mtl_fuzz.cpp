@@ -1,7 +1,7 @@
 // Any bytes as an MTL file: materials that reflect and emit what light can, or an InputError.
 
+#include "base/errors.h"
 #include "fuzz_file.h"
-#include "scene/input_error.h"
 #include "scene/obj/mtl_reader.h"
 
 #include <cmath>

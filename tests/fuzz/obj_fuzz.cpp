@@ -1,7 +1,7 @@
 // Any bytes as an OBJ file: a scene that keeps its promises, or an InputError.
 
+#include "base/errors.h"
 #include "fuzz_file.h"
-#include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scene.h"
 #include "scene/tessellation.h"

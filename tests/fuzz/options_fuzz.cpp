@@ -1,16 +1,16 @@
 // Any words, one to a line, behind the name of any command: options within their limits, or a UsageError. The first
 // byte chooses the command.
 
+#include "base/errors.h"
+#include "cli/options/choices.h"
 #include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
 #include "commands/commands.h"
 #include "commands/options/method_options.h"
 #include "commands/options/picture_options.h"
 #include "commands/solve/accuracy.h"
 #include "commands/solve/formats.h"
 #include "fuzz_file.h"
-#include "scene/input_error.h"
 
 #include <cmath>
 #include <cstdlib>

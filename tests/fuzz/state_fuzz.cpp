@@ -1,7 +1,7 @@
 // Any arrays as the state of a run, under a checksum that is right: a run with a scene and its solution, or an error.
 
+#include "base/errors.h"
 #include "commands/solve/saved_run.h"
-#include "scene/input_error.h"
 
 #include <cstdlib>
 #include <memory>

@@ -1,5 +1,5 @@
+#include "base/elementary.h"
 #include "geometry/convex_hull.h"
-#include "geometry/elementary.h"
 #include "geometry/random_surfaces.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "geometry/polygon.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
 #include "image/automatic_camera.h"
 
+#include "base/errors.h"
 #include "geometry/polygon.h"
 #include "image/view_quality.h"
 #include "scene/daylight.h"
-#include "scene/input_error.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

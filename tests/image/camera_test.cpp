@@ -1,7 +1,7 @@
 #include "image/camera.h"
 
-#include "geometry/elementary.h"
-#include "scene/input_error.h"
+#include "base/elementary.h"
+#include "base/errors.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

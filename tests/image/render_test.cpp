@@ -3,7 +3,7 @@
 #include "image/automatic_camera.h"
 #include "image/false_colour.h"
 #include "image/shading/smooth_shading.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"

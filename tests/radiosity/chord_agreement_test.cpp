@@ -1,6 +1,6 @@
 // Lines from the sphere and lines from the box have the same density, so the same light must come out.
 
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/obj/obj_reader.h"
 #include "statistics.h"
 #include "test_scenes.h"

@@ -2,7 +2,7 @@
 // closed form where all form factors are, and in which direction in any room.
 
 #include "form_factor.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/obj/obj_reader.h"
 #include "statistics.h"
 #include "test_scenes.h"

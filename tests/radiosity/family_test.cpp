@@ -1,8 +1,8 @@
 // What the papers of the methods claim of them, on a closed box with two floating blocks (744 patches). The reference
 // is line reuse with many lines, whose error is below a hundredth of those compared.
 
-#include "radiosity/solve.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/solve.h"
+#include "radiosity/run/statistics.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scene_builder.h"
 #include "statistics.h"

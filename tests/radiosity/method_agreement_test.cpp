@@ -6,7 +6,7 @@
 // of the difference; each method is judged by the largest of all. What the walk leaves unshot makes it a little too
 // dark, and that is made up for: the missing light is that of the same scene lit by the unshot power alone.
 
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "scene/obj/obj_reader.h"
 #include "statistics.h"
 #include "transport/lines/global_lines.h"

@@ -2,8 +2,8 @@
 // the parameters that it states. The reference is the extended first shot with 32 times as many quasi-random lines,
 // whose error is below 2 % of those compared.
 
-#include "radiosity/solve.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/solve.h"
+#include "radiosity/run/statistics.h"
 #include "scene/obj/obj_reader.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "refinement/shown_error.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "image/shading/smooth_shading.h"
-#include "radiosity/runs/replicates.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/replicates.h"
+#include "radiosity/run/solve.h"
 #include "refinement/adaptive_patches.h"
 #include "scene/tessellation.h"
 #include "selftest/known_scenes.h"

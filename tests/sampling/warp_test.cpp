@@ -1,4 +1,4 @@
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 

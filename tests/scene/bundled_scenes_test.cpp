@@ -1,8 +1,8 @@
 // What the bundled scenes promise in their comments: sizes, soundness, the paper's figures, exact solutions.
 
-#include "radiosity/direct_light.h"
-#include "radiosity/line_budget.h"
-#include "radiosity/solve.h"
+#include "radiosity/paper/direct_light.h"
+#include "radiosity/paper/line_budget.h"
+#include "radiosity/run/solve.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/tessellation.h"
 #include "seeded_runs.h"

@@ -1,6 +1,6 @@
 #include "scene/facing.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "scene/daylight.h"
 #include "scene/scene_builder.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 
 #include <string>
 

@@ -1,3 +1,4 @@
+#include "base/errors.h"
 #include "scene/scene.h"
 
 #include "scene/input_problem.h"

@@ -1,4 +1,4 @@
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "scene/tessellation.h"
 #include "test_scenes.h"
 

@@ -1,9 +1,9 @@
 #include "selftest/known_scenes.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/form_factor/exchange_area.h"
 #include "geometry/intersector/intersector.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "sampling/random.h"
 #include "seeded_runs.h"
 

@@ -1,6 +1,6 @@
 #include "selftest/selftest.h"
 
-#include "radiosity/statistics.h"
+#include "radiosity/run/statistics.h"
 #include "scene/scene_builder.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "study/convergence.h"
 
-#include "radiosity/statistics.h"
+#include "radiosity/run/statistics.h"
 #include "scene/scratch_folder.h"
 #include "test_scenes.h"
 

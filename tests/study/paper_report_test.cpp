@@ -3,7 +3,7 @@
 
 #include "study/paper_report.h"
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "scene/scratch_folder.h"
 
 #include <algorithm>

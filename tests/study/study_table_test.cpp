@@ -1,6 +1,6 @@
 #include "study/study_table.h"
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "scene/scratch_folder.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Scenes of every kind, by every method (scene_judge.h).
 // `make sweep SEEDS=1-1000` judges the scenes of these numbers, `make sweep OBJ=FOLDER` the files of a folder.
 
-#include "radiosity/trapped_light.h"
+#include "radiosity/run/trapped_light.h"
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "sweep/random_scene.h"

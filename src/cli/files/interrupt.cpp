@@ -4,6 +4,7 @@
 
 #include "cli/files/interrupt.h"
 
+#include "base/errors.h"
 #include "cli/files/output_file.h"
 
 #include <array>

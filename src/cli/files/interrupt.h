@@ -2,10 +2,6 @@
 
 namespace multipath {
 
-// Exit codes of the program.
-constexpr int exit_failed = 1;
-constexpr int exit_interrupted = 130;
-
 // The signals below are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed). A signal that is already ignored
 // when the program starts (in background jobs of a shell, under nohup) stays ignored.
 

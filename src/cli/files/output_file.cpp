@@ -1,6 +1,7 @@
 #include "cli/files/output_file.h"
 
-#include "cli/options/usage_error.h"
+#include "base/errors.h"
+#include "cli/options/choices.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>

@@ -55,21 +55,6 @@ void remove_unfinished() noexcept;
 /// that was not renamed. Async-signal-safe.
 void settle_unfinished(void (*not_written)(const char* target)) noexcept;
 
-/// A result could not be written (exit code 1). The message is one line, such as "cannot write out/room.png: No space
-/// left on device".
-class OutputError : public std::runtime_error
-{
-public:
-    explicit OutputError(const std::string& message) : std::runtime_error(message) {}
-};
-
-/// The reader of standard output has closed it (EPIPE), as `head` does. The exit code is 1, but no message is printed.
-class ReaderGone : public OutputError
-{
-public:
-    using OutputError::OutputError;
-};
-
 /// Makes the folder if it does not exist. Throws OutputError if that fails, or if the path is something else than a
 /// folder.
 void make_folder(const std::string& path);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/options/usage_error.h"
+#include "cli/options/choices.h"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 #include "cli/options/help_text.h"
 
+#include "base/text_format.h"
 #include "cli/options/command_line.h"
 #include "cli/version.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 

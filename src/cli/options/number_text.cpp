@@ -3,7 +3,8 @@
 
 #include "cli/options/number_text.h"
 
-#include "cli/options/usage_error.h"
+#include "base/errors.h"
+#include "cli/options/choices.h"
 
 #include <algorithm>
 #include <charconv>

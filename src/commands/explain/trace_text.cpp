@@ -4,9 +4,9 @@
 
 #include "commands/explain/trace_text.h"
 
+#include "base/text_format.h"
 #include "cli/options/help_text.h"
 #include "explain/line_trace.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

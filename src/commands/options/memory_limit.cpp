@@ -1,12 +1,12 @@
 #include "commands/options/memory_limit.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/options/number_text.h"
-#include "radiosity/memory_estimate.h"
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/reuse/line_reuse.h"
-#include "radiosity/solve_options.h"
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
+#include "radiosity/run/memory_estimate.h"
+#include "radiosity/run/solve_options.h"
 
 #include <algorithm>
 #include <filesystem>

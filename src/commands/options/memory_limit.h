@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "radiosity/solve_options.h"
+#include "radiosity/run/solve_options.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 

@@ -1,7 +1,8 @@
 #include "commands/options/method_options.h"
 
+#include "base/errors.h"
+#include "cli/options/choices.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
 #include "commands/options/scene_options.h"
 #include "sampling/sequence.h"
 

@@ -1,12 +1,13 @@
 #include "commands/options/picture_options.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
+#include "cli/options/choices.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
 #include "image/automatic_camera.h"
 #include "image/false_colour.h"
 #include "image/view_quality.h"
 #include "radiosity/reuse/gathered_light.h"
-#include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 

@@ -4,7 +4,7 @@
 #include "image/camera.h"
 #include "image/gather/light_grid.h"
 #include "image/render.h"
-#include "radiosity/solution.h"
+#include "radiosity/run/solution.h"
 #include "scene/scene.h"
 
 #include <optional>

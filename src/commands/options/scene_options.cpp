@@ -1,15 +1,15 @@
 #include "commands/options/scene_options.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
+#include "cli/options/choices.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"
 #include "scene/facing.h"
-#include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/partitions.h"
 #include "scene/tessellation.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "commands/solve/accuracy.h"
 
+#include "base/errors.h"
 #include "cli/options/number_text.h"
-#include "cli/options/usage_error.h"
-#include "radiosity/runs/replicates.h"
+#include "radiosity/run/replicates.h"
 #include "sampling/sequence.h"
 
 #include <algorithm>

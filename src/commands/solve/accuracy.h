@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "radiosity/runs/replicates.h"
+#include "radiosity/run/replicates.h"
 
 #include <cstdint>
 #include <optional>

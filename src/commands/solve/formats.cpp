@@ -1,18 +1,19 @@
 #include "commands/solve/formats.h"
 
-#include "cli/options/usage_error.h"
+#include "base/elementary.h"
+#include "base/errors.h"
+#include "base/text_format.h"
+#include "cli/options/choices.h"
 #include "cli/progress.h"
 #include "export/csv_text.h"
 #include "export/mesh/coloured_mesh.h"
 #include "export/patch_table.h"
-#include "geometry/elementary.h"
 #include "image/false_colour.h"
 #include "image/image.h"
 #include "image/png.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
 #include "scene/scene_file.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include "export/mesh/glb.h"
 #include "export/mesh/lightmap.h"
 #include "export/mesh/patch_mesh.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 
 #include <functional>
 #include <optional>

@@ -6,6 +6,8 @@
 
 #include "commands/solve/saved_run.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
 #include "cli/options/number_text.h"
@@ -14,9 +16,7 @@
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
-#include "radiosity/solution.h"
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
+#include "radiosity/run/solution.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "export/patch_table.h"
 #include "export/state_file.h"
 #include "parallel/run_control.h"
-#include "radiosity/solution.h"
+#include "radiosity/run/solution.h"
 #include "scene/scene.h"
 
 #include <atomic>

@@ -1,9 +1,9 @@
 #include "commands/solve/solution_page.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "commands/explain/trace_drawing.h"
-#include "scene/input_error.h"
 #include "scene/scene_file.h"
-#include "scene/text/text_format.h"
 #include "viewer/viewer_page.h"
 
 #include <algorithm>

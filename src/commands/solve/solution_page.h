@@ -2,7 +2,7 @@
 
 #include "commands/explain/trace_text.h"
 #include "commands/options/picture_options.h"
-#include "radiosity/solve.h"
+#include "radiosity/run/solve.h"
 #include "viewer/viewer_page.h"
 
 #include <cstdint>

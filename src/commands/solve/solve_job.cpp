@@ -6,11 +6,13 @@
 
 #include "commands/solve/solve_job.h"
 
+#include "base/elementary.h"
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "check/scene_check.h"
 #include "check/scene_report.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/usage_error.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
@@ -18,15 +20,12 @@
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
-#include "geometry/elementary.h"
-#include "radiosity/line_budget.h"
+#include "radiosity/paper/line_budget.h"
 #include "radiosity/reuse/balanced_reuse.h"
-#include "radiosity/runs/replicates.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/replicates.h"
+#include "radiosity/run/statistics.h"
 #include "sampling/sequence.h"
-#include "scene/input_error.h"
 #include "scene/scene_file.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "commands/solve/accuracy.h"
 #include "commands/solve/saved_run.h"
 #include "export/json.h"
-#include "radiosity/solve_options.h"
+#include "radiosity/run/solve_options.h"
 
 #include <chrono>
 #include <optional>

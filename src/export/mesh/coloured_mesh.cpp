@@ -1,8 +1,8 @@
 #include "export/mesh/coloured_mesh.h"
 
+#include "base/little_endian.h"
+#include "base/text_format.h"
 #include "export/csv_text.h"
-#include "scene/little_endian.h"
-#include "scene/text/text_format.h"
 
 #include <array>
 #include <cstdint>

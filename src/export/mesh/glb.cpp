@@ -4,10 +4,10 @@
 
 #include "export/mesh/glb.h"
 
+#include "base/elementary.h"
+#include "base/errors.h"
+#include "base/little_endian.h"
 #include "export/json.h"
-#include "geometry/elementary.h"
-#include "scene/input_error.h"
-#include "scene/little_endian.h"
 
 #include <algorithm>
 #include <array>

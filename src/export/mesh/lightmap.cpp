@@ -10,13 +10,13 @@
 
 #include "export/mesh/lightmap.h"
 
+#include "base/errors.h"
+#include "base/little_endian.h"
+#include "base/memory.h"
+#include "base/mix_bits.h"
 #include "export/csv_text.h"
 #include "export/json.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
-#include "parallel/mix_bits.h"
-#include "scene/input_error.h"
-#include "scene/little_endian.h"
 #include "scene/vertex_weld.h"
 
 #include <algorithm>

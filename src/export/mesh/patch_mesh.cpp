@@ -1,12 +1,12 @@
 #include "export/mesh/patch_mesh.h"
 
+#include "base/errors.h"
 #include "geometry/bounds.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/polygon.h"
 #include "geometry/vec3.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
-#include "scene/input_error.h"
 
 #include <algorithm>
 #include <cmath>

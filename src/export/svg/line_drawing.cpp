@@ -3,8 +3,8 @@
 
 #include "export/svg/line_drawing.h"
 
+#include "base/elementary.h"
 #include "export/svg/svg_plot.h"
-#include "geometry/elementary.h"
 #include "geometry/polygon.h"
 
 #include <algorithm>

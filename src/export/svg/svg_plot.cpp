@@ -1,7 +1,7 @@
 #include "export/svg/svg_plot.h"
 
-#include "geometry/elementary.h"
-#include "scene/text/text_format.h"
+#include "base/elementary.h"
+#include "base/text_format.h"
 
 #include <algorithm>
 #include <array>

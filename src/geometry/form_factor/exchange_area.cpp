@@ -9,7 +9,7 @@
 
 #include "geometry/form_factor/exchange_area.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"
 #include "geometry/polygon.h"
 

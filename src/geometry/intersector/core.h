@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/bounds.h"
 #include "geometry/conditions.h"
 #include "geometry/intersector/block_filling.h"
@@ -13,7 +14,6 @@
 #include "geometry/intersector/tree.h"
 #include "geometry/line.h"
 #include "geometry/surface.h"
-#include "parallel/memory.h"
 
 #include <cstddef>
 #include <cstdint>

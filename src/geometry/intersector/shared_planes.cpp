@@ -5,8 +5,8 @@
 
 #include "geometry/intersector/shared_planes.h"
 
+#include "base/memory.h"
 #include "geometry/intersector/surface_sizes.h"
-#include "parallel/memory.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/bounds.h"
 #include "geometry/surface.h"
-#include "parallel/memory.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/conditions.h"
 #include "geometry/hit.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/line.h"
 #include "geometry/surface.h"
-#include "parallel/memory.h"
 
 #include <array>
 #include <cstdint>

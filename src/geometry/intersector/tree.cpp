@@ -5,8 +5,8 @@
 
 #include "geometry/intersector/tree.h"
 
+#include "base/memory.h"
 #include "geometry/intersector/surface_block.h"
-#include "parallel/memory.h"
 
 #include <algorithm>
 #include <array>

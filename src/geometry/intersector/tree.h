@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/bounds.h"
 #include "geometry/conditions.h"
 #include "geometry/intersector/filter_line.h"
 #include "geometry/intersector/surface_block.h"
-#include "parallel/memory.h"
 
 #include <cstdint>
 #include <vector>

@@ -9,9 +9,9 @@
 
 #include "image/gather/indirect_light.h"
 
+#include "base/mix_bits.h"
 #include "geometry/intersector/intersector.h"
 #include "image/image.h"
-#include "parallel/mix_bits.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 

@@ -1,13 +1,13 @@
 #include "image/gather/light_grid.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
 #include "image/gather/source_light.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
-#include "scene/input_error.h"
 #include "scene/scene_file.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,10 @@
 
 #include "image/shading/flat_regions.h"
 
+#include "base/disjoint_sets.h"
 #include "geometry/bounds.h"
 #include "geometry/polygon.h"
 #include "parallel/blocks.h"
-#include "parallel/disjoint_sets.h"
 #include "sampling/random.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "image/shading/patch_slopes.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "image/shading/smoothing_groups.h"
 #include "parallel/blocks.h"
 

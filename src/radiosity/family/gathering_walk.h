@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/local_monte_carlo.h"
+#include "radiosity/paper/local_monte_carlo.h"
 
 #include <cstdint>
 

@@ -4,6 +4,7 @@
 
 #include "radiosity/family/stochastic_jacobi.h"
 
+#include "base/errors.h"
 #include "parallel/stage.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"

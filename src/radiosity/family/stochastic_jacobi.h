@@ -2,7 +2,7 @@
 
 #include "parallel/run_control.h"
 #include "radiosity/family/importance.h"
-#include "radiosity/power_state.h"
+#include "radiosity/paper/power_state.h"
 #include "sampling/sequence.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "geometry/bounds.h"
 #include "geometry/line.h"
 #include "parallel/run_control.h"
-#include "radiosity/power_state.h"
+#include "radiosity/paper/power_state.h"
 #include "sampling/sequence.h"
 
 #include <cstdint>

@@ -10,10 +10,11 @@
 
 #include "radiosity/reuse/balanced_reuse.h"
 
-#include "geometry/elementary.h"
-#include "parallel/memory.h"
-#include "radiosity/memory_estimate.h"
+#include "base/elementary.h"
+#include "base/errors.h"
+#include "base/memory.h"
 #include "radiosity/reuse/exchange_solver.h"
+#include "radiosity/run/memory_estimate.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "transport/exchange/line_counts.h"

@@ -11,8 +11,8 @@
 
 #include "radiosity/reuse/denoising.h"
 
+#include "base/memory.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,8 @@
 
 #include "radiosity/reuse/exchange_solver.h"
 
+#include "base/memory.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
 #include "transport/exchange/conjugate_gradients.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/solution.h"
+#include "radiosity/run/solution.h"
 #include "transport/exchange/exchange.h"
 
 #include <vector>

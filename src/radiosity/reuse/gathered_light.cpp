@@ -5,11 +5,11 @@
 
 #include "radiosity/reuse/gathered_light.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
+#include "base/memory.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "transport/exchange/line_counts.h"

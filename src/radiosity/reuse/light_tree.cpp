@@ -1,10 +1,10 @@
 #include "radiosity/reuse/light_tree.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
+#include "base/memory.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/polygon.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
 #include "transport/exchange/unoccluded_exchange.h"
 
 #include <algorithm>

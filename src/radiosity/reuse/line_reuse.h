@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parallel/run_control.h"
-#include "radiosity/power_state.h"
+#include "radiosity/paper/power_state.h"
 #include "sampling/sequence.h"
 #include "transport/exchange/unoccluded_exchange.h"
 #include "transport/lines/global_lines.h"

@@ -5,7 +5,7 @@
 
 #include "scene/obj/cutouts.h"
 
-#include "scene/text/text_format.h"
+#include "base/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -3,12 +3,12 @@
 
 #include "scene/obj/light_advice.h"
 
+#include "base/text_format.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "scene/daylight.h"
 #include "scene/facing.h"
 #include "scene/random_ray.h"
-#include "scene/text/text_format.h"
 
 #include <algorithm>
 #include <array>

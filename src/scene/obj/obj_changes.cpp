@@ -1,7 +1,7 @@
-#include "scene/obj/obj_reader.h"
+#include "scene/obj/obj_changes.h"
 
-#include "scene/input_error.h"
-#include "scene/text/text_format.h"
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>

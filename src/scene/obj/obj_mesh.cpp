@@ -8,7 +8,7 @@
 
 #include "scene/obj/obj_mesh.h"
 
-#include "scene/text/text_format.h"
+#include "base/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 

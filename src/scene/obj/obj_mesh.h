@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/memory.h"
 #include "geometry/vec3.h"
-#include "parallel/memory.h"
 #include "scene/rgb.h"
 #include "scene/texture/texture.h"
 

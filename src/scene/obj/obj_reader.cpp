@@ -5,8 +5,9 @@
 
 #include "scene/obj/obj_reader.h"
 
+#include "base/errors.h"
+#include "base/text_format.h"
 #include "geometry/intersector/surface_sizes.h"
-#include "scene/input_error.h"
 #include "scene/obj/cutouts.h"
 #include "scene/obj/light_advice.h"
 #include "scene/obj/mesh_pieces.h"
@@ -14,7 +15,6 @@
 #include "scene/obj/obj_mesh.h"
 #include "scene/obj/obj_textures.h"
 #include "scene/obj/parallelogram_merge.h"
-#include "scene/text/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 #include "scene/vertex_weld.h"

@@ -4,7 +4,8 @@
 
 #include "scene/obj/obj_textures.h"
 
-#include "scene/text/text_format.h"
+#include "base/errors.h"
+#include "base/text_format.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "scene/text/text_lines.h"
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "scene/text/text_words.h"
 
-#include "scene/text/text_format.h"
+#include "base/text_format.h"
 
 #include <algorithm>
 #include <array>

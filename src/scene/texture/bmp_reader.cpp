@@ -1,6 +1,7 @@
 // Reader of Windows bitmaps with a BITMAPCOREHEADER or with a BITMAPINFOHEADER, whose later versions only append
 // fields.
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 

@@ -23,14 +23,6 @@ struct Bitmap
     const std::uint8_t* row(std::uint32_t y) const { return &rgb[std::size_t{3} * width * y]; }
 };
 
-/// An error in an image file. The message does not name the file: it is a predicate of which the file is the subject
-/// ("ends too early"), or a sentence of its own ("12 bits per pixel are not supported").
-class ImageError : public std::runtime_error
-{
-public:
-    explicit ImageError(const std::string& message) : std::runtime_error(message) {}
-};
-
 /// Throws ImageError for an image without pixels or with more than 2^26 pixels (8192 x 8192).
 void require_bitmap_size(std::uint32_t width, std::uint32_t height);
 

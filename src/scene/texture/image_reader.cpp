@@ -1,3 +1,4 @@
+#include "base/errors.h"
 #include "scene/texture/image_formats.h"
 
 #include "scene/text/text_words.h"

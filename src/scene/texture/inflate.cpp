@@ -1,6 +1,7 @@
 // Decompression of a deflate stream (RFC 1951) in the zlib format (RFC 1950). A stream is a list of blocks, each stored
 // or coded with two prefix codes: one for literal bytes and the lengths of matches, one for the distances of matches.
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 
 #include "scene/texture/image_formats.h"

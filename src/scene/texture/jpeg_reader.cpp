@@ -13,6 +13,7 @@
 // Bytes between segments, the numbers of restart markers and a missing end marker are ignored, the last unless a
 // progressive file lacks scans. Any other violation of the standard is an error.
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 

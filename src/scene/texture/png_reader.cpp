@@ -2,6 +2,7 @@
 // filtered rows. The checksums of chunks are ignored: damaged pixels show in the Adler-32 checksum of the stream, and a
 // wrong checksum elsewhere is no reason to refuse a texture.
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 

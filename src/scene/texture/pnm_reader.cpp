@@ -1,5 +1,6 @@
 // Reader of Netpbm files: bitmaps (P1, P4), grey maps (P2, P5) and colour maps (P3, P6), as text (P1 to P3) or binary.
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 

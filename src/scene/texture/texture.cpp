@@ -9,7 +9,7 @@
 
 #include "scene/texture/texture.h"
 
-#include "parallel/mix_bits.h"
+#include "base/mix_bits.h"
 #include "scene/texture/image_formats.h"
 
 #include <algorithm>

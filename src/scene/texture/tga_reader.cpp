@@ -1,5 +1,6 @@
 // Reader of Truevision TGA files (TGA file format specification 2.0, 1991).
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 

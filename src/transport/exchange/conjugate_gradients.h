@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/memory.h"
 #include "parallel/blocks.h"
-#include "parallel/memory.h"
 #include "scene/rgb.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel/memory.h"
+#include "base/memory.h"
 #include "scene/rgb.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "transport/exchange/exchange_estimate.h"
 
+#include "base/disjoint_sets.h"
 #include "parallel/blocks.h"
-#include "parallel/disjoint_sets.h"
 
 #include <algorithm>
 #include <limits>

@@ -8,6 +8,7 @@
 
 #include "transport/exchange/line_counts.h"
 
+#include "base/errors.h"
 #include "parallel/blocks.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel/archive.h"
+#include "base/archive.h"
 #include "parallel/run_control.h"
 #include "sampling/allotment.h"
 #include "sampling/sequence.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "parallel/archive.h"
-#include "parallel/memory.h"
+#include "base/archive.h"
+#include "base/memory.h"
 #include "parallel/run_control.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"

@@ -1,6 +1,7 @@
 #include "transport/exchange/pair_rays.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
+#include "base/errors.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
 #include "parallel/blocks.h"

@@ -1,8 +1,8 @@
 #include "transport/exchange/sparse_exchange.h"
 
+#include "base/disjoint_sets.h"
+#include "base/memory.h"
 #include "parallel/blocks.h"
-#include "parallel/disjoint_sets.h"
-#include "parallel/memory.h"
 
 #include <algorithm>
 #include <cmath>

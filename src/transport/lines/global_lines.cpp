@@ -10,7 +10,7 @@
 
 #include "transport/lines/global_lines.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "sampling/warp.h"
 #include "sampling/warp_kernel.h"
 

@@ -1,8 +1,9 @@
+#include "base/errors.h"
 #include "cli/files/output_file.h"
 
+#include "base/file_bytes.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/usage_error.h"
-#include "export/file_bytes.h"
+#include "cli/options/choices.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>

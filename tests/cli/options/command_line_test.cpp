@@ -1,6 +1,7 @@
+#include "base/errors.h"
 #include "cli/options/command_line.h"
 
-#include "cli/options/usage_error.h"
+#include "cli/options/choices.h"
 
 #include <doctest/doctest.h>
 

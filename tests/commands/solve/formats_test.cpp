@@ -1,6 +1,7 @@
+#include "base/errors.h"
 #include "commands/solve/formats.h"
 
-#include "cli/options/usage_error.h"
+#include "cli/options/choices.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #include "commands/solve/saved_run.h"
 
+#include "base/errors.h"
 #include "commands/commands.h"
-#include "scene/input_error.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

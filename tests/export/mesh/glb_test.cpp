@@ -1,9 +1,9 @@
 #include "export/mesh/glb.h"
 
+#include "base/elementary.h"
 #include "export/mesh/glb_reader.h"
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
-#include "geometry/elementary.h"
 #include "image/shading/smooth_shading.h"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
 #include "export/mesh/lightmap.h"
 
+#include "base/errors.h"
 #include "export/mesh/glb_reader.h"
 #include "export/mesh/json_reader.h"
 #include "export/mesh/mesh_scenes.h"
-#include "scene/input_error.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scratch_folder.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/text_format.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scratch_folder.h"
-#include "scene/text/text_format.h"
 #include "test_scenes.h"
 
 #include <algorithm>

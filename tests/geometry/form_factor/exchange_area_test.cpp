@@ -1,6 +1,6 @@
 #include "geometry/form_factor/exchange_area.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/random_surfaces.h"
 #include "geometry/surface_pieces.h"
 #include "selftest/known_scenes.h"

@@ -1,6 +1,6 @@
 #include "image/gather/indirect_light.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/polygon.h"
 #include "test_scenes.h"

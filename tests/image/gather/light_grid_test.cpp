@@ -1,6 +1,6 @@
 #include "image/gather/light_grid.h"
 
-#include "scene/input_error.h"
+#include "base/errors.h"
 #include "test_scenes.h"
 
 #include <algorithm>

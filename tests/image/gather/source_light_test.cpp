@@ -1,6 +1,6 @@
 #include "image/gather/source_light.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/intersector/intersector.h"
 #include "sampling/sequence.h"
 #include "scene/daylight.h"

@@ -1,9 +1,9 @@
 #include "radiosity/reuse/balanced_reuse.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "paused_work.h"
-#include "radiosity/solve.h"
-#include "radiosity/statistics.h"
+#include "radiosity/run/solve.h"
+#include "radiosity/run/statistics.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
 

@@ -1,6 +1,6 @@
 #include "radiosity/reuse/light_tree.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "sampling/random.h"
 #include "test_scenes.h"
 

@@ -1,13 +1,13 @@
 // The lines of `reuse` are counted, and the light is solved for. What can be known exactly must come out exactly, up to
 // the quadrature of the form factors (1e-5), and what the lines leave open must shrink with their number.
 
+#include "base/errors.h"
 #include "geometry/form_factor/exchange_area.h"
-#include "radiosity/memory_estimate.h"
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/reuse/exchange_solver.h"
-#include "radiosity/solve.h"
-#include "radiosity/statistics.h"
-#include "scene/input_error.h"
+#include "radiosity/run/memory_estimate.h"
+#include "radiosity/run/solve.h"
+#include "radiosity/run/statistics.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 #include "transport/exchange/pair_counts.h"

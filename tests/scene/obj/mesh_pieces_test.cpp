@@ -1,6 +1,6 @@
 #include "scene/obj/mesh_pieces.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "scene/input_problem.h"
 
 #include <algorithm>

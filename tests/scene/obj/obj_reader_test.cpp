@@ -1,6 +1,6 @@
 #include "scene/obj/obj_reader.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "scene/input_problem.h"
 #include "scene/obj/light_advice.h"
 #include "scene/scratch_folder.h"

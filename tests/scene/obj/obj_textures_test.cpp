@@ -1,6 +1,5 @@
 #include "scene/obj/obj_textures.h"
 
-#include "scene/input_error.h"
 #include "scene/input_problem.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scene.h"

@@ -1,5 +1,6 @@
 // The texture readers on tiny files with known pixels, and on damaged ones.
 
+#include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 

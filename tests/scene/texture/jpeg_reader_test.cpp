@@ -1,6 +1,7 @@
 // Small files made by cjpeg, jpegtran and ImageMagick; the pixels expected are those of libjpeg-turbo's
 // "djpeg -dct int", the accurate integer transform. Rounding may differ by one level.
 
+#include "base/errors.h"
 #include "scene/texture/image_formats.h"
 
 #include "image/png.h"

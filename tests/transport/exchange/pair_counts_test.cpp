@@ -1,6 +1,6 @@
 #include "transport/exchange/pair_counts.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "test_scenes.h"
 #include "transport/lines/line_segments.h"
 

@@ -1,6 +1,6 @@
 #include "transport/exchange/pair_rays.h"
 
-#include "geometry/elementary.h"
+#include "base/elementary.h"
 #include "geometry/form_factor/exchange_area.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"

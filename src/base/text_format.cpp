@@ -1,0 +1,141 @@
+#include "base/text_format.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+namespace multipath {
+
+std::string format(const char* pattern, ...)
+{
+    va_list values;
+    va_start(values, pattern);
+    va_list values_again;
+    va_copy(values_again, values);
+    const int length = std::vsnprintf(nullptr, 0, pattern, values);
+    va_end(values);
+    std::string text(static_cast<std::size_t>(std::max(length, 0)), '\0');
+    std::vsnprintf(text.data(), text.size() + 1, pattern, values_again);
+    va_end(values_again);
+    return text;
+}
+
+std::string grouped(std::uint64_t count)
+{
+    std::string digits = std::to_string(count);
+    for (std::size_t position = digits.size(); position > 3; position -= 3)
+        digits.insert(position - 3, ",");
+    return digits;
+}
+
+std::string join(const std::vector<std::string>& parts, std::string_view separator)
+{
+    std::string text;
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        text.append(k == 0 ? "" : separator).append(parts[k]);
+    return text;
+}
+
+std::string first_of(std::vector<std::string> parts, std::size_t most)
+{
+    const std::size_t others = parts.size() - std::min(parts.size(), most);
+    parts.resize(parts.size() - others);
+    return join(parts) + (others > 0 ? " and " + std::to_string(others) + " more" : "");
+}
+
+std::string counted(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+namespace {
+
+bool is_continuation(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;
+}
+
+} // namespace
+
+std::size_t utf8_character_size(std::string_view text)
+{
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    if (text.empty())
+        return 0;
+    if (byte(0) < 0x80)
+        return 1;
+    const std::size_t size = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < size)
+        return 0;
+    for (std::size_t k = 1; k < size; ++k)
+        if (!is_continuation(text[k]))
+            return 0;
+    // Overlong encodings, surrogates of UTF-16, and values above the last character.
+    const bool wrong = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
+                       (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
+    return wrong ? 0 : size;
+}
+
+std::string valid_utf8(std::string_view text)
+{
+    std::string valid;
+    while (!text.empty()) {
+        const std::size_t length = utf8_character_size(text);
+        if (length == 0) {
+            const auto latin = static_cast<unsigned char>(text[0]);
+            valid += static_cast<char>(0xc0 | latin >> 6);
+            valid += static_cast<char>(0x80 | (latin & 0x3f));
+        } else {
+            valid += text.substr(0, length);
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return valid;
+}
+
+std::size_t column_count(std::string_view text)
+{
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation));
+}
+
+namespace {
+
+/// Characters that no shell interprets.
+constexpr std::string_view plain_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,^%+=@";
+
+bool is_control(char c)
+{
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+/// A character as it is written inside $'...'.
+std::string escaped(char c)
+{
+    if (c == '\'' || c == '\\')
+        return {'\\', c};
+    if (!is_control(c))
+        return {c};
+    return {'\\', static_cast<char>('0' + (c >> 6)), static_cast<char>('0' + (c >> 3 & 7)),
+            static_cast<char>('0' + (c & 7))};
+}
+
+} // namespace
+
+std::string shell_word(std::string_view text)
+{
+    if (!text.empty() && text.find_first_not_of(plain_characters) == std::string_view::npos)
+        return std::string(text);
+    const bool escapes = std::any_of(text.begin(), text.end(), is_control);
+    std::string quoted = escapes ? "$'" : "'";
+    for (const char c : text)
+        quoted += escapes ? escaped(c) : c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string option_text(std::string_view name, std::string_view value)
+{
+    return " --" + std::string(name) + (value.substr(0, 2) == "--" ? "=" : " ") + shell_word(value);
+}
+
+} // namespace multipath

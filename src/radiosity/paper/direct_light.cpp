@@ -1,0 +1,260 @@
+// The figures of (3) that depend on the direct light. Rays from the sources, as in the first shot, estimate the
+// received power and with it the reflectance of the lit patches. They would miss patches of which only a border is lit,
+// so f is found from the other end: shadow rays join every patch, or a stratified sample of many patches, with points
+// of the sources, until one of them is free.
+
+#include "radiosity/paper/direct_light.h"
+
+#include "geometry/intersector/hit_lists.h"
+#include "parallel/blocks.h"
+#include "radiosity/paper/first_shot.h"
+#include "sampling/halton.h"
+#include "sampling/random.h"
+#include "transport/lines/depth_complexity.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace multipath {
+
+namespace {
+
+/// Distribution of the source patches by power.
+struct Sources
+{
+    std::vector<std::uint32_t> patches;
+    std::vector<double> power_before; ///< [W] cumulative sums, starting with 0
+
+    explicit Sources(const Scene& scene) : power_before{0.0}
+    {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const double power = scene.area(i) * mean(scene.first_light(i));
+            if (power > 0.0) {
+                patches.push_back(i);
+                power_before.push_back(power_before.back() + power);
+            }
+        }
+    }
+    /// The patch for x in [0, 1).
+    std::uint32_t at(double x) const
+    {
+        const auto above = std::upper_bound(power_before.begin(), power_before.end(), x * power_before.back());
+        const auto index = static_cast<std::size_t>(above - power_before.begin()) - 1;
+        return patches[std::min(index, patches.size() - 1)];
+    }
+};
+
+/// The point of the patch for (a, b) in the unit square. Unlike square_to_uniform_surface, it folds the square along
+/// its diagonal onto a triangle, so that the grid of snapped_to_grid() stays regular from border to border.
+Vec3 point_on(const Surface& shape, double a, double b)
+{
+    if (shape.shape == Shape::triangle && a + b > 1.0)
+        return shape.at(1.0 - a, 1.0 - b);
+    return shape.at(a, b);
+}
+
+/// The nearest of five grid coordinates from border to border: a patch that is barely lit is lit at its border, from
+/// the border of a source.
+double snapped_to_grid(double x)
+{
+    constexpr double inset = 1e-4;
+    return inset + (1.0 - 2.0 * inset) * 0.25 * std::floor(5.0 * x);
+}
+
+/// End points of a shadow ray: a point of a source, and the point (a, b) of any patch.
+struct Probe
+{
+    Vec3 from;
+    Vec3 source_normal;
+    std::uint32_t source_surface;
+    double a, b; ///< position on the patch
+};
+
+std::vector<Probe> make_probes(const Scene& scene, std::uint64_t count)
+{
+    const Sources sources(scene);
+    std::vector<Probe> probes;
+    for (std::uint64_t k = 1; k <= count; ++k) {
+        const auto coordinate = [&](std::uint64_t base) {
+            const double x = radical_inverse(base, k);
+            return k % 2 == 0 ? x : snapped_to_grid(x);
+        };
+        const Patch source = scene.patch(sources.at(radical_inverse(13, k)));
+        probes.push_back({point_on(source.shape, coordinate(5), coordinate(7)), source.shape.normal(), source.surface,
+                          coordinate(2), coordinate(3)});
+    }
+    return probes;
+}
+
+/// A patch with the area that it represents.
+struct Representative
+{
+    std::uint32_t patch;
+    double area; ///< [scene units^2]
+};
+
+/// All patches with their own areas if there are no more than `most`. Otherwise a stratified random sample by area,
+/// with one point in each of `most` equal strata of the cumulative area. Equidistant points would alias with the grids
+/// into which surfaces are divided.
+std::vector<Representative> representatives(const Scene& scene, std::uint32_t most)
+{
+    std::vector<Representative> chosen;
+    if (scene.patch_count() <= most) {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            chosen.push_back({i, scene.area(i)});
+        return chosen;
+    }
+    constexpr std::uint64_t key = random_key(RandomStream::chosen_patches); // the same sample in every run
+    const double stratum = scene.total_area() / most;
+    std::uint32_t patch = 0;
+    double end = scene.area(patch); // of the patch, as cumulative area
+    for (std::uint32_t k = 0; k < most; ++k) {
+        const double point = (k + bits_to_unit(random_bits(key, k))) * stratum;
+        while (end <= point && patch + 1 < scene.patch_count())
+            end += scene.area(++patch);
+        if (!chosen.empty() && chosen.back().patch == patch)
+            chosen.back().area += stratum;
+        else
+            chosen.push_back({patch, stratum});
+    }
+    return chosen;
+}
+
+/// Finds which patches see any of the points on the sources. All patches that are not known to be lit cast their next
+/// shadow rays together.
+class LightSearch
+{
+public:
+    LightSearch(const Scene& scene, const std::vector<Probe>& probes, const Representative* first,
+                const Representative* end)
+        : scene_(scene), probes_(probes)
+    {
+        for (const Representative* chosen = first; chosen != end; ++chosen) {
+            const Surface shape = scene.patch(chosen->patch).shape;
+            patches_.push_back({chosen->patch, chosen->area, shape, shape.normal()});
+        }
+        unlit_.resize(patches_.size());
+        std::iota(unlit_.begin(), unlit_.end(), std::size_t{0});
+    }
+
+    /// [scene units^2] represented by the lit patches.
+    double lit_area()
+    {
+        constexpr std::size_t rays_together = 1024;
+        for (std::size_t done = 0; done < probes_.size() && !unlit_.empty();) {
+            const std::size_t next =
+                std::min(probes_.size(), done + std::max<std::size_t>(1, rays_together / unlit_.size()));
+            cast_probes(done, next);
+            done = next;
+        }
+        double area = 0.0;
+        for (const Target& patch : patches_)
+            area += patch.lit ? patch.area : 0.0;
+        return area;
+    }
+
+private:
+    struct Target
+    {
+        std::uint32_t number;
+        double area; ///< represented [scene units^2]
+        Surface shape;
+        Vec3 normal;
+        bool lit = false;
+    };
+
+    void cast_probes(std::size_t first, std::size_t end)
+    {
+        surfaces_.clear();
+        targets_.clear();
+        rays_.clear();
+        tested_.clear();
+        for (const std::size_t k : unlit_)
+            for (std::size_t t = first; t < end; ++t) {
+                const Probe& probe = probes_[t];
+                const Target& patch = patches_[k];
+                const Line ray = {probe.from, point_on(patch.shape, probe.a, probe.b) - probe.from};
+                if (dot(ray.direction, probe.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0) {
+                    surfaces_.push_back(probe.source_surface);
+                    targets_.push_back(scene_.surface_of(patch.number));
+                    rays_.push_back(ray);
+                    tested_.push_back(k);
+                }
+            }
+        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
+        for (std::size_t r = 0; r < rays_.size(); ++r) {
+            Target& patch = patches_[tested_[r]];
+            patch.lit = patch.lit || (hits_.is_hit(r) && receiving_patch(scene_, hits_[r]) == patch.number);
+        }
+        const auto is_lit = [this](std::size_t k) { return patches_[k].lit; };
+        unlit_.erase(std::remove_if(unlit_.begin(), unlit_.end(), is_lit), unlit_.end());
+    }
+
+    const Scene& scene_;
+    const std::vector<Probe>& probes_;
+    std::vector<Target> patches_;
+    std::vector<std::size_t> unlit_; ///< indices of the patches not known to be lit
+    std::vector<std::uint32_t> surfaces_;
+    std::vector<std::uint32_t> targets_; ///< surfaces
+    std::vector<Line> rays_;
+    std::vector<std::size_t> tested_; ///< index of the patch that each ray tests
+    FirstHits hits_;
+};
+
+/// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many. `share` scales the
+/// number of patches and of rays.
+double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int threads)
+{
+    const auto shadow_rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
+    const std::vector<Probe> probes =
+        make_probes(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
+    const auto least_patches = static_cast<std::uint64_t>(std::max(16.0, share * (1u << 13)));
+    const auto most_patches =
+        static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, least_patches, 1u << 16));
+    const std::vector<Representative> chosen = representatives(scene, most_patches);
+    constexpr std::uint32_t patches_at_a_time = 256;
+    std::vector<double> area(chosen.size() / patches_at_a_time + 1, 0.0);
+    parallel_ranges(static_cast<std::uint32_t>(chosen.size()), patches_at_a_time, threads,
+                    [&](std::uint32_t first, std::uint32_t end) {
+                        area[first / patches_at_a_time] =
+                            LightSearch(scene, probes, chosen.data() + first, chosen.data() + end).lit_area();
+                    });
+    return std::accumulate(area.begin(), area.end(), 0.0);
+}
+
+} // namespace
+
+DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, int threads)
+{
+    const double share = affordable_source_rays(scene);
+    const auto rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
+    PowerState state(scene);
+    const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
+    if (shots.empty()) // the sun shines on nothing
+        return {};
+    spend(scene, 0.0, shots, state);
+    shoot(scene, *sequence, 0, shots, {threads}, state);
+
+    double received = 0.0;  // [W]
+    double reflected = 0.0; // [W]
+    double squares = 0.0;   // sum of A b^2 [W^2/m^2]
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double power = mean(state.incident[i]);
+        const double sent_on = mean(scene.reflectance(i) * state.incident[i]);
+        received += power;
+        reflected += sent_on;
+        squares += sent_on * sent_on / scene.area(i);
+    }
+    DirectLight result;
+    result.lit_fraction =
+        lit_area(scene, most_rays, std::min(share, affordable_patch_rays(scene)), threads) / scene.total_area();
+    result.secondary_reflectance = received > 0.0 ? reflected / received : 0.0;
+    result.effective_fraction = squares > 0.0 ? reflected * reflected / (scene.total_area() * squares) : 0.0;
+    return result;
+}
+
+} // namespace multipath

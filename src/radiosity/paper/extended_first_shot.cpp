@@ -1,0 +1,131 @@
+// The pseudocode of section 4.1 of the paper, with these differences:
+//
+// * The paper's user sets PowerByLine. Here N_l, the number of rays, is given, and PowerByLine is the power of all
+// passes
+//   over N_l. That power is not known beforehand: a pilot with a few rays, which do not count among the N_l, estimates
+//   it. Each pass divides what is still to be shot by the rays that are left, so that all rays carry about the same
+//   power, and an error of the pilot does not add up.
+// * All shots of a pass are planned before its first ray: what a patch receives in a pass it shoots in the next one, as
+//   the text of the paper says. The pseudocode changes the patches while it goes over them.
+// * The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
+//   that is worth less than a ray gets one at random (plan_shots).
+// * The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
+// global
+//   pass.
+// * Powers instead of radiosities, and three colours: the threshold applies to their mean.
+
+#include "radiosity/paper/extended_first_shot.h"
+
+#include "sampling/random.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace multipath {
+
+namespace {
+
+/// Offset of the rounding to whole rays: 0.5 in the first pass, so that a plain first shot has exactly its number of
+/// rays; random in later passes, so that no patch is favoured.
+double rounding_offset(std::uint64_t seed, std::size_t pass)
+{
+    if (pass == 0)
+        return 0.5;
+    return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
+}
+
+std::uint64_t lines_of(const std::vector<ShotPass>& passes)
+{
+    return std::accumulate(passes.begin(), passes.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
+}
+
+/// Passes over the patches, until no patch exceeds the threshold (S2). power_of_ray(excess) is the power [W] of one ray
+/// of the next pass, which shoots `excess` [W]; 0 ends the passes, which are added to `passes`.
+template <class PowerOfRay>
+void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                  const ExtendedShotOptions& options, const PowerOfRay& power_of_ray, const RunControl& run,
+                  const PassObserver& observe, std::vector<ShotPass>& passes, PowerState& state)
+{
+    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
+        const double excess = power_above(scene, state, options.threshold);
+        const double power = excess > 0.0 ? power_of_ray(excess) : 0.0;
+        if (!(power > 0.0))
+            return;
+        const ShotRule rule{options.threshold, power, rounding_offset(options.seed, passes.size())};
+        const std::vector<Shot> shots = plan_shots(scene, state, rule);
+        if (shots.empty())
+            return;
+        PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
+        spend(scene, options.threshold, shots, next);
+        const std::uint64_t first_ray = first_item + lines_of(passes);
+        if (observe)
+            observe(first_ray, shots, next);
+        shoot(scene, sequence, first_ray, shots, run, next); // (S1)
+        state = std::move(next);
+        passes.push_back({ray_count(shots), excess, power_balance(scene, state)});
+    }
+}
+
+/// Passes with a sixteenth of the rays, at most 4096, to estimate how the power is distributed over the passes. Uses
+/// the same items as the passes that follow.
+std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                const ExtendedShotOptions& options, int threads, PowerState state)
+{
+    const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
+    const double power = power_above(scene, state, options.threshold) / static_cast<double>(rays);
+    const RunControl without_checkpoint{threads};
+    std::vector<ShotPass> passes;
+    shoot_passes(
+        scene, sequence, first_item, options, [power](double) { return power; }, without_checkpoint, {}, passes, state);
+    return passes;
+}
+
+/// [1] Power that is still to be shot, in units of that of the next pass, number k, as the pilot found it; 1 from its
+/// last pass on.
+double passes_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
+{
+    double power = 0.0;
+    for (std::size_t i = k; i < pilot.size(); ++i)
+        power += pilot[i].power;
+    return k < pilot.size() ? power / pilot[k].power : 1.0;
+}
+
+/// [W] Power of one ray of the next pass: what is still to be shot over the rays that are left; 0 if none are.
+double power_of_next_ray(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
+                         const std::vector<ShotPass>& done, double excess)
+{
+    if (options.power_by_line)
+        return *options.power_by_line;
+    const std::uint64_t used = std::min(options.lines, lines_of(done));
+    const auto left = static_cast<double>(options.lines - used);
+    return left > 0.0 ? excess * passes_to_come(pilot, done.size()) / left : 0.0;
+}
+
+} // namespace
+
+void visit(Archive& archive, std::vector<ShotPass>& passes)
+{
+    archive.records(passes, field<std::uint64_t>("pass lines", &ShotPass::lines),
+                    field<double>("pass power", &ShotPass::power), field<double>("pass balances", &ShotPass::balance));
+}
+
+std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                     const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
+                                     const PassObserver& observe)
+{
+    std::vector<ShotPass> pilot;
+    std::vector<ShotPass> passes;
+    const Checkpoint::Part part(run.checkpoint, "shot passes", [&](Archive& archive) {
+        visit(archive, passes);
+        const Archive::Inner inner(archive, "pilot");
+        visit(archive, pilot);
+    });
+    if (!part.resumed() && !options.power_by_line && options.most_steps > 1)
+        pilot = run_pilot(scene, sequence, first_item, options, run.threads, state);
+    const auto power_of_ray = [&](double excess) { return power_of_next_ray(options, pilot, passes, excess); };
+    shoot_passes(scene, sequence, first_item, options, power_of_ray, run, observe, passes, state);
+    return passes;
+}
+
+} // namespace multipath

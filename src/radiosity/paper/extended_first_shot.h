@@ -1,0 +1,49 @@
+#pragma once
+
+#include "radiosity/paper/first_shot.h"
+#include "sampling/sequence.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace multipath {
+
+/// Parameters of the extended first shot.
+struct ExtendedShotOptions
+{
+    /// [W/m^2] Unshot radiosity (emitted or reflected, but not yet sent on) that every patch keeps. With threshold 0
+    /// the method is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991).
+    double threshold = 0.0;
+    std::uint64_t lines = 0; ///< N_l, number of rays to cast, reached approximately; ignored if power_by_line is set
+    std::optional<double> power_by_line; ///< [W] power of one ray, if the user sets it (ShotRule)
+    int most_steps = 1000;               ///< maximum number of passes over the patches
+    std::uint64_t seed = 0;              ///< seed of the random rounding to whole rays
+};
+
+/// Statistics of one pass over the patches.
+struct ShotPass
+{
+    std::uint64_t lines = 0; ///< rays of the pass, including those that a stopped run did not cast
+    double power = 0.0;      ///< [W] unshot power above the threshold when the pass began, mean of the channels
+    PowerBalance balance;    ///< after the pass
+};
+
+/// Called before each pass, and again when a pass is resumed, with the index of the item of its first ray, its shots,
+/// and the state from which the power of the shots has already been subtracted.
+using PassObserver =
+    std::function<void(std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state)>;
+
+/// The extended first shot ((S2) in docs/equations.md): in each pass, every patch whose unshot radiosity exceeds the
+/// threshold shoots the excess. Ends when no patch exceeds it, when the lines are used up, or after most_steps passes.
+/// The rays take the items of the sequence from first_item on. Returns the passes. The caller must save `state`, as it
+/// is between two passes, in the checkpoint; this function saves the rest.
+std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                     const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
+                                     const PassObserver& observe = {});
+
+/// Reads or writes the passes for a checkpoint.
+void visit(Archive& archive, std::vector<ShotPass>& passes);
+
+} // namespace multipath

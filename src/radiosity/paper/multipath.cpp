@@ -1,0 +1,109 @@
+#include "radiosity/paper/multipath.h"
+
+#include "parallel/stage.h"
+#include "transport/lines/depth_complexity.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+PowerWalk::PowerWalk(const Scene& scene, double crossings_per_area, bool bidirectional, const PowerState& state)
+    : bidirectional_(bidirectional)
+{
+    patches_.reserve(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double crossings = crossings_per_area * scene.area(i);
+        const double departures = bidirectional_ ? crossings : 0.5 * crossings; // half of them leave through the front
+        patches_.push_back({scene.reflectance(i), (1.0 / departures) * state.unshot[i], {}, {}}); // (G3)
+    }
+}
+
+void PowerWalk::visit(Archive& archive)
+{
+    archive.value<double>("tally", total_);
+    archive.list<double>("patches", patches_);
+}
+
+void PowerWalk::follow(const std::vector<Segment>& segments)
+{
+    constexpr std::size_t segments_ahead =
+        24;          // the patches of later segments are prefetched, as they may not fit into the cache
+    WalkTally tally; // sums of one block stay small, and so do the rounding errors of the balance
+    const std::size_t count = segments.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        fetch(segments[std::min(k + segments_ahead, count - 1)]);
+        follow(segments[k], tally);
+    }
+    total_ += tally;
+}
+
+void PowerWalk::finish(double scale, PowerState& state) const
+{
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        state.emitted = state.emitted - state.unshot[i]; // what was sent of it counts instead
+        state.incident[i] += scale * patches_[i].incident;
+        state.unshot[i] = scale * patches_[i].held;
+    }
+    state.emitted += scale * total_.forecast_sent;
+    state.escaped += scale * total_.escaped;
+    state.behind += scale * total_.behind;
+}
+
+namespace {
+
+/// [W^2] Upper estimate of the variance of the power that independent lines send as forecast (G3), mean of the
+/// channels. A patch with unshot power U that expects n lines sends U / n along each of them, with variance U^2 / n if
+/// it were alone. A line that leaves several such patches sends their forecasts together; the variance of that sum is
+/// at most their number times the sum of their variances.
+double forecast_variance(const Scene& scene, const GlobalLines& lines, const GlobalPass& pass, const PowerState& state)
+{
+    const double departures_per_area =
+        lines.expected_crossings(1.0, pass.lines_cast) * (pass.bidirectional ? 1.0 : 0.5); // (G1)
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double unshot = mean(state.unshot[i]);
+        sum += unshot * unshot / (departures_per_area * scene.area(i));
+    }
+    const double departures_per_line =
+        departures_per_area * scene.total_area() / static_cast<double>(pass.lines_cast); // the mean
+    return sum * std::max(2.0, departures_per_line);
+}
+
+/// The lines of a pass, with the walk that follows their segments.
+struct GlobalStage
+{
+    using Block = SegmentBlock;
+
+    Blocks lines() const { return plan.lines; }
+    void trace(std::uint64_t number, SegmentBlock& block) const { block.trace(plan, number); }
+    std::uint64_t take(std::uint64_t number, const SegmentBlock& block)
+    {
+        walk.follow(block.segments); // (M1) (M2)
+        return plan.lines.length(number);
+    }
+    void visit(Archive& archive) { walk.visit(archive); }
+
+    const LineBlocks plan;
+    PowerWalk walk;
+};
+
+} // namespace
+
+std::uint64_t cast_global_lines(const Scene& scene, const GlobalLines& lines, const Sequence& sequence,
+                                const GlobalPass& pass, const RunControl& run, PowerState& state)
+{
+    if (pass.lines_cast == 0)
+        return 0;
+    const double variance = forecast_variance(scene, lines, pass, state);
+    GlobalStage stage{
+        {scene, lines, sequence, pass.first_item, {pass.lines_cast, lines_per_block(crossings_per_line(scene, lines))}},
+        {scene, lines.expected_crossings(1.0, pass.lines_cast), pass.bidirectional, state}}; // (G1)
+    const std::uint64_t cast = run_stage("global pass", stage, run);
+    const double planned_per_cast = static_cast<double>(pass.lines_cast) / static_cast<double>(cast);
+    stage.walk.finish(planned_per_cast, state);
+    state.emitted_variance += planned_per_cast * variance;
+    return cast;
+}
+
+} // namespace multipath
