@@ -10,6 +10,10 @@
 
 namespace multipath {
 
+/// Number of steps ahead at which loops over lines prefetch the patches that a later step needs: enough to hide the
+/// latency of the memory, and few enough to stay in the nearest cache.
+constexpr std::size_t prefetch_distance = 24;
+
 /// Prefetches the cache line of this address, if the compiler supports it.
 inline void prefetch(const void* address)
 {

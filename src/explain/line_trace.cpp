@@ -11,6 +11,7 @@
 #include "radiosity/paper/first_stage.h"
 #include "radiosity/paper/line_budget.h"
 #include "radiosity/paper/multipath.h"
+#include "radiosity/paper/power_walk.h"
 #include "radiosity/run/item_plan.h"
 #include "radiosity/run/solve_options.h"
 #include "transport/lines/global_lines.h"

@@ -11,11 +11,15 @@ namespace multipath {
 /// blocks; a shard does its part of the blocks. `name`: that of its part in the checkpoint. Returns the number of lines
 /// before the first block that is not done: all lines, unless the checkpoint has stopped the run. A Stage has
 ///
-///   using Block = ...;                                      // what one thread traces at a time
-///   Blocks lines() const;                                   // all lines of the stage, the same with any threads
-///   void trace(std::uint64_t number, Block& block) const;   // block `number`
-///   std::uint64_t take(std::uint64_t number, const Block&); // adds it to the results; returns the lines that it
-///   counts void visit(Archive& archive);                           // saves or restores the results
+///   using Block = ...;
+///   Blocks lines() const;
+///   void trace(std::uint64_t number, Block& block) const;
+///   std::uint64_t take(std::uint64_t number, const Block& block);
+///   void visit(Archive& archive);
+///
+/// Block: what one thread traces at a time. lines(): all lines of the stage, the same with any number of threads.
+/// trace() traces block `number`, take() adds it to the results and returns the number of lines that it counts, visit()
+/// saves or restores the results.
 ///
 /// trace() runs on any thread, several at once, and while take() runs: it reads nothing that take() changes. take()
 /// runs once at a time, in the order of the numbers, on changing threads. A block is used again as it was left. visit()

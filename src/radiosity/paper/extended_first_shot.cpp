@@ -1,21 +1,20 @@
 // The pseudocode of section 4.1 of the paper, with these differences:
 //
-// * The paper's user sets PowerByLine. Here N_l, the number of rays, is given, and PowerByLine is the power of all
-// passes
-//   over N_l. That power is not known beforehand: a pilot with a few rays, which do not count among the N_l, estimates
-//   it. Each pass divides what is still to be shot by the rays that are left, so that all rays carry about the same
-//   power, and an error of the pilot does not add up.
-// * All shots of a pass are planned before its first ray: what a patch receives in a pass it shoots in the next one, as
-//   the text of the paper says. The pseudocode changes the patches while it goes over them.
-// * The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
-//   that is worth less than a ray gets one at random (plan_shots).
-// * The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
-// global
-//   pass.
-// * Powers instead of radiosities, and three colours: the threshold applies to their mean.
+// 1. The paper's user sets PowerByLine. Here N_l, the number of rays, is given, and PowerByLine is the power of all
+//    passes over N_l. That power is not known beforehand: a pilot with a few rays, which do not count among the N_l,
+//    estimates it. Each pass divides what is still to be shot by the rays that are left, so that all rays carry about
+//    the same power, and an error of the pilot does not add up.
+// 2. All shots of a pass are planned before its first ray: what a patch receives in a pass it shoots in the next one,
+//    as the text of the paper says. The pseudocode changes the patches while it goes over them.
+// 3. The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
+//    that is worth less than a ray gets one at random (plan_shots).
+// 4. The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
+//    global pass.
+// 5. Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/paper/extended_first_shot.h"
 
+#include "radiosity/paper/first_shot.h"
 #include "sampling/random.h"
 
 #include <algorithm>

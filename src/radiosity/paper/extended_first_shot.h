@@ -1,6 +1,7 @@
 #pragma once
 
-#include "radiosity/paper/first_shot.h"
+#include "parallel/run_control.h"
+#include "radiosity/paper/shots.h"
 #include "sampling/sequence.h"
 
 #include <cstdint>

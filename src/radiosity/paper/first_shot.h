@@ -2,6 +2,7 @@
 
 #include "parallel/run_control.h"
 #include "radiosity/paper/power_state.h"
+#include "radiosity/paper/shots.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 
@@ -10,14 +11,6 @@
 
 namespace multipath {
 
-/// Rays of equal power from one patch.
-struct Shot
-{
-    std::uint32_t patch;
-    std::uint64_t rays;
-    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper (Castro, Martinez, Sbert 1998), as a colour
-};
-
 /// Casts the rays of all shots, in order, with one item each from first_item on. The power that arrives at a patch is
 /// added to the incident power of the patch, and the reflected part to its unshot power ((S1) in docs/equations.md).
 /// The caller subtracts the power from the shooters beforehand, see spend(). The checkpoint saves `state`; the caller
@@ -25,39 +18,5 @@ struct Shot
 /// that were not cast.
 void shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, const std::vector<Shot>& shots,
            const RunControl& run, PowerState& state);
-
-/// Adds the power of all rays but the first `rays_sent` back to the unshot power of their shooters.
-void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state);
-
-/// Which part of the unshot power is shot, and by how many rays.
-struct ShotRule
-{
-    double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (threshold_radiosity)
-    double power_by_line = 0.0; ///< [W] power of one ray, mean of the channels: `PowerByLine` of the paper
-    /// Start of the SystematicRounding to whole rays, in [0, 1). A uniformly random offset favours no patch.
-    double offset = 0.5;
-};
-
-/// [W] Unshot power in excess of the threshold [W/m^2], summed over the patches, mean of the channels.
-double power_above(const Scene& scene, const PowerState& state, double threshold);
-
-/// The shots of one pass, in the order of the patches: every patch with unshot radiosity above the threshold shoots the
-/// excess (S1) (S2). A patch whose excess is worth n rays of power_by_line gets n rays, rounded down or up so that the
-/// mean over all offsets is n. If n >= 1, these rays carry the excess of the patch. If n < 1, the patch gets a single
-/// ray with probability n, and this ray carries power_by_line. One factor per channel then corrects the error of the
-/// rounding, so that all rays together carry the whole excess. The factor is at most 2, so very few rays may carry
-/// less.
-std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
-
-/// The shots of one pass for a given total number of rays. Empty if `rays` is 0, or if no patch exceeds the threshold.
-std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays);
-
-/// Subtracts the power of the shots from the unshot power of the patches, in proportion to their excess. A patch that
-/// got no ray by rounding loses its part like the others: it has sent this part in expectation. In total no power is
-/// created or lost.
-void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state);
-
-/// Total number of rays of all shots.
-std::uint64_t ray_count(const std::vector<Shot>& shots);
 
 } // namespace multipath

@@ -8,7 +8,8 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t pilot_rays = 1u << 13; // for the figures of (3); 2 % of the ratio do not matter to the error
+constexpr std::uint64_t rays_for_ratio = 1u
+                                         << 13; // for the figures of (3); 2 % of the ratio do not matter to the error
 
 FirstShot first_shot_of(const SolveOptions& options)
 {
@@ -25,7 +26,7 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     figures.intersections = intersections_of_hull_line(scene);
     figures.average_reflectance = mean(scene.average_reflectance());
     if (first_shot_of(options) == FirstShot::plain) {
-        const DirectLight direct = measure_direct_light(scene, pilot_rays, options.threads);
+        const DirectLight direct = measure_direct_light(scene, rays_for_ratio, options.threads);
         figures.secondary_reflectance = direct.secondary_reflectance;
         figures.lit_fraction = direct.lit_fraction;
     } else {

@@ -2,7 +2,7 @@
 
 #include "parallel/blocks.h"
 #include "parallel/run_control.h"
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/paper/shots.h"
 #include "sampling/sequence.h"
 #include "transport/lines/local_rays.h"
 

@@ -14,10 +14,9 @@ namespace multipath {
 void ReceivedRays::add(const std::vector<std::uint32_t>& receivers, std::size_t first, std::size_t end,
                        const PowerState& state)
 {
-    constexpr std::size_t rays_ahead = 24; // as in the global pass
     for (std::size_t k = first; k < end; ++k) {
-        if (k + rays_ahead < receivers.size())
-            fetch(receivers[k + rays_ahead], state);
+        if (k + prefetch_distance < receivers.size())
+            fetch(receivers[k + prefetch_distance], state);
         add(receivers[k]);
     }
 }

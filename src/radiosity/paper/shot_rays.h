@@ -1,6 +1,7 @@
 #pragma once
 
-#include "radiosity/paper/first_shot.h"
+#include "parallel/blocks.h"
+#include "radiosity/paper/shots.h"
 #include "transport/lines/local_rays.h"
 
 #include <cstdint>
