@@ -4,7 +4,7 @@
 //   integral of T over P = integral of S dt around P.
 //
 // T is constant within a pixel, so S is linear in s there, and along the part of an edge that lies in one pixel the
-// midpoint rule is exact. S follows from prefix sums along each row, which are stored for every 16th pixel. Linear
+// midpoint rule is exact. S follows from prefix sums along each row, which are stored for every 4th pixel. Linear
 // light is counted in whole units of 1/65535, so sums are exact, and the same on every machine.
 
 #include "scene/texture/texture.h"
@@ -14,13 +14,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace multipath {
 
 namespace {
 
-constexpr std::int64_t pixels_per_sum = 16;
 constexpr double unit = 1.0 / 65535.0;
 
 std::array<std::uint16_t, 256> make_linear_table()
@@ -87,19 +87,20 @@ Texture::Texture(std::string name, std::string bytes, bool repeats)
       bytes_(std::move(bytes)),
       repeats_(repeats),
       bitmap_(read_image(name_, bytes_)),
-      hash_(hash_of(bitmap_, repeats)),
-      sums_per_row_((bitmap_.width + pixels_per_sum - 1) / pixels_per_sum)
+      hash_(hash_of(bitmap_, repeats))
 {
-    sums_.reserve(3 * sums_per_row_ * bitmap_.height);
+    constexpr auto strip_width = static_cast<std::uint32_t>(Strip::width);
+    strips_.resize(std::size_t{(bitmap_.width + strip_width - 1) / strip_width} * bitmap_.height);
     std::array<double, 3> all{};
     for (std::uint32_t y = 0; y < bitmap_.height; ++y) {
         std::array<std::uint32_t, 3> sum{};
-        const std::uint8_t* pixel = bitmap_.row(y);
-        for (std::uint32_t x = 0; x < bitmap_.width; ++x, pixel += 3) {
-            if (x % pixels_per_sum == 0)
-                sums_.insert(sums_.end(), sum.begin(), sum.end());
-            for (std::size_t c = 0; c < 3; ++c)
-                sum[c] += linear_of_srgb[pixel[c]];
+        for (std::uint32_t x = 0; x < bitmap_.width; x += strip_width) {
+            Strip& strip = strips_[std::size_t{x / strip_width} * bitmap_.height + y];
+            strip = {sum, {}};
+            const std::size_t used = 3 * std::min(strip_width, bitmap_.width - x);
+            std::copy_n(bitmap_.row(y) + 3 * std::size_t{x}, used, strip.rgb.begin());
+            for (std::size_t k = 0; k < used; ++k)
+                sum[k % 3] += linear_of_srgb[strip.rgb[k]];
         }
         for (std::size_t c = 0; c < 3; ++c)
             all[c] += sum[c];
@@ -127,28 +128,36 @@ const std::uint8_t* Texture::pixel(std::int64_t x, std::int64_t y) const
     return bitmap_.row(row(y)) + 3 * column(x);
 }
 
+/// The strip that holds pixel x of a row of the bitmap; the last strip also for x = width.
+const Texture::Strip& Texture::strip(std::int64_t x, std::uint32_t row) const
+{
+    const std::int64_t number = std::min<std::int64_t>(x, bitmap_.width - 1) / Strip::width;
+    return strips_[static_cast<std::size_t>(number) * bitmap_.height + row];
+}
+
+/// The sums of the pixels 0 ... end - 1 of a row, with end from 0 to the width.
+Texture::Sums Texture::sums_within(std::int64_t end, std::uint32_t row) const
+{
+    const Strip& last = strip(end, row);
+    Sums sums = {last.before[0], last.before[1], last.before[2]};
+    const std::int64_t first = std::min<std::int64_t>(end, bitmap_.width - 1) / Strip::width * Strip::width;
+    const std::uint8_t* pixel = last.rgb.data();
+    for (std::int64_t x = first; x < end; ++x, pixel += 3)
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[c] += linear_of_srgb[pixel[c]];
+    return sums;
+}
+
 /// The sums of the pixels 0 ... x - 1 of a row. x may lie outside the image, on either side.
 Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
 {
     const std::int64_t width = bitmap_.width;
-    const auto within = [&](std::int64_t end) { // 0 ... width
-        Sums sums{};
-        const std::int64_t block = std::min(end / pixels_per_sum, static_cast<std::int64_t>(sums_per_row_) - 1);
-        const std::uint32_t* kept = sums_.data() + 3 * (sums_per_row_ * row + static_cast<std::size_t>(block));
-        for (std::size_t c = 0; c < 3; ++c)
-            sums[c] = kept[c];
-        const std::uint8_t* pixel = bitmap_.row(row) + 3 * pixels_per_sum * block;
-        for (std::int64_t k = pixels_per_sum * block; k < end; ++k, pixel += 3)
-            for (std::size_t c = 0; c < 3; ++c)
-                sums[c] += linear_of_srgb[pixel[c]];
-        return sums;
-    };
     if (x >= 0 && x <= width)
-        return within(x);
+        return sums_within(x, row);
     const std::int64_t inside = repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width);
     const std::int64_t beyond = x - inside; // a multiple of the width, or copies of the border pixel
-    Sums sums = within(inside);
-    const Sums row_sums = repeats_ ? within(width) : Sums{};
+    Sums sums = sums_within(inside, row);
+    const Sums row_sums = repeats_ ? sums_within(width, row) : Sums{};
     const std::uint8_t* border = bitmap_.row(row) + 3 * (x < 0 ? 0 : width - 1);
     for (std::size_t c = 0; c < 3; ++c)
         sums[c] += repeats_ ? beyond / width * row_sums[c] : beyond * linear_of_srgb[border[c]];
@@ -167,6 +176,8 @@ void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_c
     double border_s = next_border(from.s, ds);
     double border_t = next_border(from.t, dt);
     double before = 0.0; // parameter along the edge
+    std::int64_t row_of_start = std::numeric_limits<std::int64_t>::min();
+    Sums start{};
     while (before < 1.0) {
         const double at_s = ds != 0.0 ? (border_s - from.s) / ds : 2.0;
         const double at_t = (border_t - from.t) / dt;
@@ -177,9 +188,12 @@ void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_c
         const auto x = static_cast<std::int64_t>(std::floor(s));
         const auto y = static_cast<std::int64_t>(std::floor(t));
         const std::uint32_t in_row = row(y);
+        if (y != std::exchange(row_of_start, y))
+            start = sums_before(first_column, in_row);
         const Sums here = sums_before(x, in_row);
-        const Sums start = sums_before(first_column, in_row);
-        const std::uint8_t* under = pixel(x, y);
+        const std::int64_t column_under = column(x);
+        const std::uint8_t* under =
+            &strip(column_under, in_row).rgb[static_cast<std::size_t>(3 * (column_under % Strip::width))];
         for (std::size_t c = 0; c < 3; ++c)
             sums[c] +=
                 (next - before) * dt *

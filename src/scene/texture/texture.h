@@ -75,9 +75,20 @@ public:
 private:
     using Sums = std::array<std::int64_t, 3>;
 
+    /// Some neighbouring pixels of a row, and the sums of the linear light of all pixels before them in the row. What a
+    /// step of integrate() reads lies together.
+    struct Strip
+    {
+        static constexpr std::int64_t width = 4; ///< pixels
+        std::array<std::uint32_t, 3> before;
+        std::array<std::uint8_t, 3 * width> rgb; ///< black beyond the border of the image
+    };
+
     std::int64_t column(std::int64_t x) const;
     std::uint32_t row(std::int64_t y) const;
     const std::uint8_t* pixel(std::int64_t x, std::int64_t y) const;
+    const Strip& strip(std::int64_t x, std::uint32_t row) const;
+    Sums sums_within(std::int64_t end, std::uint32_t row) const;
     Sums sums_before(std::int64_t x, std::uint32_t row) const;
     void integrate(TexturePoint from, TexturePoint to, std::int64_t first_column, std::array<double, 3>& sums) const;
 
@@ -86,9 +97,8 @@ private:
     bool repeats_;
     Bitmap bitmap_;
     std::uint64_t hash_ = 0;
-    /// Prefix sums of each row, in three channels: for every 16th pixel the sum of the pixels before it in the row.
-    std::vector<std::uint32_t> sums_;
-    std::size_t sums_per_row_ = 0; ///< prefix sums in a row; each has three channels
+    /// The strips of all rows, from the top, one below the other: edges of patches cross many rows.
+    std::vector<Strip> strips_;
     Rgb mean_;
 };
 
