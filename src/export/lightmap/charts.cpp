@@ -1,9 +1,8 @@
 #include "export/lightmap/charts.h"
 
-#include "export/lightmap/square_corners.h"
 #include "export/mesh/point_grid.h"
 #include "geometry/bounds.h"
-#include "scene/vertex_weld.h"
+#include "geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,35 +14,6 @@ namespace multipath {
 namespace {
 
 constexpr double same_place = 1e-6; ///< share of the scene's diagonal; points at most this far apart coincide
-
-/// Welds points: gives each point an index, the same for points within a tolerance of each other.
-class NearPoints
-{
-public:
-    explicit NearPoints(double tolerance) : tolerance_(tolerance), grid_(cell_size * tolerance, 0) {}
-
-    std::uint32_t number_of(Vec3 p)
-    {
-        auto found = static_cast<std::uint32_t>(points_.size());
-        const Vec3 margin = {tolerance_, tolerance_, tolerance_};
-        grid_.visit_box(p - margin, p + margin, [&](std::uint32_t number) {
-            if (length(points_[number] - p) <= tolerance_)
-                found = std::min(found, number);
-        });
-        if (found == points_.size()) {
-            grid_.insert(p, found);
-            points_.push_back(p);
-        }
-        return found;
-    }
-
-private:
-    static constexpr double cell_size = 64.0; ///< in tolerances; most searches visit a single cell
-
-    double tolerance_;
-    std::vector<Vec3> points_;
-    PointGrid grid_;
-};
 
 /// An edge of a surface, directed counter-clockwise seen from the front.
 struct DirectedEdge
@@ -87,20 +57,22 @@ public:
 private:
     void find_edges()
     {
-        LargeVector<Vec3> corners;
+        constexpr double cell = 64.0; // in tolerances; most searches visit a single cell
+        PointGrid grid(cell * tolerance_, 0);
+        std::vector<Vec3> points; // the distinct corners
+        const auto position = [&](std::uint32_t number) { return points[number]; };
         for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
-            const Surface& surface = scene_.surfaces()[s];
-            first_corner_.push_back(corners.size());
-            for (const auto& [u, v] : square_corners(surface.shape))
-                corners.push_back(surface.at(u, v));
+            first_corner_.push_back(number_.size());
+            for (const Vec3 corner : corners_of(scene_.surfaces()[s])) {
+                const auto known = grid.first_near(corner, tolerance_, position);
+                number_.push_back(known ? *known : static_cast<std::uint32_t>(points.size()));
+                if (!known) {
+                    grid.insert(corner, number_.back());
+                    points.push_back(corner);
+                }
+            }
         }
-        first_corner_.push_back(corners.size());
-
-        const LargeVector<std::uint32_t> representative = weld(corners);
-        NearPoints points(tolerance_);
-        number_.resize(corners.size());
-        for (std::size_t n = 0; n < corners.size(); ++n)
-            number_[n] = representative[n] == n ? points.number_of(corners[n]) : number_[representative[n]];
+        first_corner_.push_back(number_.size());
 
         for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s)
             for_each_edge(s, [&](const DirectedEdge& edge) { edges_.push_back(edge); });
@@ -163,8 +135,8 @@ private:
         const Vec3 origin = scene_.surfaces()[seed].origin;
         if (material[s] != material[seed] || !(dot(surface.normal(), normal) > least_cosine))
             return false;
-        for (const auto& [u, v] : square_corners(surface.shape))
-            if (std::abs(dot(surface.at(u, v) - origin, normal)) > tolerance_)
+        for (const Vec3 corner : corners_of(surface))
+            if (std::abs(dot(corner - origin, normal)) > tolerance_)
                 return false;
         return true;
     }
@@ -184,9 +156,8 @@ private:
 
         Bounds box; // in chart coordinates
         for (std::size_t n = chart.first; n < chart.first + chart.count; ++n) {
-            const Surface& surface = scene_.surfaces()[surfaces[n]];
-            for (const auto& [u, v] : square_corners(surface.shape)) {
-                const Vec3 p = surface.at(u, v) - largest.origin;
+            for (const Vec3 corner : corners_of(scene_.surfaces()[surfaces[n]])) {
+                const Vec3 p = corner - largest.origin;
                 box.include(Vec3{dot(p, chart.along_x), dot(p, chart.along_y), 0.0});
             }
         }

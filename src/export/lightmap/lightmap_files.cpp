@@ -1,12 +1,12 @@
 #include "export/lightmap/lightmap_files.h"
 
+#include "base/text_format.h"
 #include "export/csv_text.h"
 #include "export/lightmap/square_corners.h"
 #include "export/mesh/gltf_file.h"
 
 #include <array>
 #include <cstddef>
-#include <cstdio>
 
 namespace multipath {
 
@@ -57,14 +57,11 @@ std::vector<MaterialPart> undivided_parts(const PatchMesh& mesh, const Scene& sc
     return material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.is_textured(surface); });
 }
 
-/// Appends the `v` and `vt` lines of a corner.
-void append_obj_corner(std::string& text, Vec3 p, int digits, TexturePoint texture)
+/// The `v` and `vt` lines of a corner.
+std::string obj_corner(Vec3 p, int digits, TexturePoint texture)
 {
-    std::array<char, 160> lines{};
     p = p + Vec3{}; // never "-0"
-    const int length = std::snprintf(lines.data(), lines.size(), "v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x,
-                                     digits, p.y, digits, p.z, texture.s, texture.t);
-    text.append(lines.data(), static_cast<std::size_t>(length));
+    return format("v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x, digits, p.y, digits, p.z, texture.s, texture.t);
 }
 
 } // namespace
@@ -106,8 +103,8 @@ std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::str
             std::string face = "f";
             for (std::size_t k = 0; k < side.vertex_count; ++k) {
                 const auto [u, v] = corner_of(scene, side, k);
-                append_obj_corner(text, scene.surfaces()[side.surface].at(u, v), digits,
-                                  map.frame(side.surface, side.front).at(u, v));
+                text += obj_corner(scene.surfaces()[side.surface].at(u, v), digits,
+                                   map.frame(side.surface, side.front).at(u, v));
                 const std::string number = std::to_string(++corner);
                 face += " " + number + "/" + number;
             }

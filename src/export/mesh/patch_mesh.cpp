@@ -311,19 +311,12 @@ double mean_length(const PatchMesh& mesh, const Rims& rims)
 PointGrid join_corners(PatchMesh& mesh, const Rims& rims, double cell, double tolerance)
 {
     PointGrid points(cell, rims.vertices.size());
-    const Vec3 margin = {tolerance, tolerance, tolerance};
-    for (const std::uint32_t vertex : rims.vertices) {
-        const Vec3 here = to_vec3(mesh.positions[vertex]);
-        std::optional<std::uint32_t> earliest;
-        points.visit_box(here - margin, here + margin, [&](std::uint32_t other) {
-            if (length(to_vec3(mesh.positions[other]) - here) <= tolerance)
-                earliest = earliest ? std::min(*earliest, other) : other;
-        });
-        if (earliest)
+    const auto position = [&mesh](std::uint32_t vertex) { return to_vec3(mesh.positions[vertex]); };
+    for (const std::uint32_t vertex : rims.vertices)
+        if (const auto earliest = points.first_near(position(vertex), tolerance, position))
             mesh.positions[vertex] = mesh.positions[*earliest];
         else
-            points.insert(here, vertex);
-    }
+            points.insert(position(vertex), vertex);
     return points;
 }
 

@@ -3,9 +3,11 @@
 #include "base/mix_bits.h"
 #include "geometry/vec3.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -33,6 +35,20 @@ public:
                     if (const auto found = points_.find(key(x, y, z)); found != points_.end())
                         for (const std::uint32_t number : found->second)
                             visit(number);
+    }
+
+    /// The smallest number of the points within `tolerance` [scene units], at most a cell, of a place;
+    /// `position(number)` tells where they are.
+    template <class Position>
+    std::optional<std::uint32_t> first_near(Vec3 place, double tolerance, const Position& position) const
+    {
+        const Vec3 margin = {tolerance, tolerance, tolerance};
+        std::optional<std::uint32_t> first;
+        visit_box(place - margin, place + margin, [&](std::uint32_t number) {
+            if (length(position(number) - place) <= tolerance)
+                first = first ? std::min(*first, number) : number;
+        });
+        return first;
     }
 
 private:
