@@ -1,5 +1,6 @@
 #include "export/csv_text.h"
 
+#include "base/text_format.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 namespace multipath {
 
 namespace {
-
-std::string field_count(std::size_t count)
-{
-    return std::to_string(count) + (count == 1 ? " field" : " fields");
-}
 
 bool is_empty_line(const CsvRow& row)
 {
@@ -60,8 +56,8 @@ CsvTable CsvParser::parse()
         CsvRow next = row(columns);
         if (next.fields.size() != columns)
             refuse(table.place(next), is_empty_line(next)
-                                          ? "empty line, expected a row of " + field_count(columns)
-                                          : "row has " + field_count(next.fields.size()) + ", expected " +
+                                          ? "empty line, expected a row of " + counted(columns, "field")
+                                          : "row has " + counted(next.fields.size(), "field") + ", expected " +
                                                 std::to_string(columns) + " as in the header");
         table.rows.push_back(std::move(next));
     }

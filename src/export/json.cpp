@@ -21,10 +21,7 @@ std::string quoted(std::string_view text)
             result += '\\';
             result += c;
         } else if (static_cast<unsigned char>(c) < 0x20) {
-            std::array<char, 8> escape{};
-            std::snprintf(escape.data(), escape.size(), "\\u%04x",
-                          static_cast<unsigned>(static_cast<unsigned char>(c)));
-            result += escape.data();
+            result += format("\\u%04x", static_cast<unsigned>(c));
         } else {
             result += c;
         }

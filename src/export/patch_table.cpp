@@ -170,10 +170,6 @@ Rgb read_error(const CsvTable& table, const CsvRow& row, const ThreeColumns& col
     return read_three<Rgb>(table, row, columns);
 }
 
-} // namespace
-
-namespace {
-
 /// The columns of the radiosity: `radiosity` for all channels, or one column per channel.
 ThreeColumns radiosity_columns(const CsvTable& table)
 {

@@ -9,6 +9,7 @@
 #include "sampling/random.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -339,18 +340,39 @@ void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
             throw ArchiveError("the state is damaged: no such material or group");
 }
 
-} // namespace
+using TextureList = std::vector<std::shared_ptr<const Texture>>;
 
-namespace {
+/// Makes textures of names that end with their lines, and of the bytes of their files one after the other.
+TextureList textures_of(const std::string& names, const std::string& bytes, const std::vector<std::uint64_t>& lengths,
+                        const std::vector<std::uint32_t>& repeats)
+{
+    TextureList textures;
+    std::size_t begin = 0;
+    std::size_t name_begin = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        const std::size_t name_end = names.find('\n', name_begin);
+        if (lengths[k] > bytes.size() - begin || name_end == std::string::npos)
+            throw ArchiveError("the state is damaged: a texture is not whole");
+        try {
+            textures.push_back(std::make_shared<const Texture>(names.substr(name_begin, name_end - name_begin),
+                                                               bytes.substr(begin, lengths[k]), repeats[k] != 0));
+        } catch (const ImageError& error) {
+            throw ArchiveError(std::string("the state is damaged: a texture ") + error.what());
+        }
+        begin += lengths[k];
+        name_begin = name_end + 1;
+    }
+    return textures;
+}
 
-/// Textures as the bytes of their files, and how surfaces lie on them. Writes nothing for a scene without textures.
-void visit_textures(Archive& archive, SceneFile& scene)
+/// Textures as the bytes of their files. Writes nothing if there are none.
+void visit_texture_files(Archive& archive, TextureList& textures)
 {
     std::string names;
     std::string bytes;
     std::vector<std::uint64_t> lengths;
     std::vector<std::uint32_t> repeats;
-    for (const std::shared_ptr<const Texture>& texture : scene.textures) {
+    for (const std::shared_ptr<const Texture>& texture : textures) {
         names += texture->name() + '\n';
         bytes += texture->bytes();
         lengths.push_back(texture->bytes().size());
@@ -363,54 +385,45 @@ void visit_textures(Archive& archive, SceneFile& scene)
     archive.growing_list<char>("texture files", bytes);
     repeats.resize(lengths.size());
     archive.list<std::uint32_t>("texture repeats", repeats);
-    std::vector<std::uint32_t> textures;
-    std::vector<Rgb> scales;
-    for (const Material& material : scene.materials) {
-        textures.push_back(material.texture);
-        scales.push_back(material.texture_scale);
-    }
-    archive.list<std::uint32_t>("material textures", textures);
-    archive.list<double>("texture scales", scales);
-    std::vector<double> frames;
+    if (archive.reads())
+        textures = textures_of(names, bytes, lengths, repeats);
+}
+
+/// How the surfaces lie on textures. Writing rebuilds the list from the same numbers.
+void visit_texture_frames(Archive& archive, std::vector<TextureFrame>& list)
+{
+    std::vector<std::array<double, 6>> frames; // origin, along_u and along_v of each surface
     std::vector<std::uint32_t> known;
-    for (const TextureFrame& frame : scene.texture_frames) {
-        for (const TexturePoint p : {frame.origin, frame.along_u, frame.along_v})
-            frames.insert(frames.end(), {p.s, p.t});
-        known.push_back(frame.known ? 1 : 0);
+    for (const TextureFrame& f : list) {
+        frames.push_back({f.origin.s, f.origin.t, f.along_u.s, f.along_u.t, f.along_v.s, f.along_v.t});
+        known.push_back(f.known ? 1 : 0);
     }
     archive.growing_list<std::uint32_t>("textured surfaces", known);
-    frames.resize(6 * known.size());
+    frames.resize(known.size());
     archive.list<double>("texture frames", frames);
-    if (!archive.reads())
+    list.clear();
+    for (std::size_t s = 0; s < known.size(); ++s) {
+        const std::array<double, 6>& f = frames[s];
+        list.push_back({{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}, known[s] != 0});
+    }
+}
+
+void visit_textures(Archive& archive, SceneFile& scene)
+{
+    visit_texture_files(archive, scene.textures);
+    if (scene.textures.empty())
         return;
-    for (std::size_t m = 0; m < textures.size(); ++m) {
-        const Rgb scale = scales[m];
-        if ((textures[m] != Material::no_texture && textures[m] >= lengths.size()) ||
+    const std::size_t materials = scene.materials.size();
+    archive.records(scene.materials, field<std::uint32_t>("material textures", &Material::texture),
+                    field<double>("texture scales", &Material::texture_scale));
+    visit_texture_frames(archive, scene.texture_frames);
+    if (scene.materials.size() != materials || scene.texture_frames.size() != scene.own_surfaces())
+        throw ArchiveError("the state is damaged: it has textures of other surfaces");
+    for (const Material& material : scene.materials) {
+        const Rgb scale = material.texture_scale;
+        if ((material.texture != Material::no_texture && material.texture >= scene.textures.size()) ||
             !all_within({scale.r, scale.g, scale.b}, 0.0, 1.0))
             throw ArchiveError("the state is damaged: no such texture");
-        scene.materials[m].texture = textures[m];
-        scene.materials[m].texture_scale = scale;
-    }
-    if (known.size() != scene.own_surfaces())
-        throw ArchiveError("the state is damaged: it has textures of other surfaces");
-    for (std::size_t s = 0; s < known.size(); ++s) {
-        const double* f = frames.data() + 6 * s;
-        scene.texture_frames.push_back({{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}, known[s] != 0});
-    }
-    std::size_t begin = 0;
-    std::size_t name_begin = 0;
-    for (std::size_t k = 0; k < lengths.size(); ++k) {
-        const std::size_t name_end = names.find('\n', name_begin);
-        if (lengths[k] > bytes.size() - begin || name_end == std::string::npos)
-            throw ArchiveError("the state is damaged: a texture is not whole");
-        try {
-            scene.textures.push_back(std::make_shared<const Texture>(names.substr(name_begin, name_end - name_begin),
-                                                                     bytes.substr(begin, lengths[k]), repeats[k] != 0));
-        } catch (const ImageError& error) {
-            throw ArchiveError(std::string("the state is damaged: a texture ") + error.what());
-        }
-        begin += lengths[k];
-        name_begin = name_end + 1;
     }
 }
 

@@ -6,7 +6,10 @@
 #include "cli/options/choices.h"
 #include "cli/progress.h"
 #include "export/csv_text.h"
+#include "export/lightmap/lightmap_files.h"
 #include "export/mesh/coloured_mesh.h"
+#include "export/mesh/glb.h"
+#include "export/mesh/linear_scale.h"
 #include "export/patch_table.h"
 #include "image/false_colour.h"
 #include "image/image.h"
@@ -53,7 +56,7 @@ constexpr std::array known_formats = {
     OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
                  [](SolvedScene& s) {
                      return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
-                                         s.mesh_cameras(), {}, s.comments, s.options.up);
+                                         s.mesh_cameras(), s.comments, s.options.up);
                  }},
     OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, which needs the next two files", false,
                  [](SolvedScene& s) {

@@ -3,8 +3,8 @@
 #include "cli/files/output_file.h"
 #include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
-#include "export/mesh/glb.h"
-#include "export/mesh/lightmap.h"
+#include "export/lightmap/lightmap.h"
+#include "export/mesh/gltf_nodes.h"
 #include "export/mesh/patch_mesh.h"
 #include "radiosity/run/solve.h"
 

@@ -1,6 +1,7 @@
 #include "export/mesh/patch_mesh.h"
 
 #include "base/errors.h"
+#include "export/mesh/point_grid.h"
 #include "geometry/bounds.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/polygon.h"
@@ -172,44 +173,6 @@ struct Rims
     std::vector<std::uint32_t> vertices; ///< in the order of the vertices
 };
 
-/// Points with indices in a hash table of the cells of a regular grid.
-class PointGrid
-{
-public:
-    /// `cell`: edge of a cell [scene units]; `expected`: number of points to reserve memory for.
-    PointGrid(double cell, std::size_t expected) : cell_(cell) { points_.reserve(expected); }
-
-    void insert(Vec3 point, std::uint32_t number)
-    {
-        points_[key(index(point.x), index(point.y), index(point.z))].push_back(number);
-    }
-
-    /// Calls visit(number) for all points in the cells that overlap a box.
-    template <class Visit>
-    void visit_box(Vec3 low, Vec3 high, const Visit& visit) const
-    {
-        for (std::int64_t x = index(low.x); x <= index(high.x); ++x)
-            for (std::int64_t y = index(low.y); y <= index(high.y); ++y)
-                for (std::int64_t z = index(low.z); z <= index(high.z); ++z)
-                    if (const auto found = points_.find(key(x, y, z)); found != points_.end())
-                        for (const std::uint32_t number : found->second)
-                            visit(number);
-    }
-
-private:
-    std::int64_t index(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
-    static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z)
-    {
-        std::uint64_t bits = 0;
-        for (const std::int64_t n : {x, y, z})
-            bits = mix_bits(bits ^ static_cast<std::uint64_t>(n));
-        return bits;
-    }
-
-    double cell_;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> points_;
-};
-
 /// A T-junction: a corner of another side on an edge of the rim.
 struct EdgeCut
 {
@@ -348,19 +311,12 @@ double mean_length(const PatchMesh& mesh, const Rims& rims)
 PointGrid join_corners(PatchMesh& mesh, const Rims& rims, double cell, double tolerance)
 {
     PointGrid points(cell, rims.vertices.size());
-    const Vec3 margin = {tolerance, tolerance, tolerance};
-    for (const std::uint32_t vertex : rims.vertices) {
-        const Vec3 here = to_vec3(mesh.positions[vertex]);
-        std::optional<std::uint32_t> earliest;
-        points.visit_box(here - margin, here + margin, [&](std::uint32_t other) {
-            if (length(to_vec3(mesh.positions[other]) - here) <= tolerance)
-                earliest = earliest ? std::min(*earliest, other) : other;
-        });
-        if (earliest)
+    const auto position = [&mesh](std::uint32_t vertex) { return to_vec3(mesh.positions[vertex]); };
+    for (const std::uint32_t vertex : rims.vertices)
+        if (const auto earliest = points.first_near(position(vertex), tolerance, position))
             mesh.positions[vertex] = mesh.positions[*earliest];
         else
-            points.insert(here, vertex);
-    }
+            points.insert(position(vertex), vertex);
     return points;
 }
 
@@ -436,8 +392,8 @@ public:
             if (!covered_[patch])
                 add_face(patch, surface, front);
         const Vec3 normal = scene_.surfaces()[surface].normal();
-        mesh_.sides.push_back({surface, front ? normal : -normal, first_vertex, mesh_.positions.size() - first_vertex,
-                               first_face, mesh_.faces.size() - first_face});
+        mesh_.sides.push_back({surface, front, front ? normal : -normal, first_vertex,
+                               mesh_.positions.size() - first_vertex, first_face, mesh_.faces.size() - first_face});
     }
 
     /// The mesh of all sides that were added, without cracks between them.

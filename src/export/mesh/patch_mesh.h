@@ -59,6 +59,7 @@ struct MeshFace
 struct MeshSide
 {
     std::uint32_t surface = 0;
+    bool front = true;
     Vec3 normal; ///< unit normal of the side
     std::size_t first_vertex = 0;
     std::size_t vertex_count = 0;

@@ -4,13 +4,13 @@
 #include "export/svg/line_drawing.h"
 
 #include "base/elementary.h"
+#include "base/text_format.h"
 #include "export/svg/svg_plot.h"
 #include "geometry/polygon.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <utility>
 
@@ -30,9 +30,7 @@ constexpr std::size_t most_in_legend = 8;
 /// [px] with one decimal.
 std::string decimal(double value)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f", value + 0.0);
-    return text.data();
+    return format("%.1f", value + 0.0);
 }
 
 /// A path command with a point: "M12.5 7.0".

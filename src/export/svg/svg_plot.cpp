@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace multipath {
 
@@ -35,9 +34,7 @@ constexpr std::array<const char*, 12> outlines = {
 std::string svg_number(double value)
 {
     const double tenths = std::round(10.0 * value);
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), std::fmod(tenths, 10.0) == 0.0 ? "%.0f" : "%.1f", tenths / 10.0 + 0.0);
-    return text.data();
+    return format("%.*f", std::fmod(tenths, 10.0) == 0.0 ? 0 : 1, tenths / 10.0 + 0.0);
 }
 
 /// Coordinates as text: "12.5 7".
@@ -80,8 +77,6 @@ std::string line_attributes(const LineStyle& style)
            (style.dashes.empty() ? "" : svg_attribute("stroke-dasharray", style.dashes));
 }
 
-constexpr const char* text_colour = "#222222";
-
 /// A text element; `content` is XML.
 std::string text_element(double x, double y, const std::string& content, SvgAnchor anchor, double size,
                          const std::string& colour)
@@ -99,7 +94,7 @@ std::string tick_label(double x, double y, const std::string& label, SvgAnchor a
     std::string content = svg_escaped(label.substr(0, caret));
     if (caret < label.size())
         content += "<tspan dy=\"-4\" font-size=\"8.5\">" + svg_escaped(label.substr(caret + 1)) + "</tspan>";
-    return text_element(x, y, content, anchor, 11.0, text_colour);
+    return text_element(x, y, content, anchor, 11.0, svg_dark_grey);
 }
 
 std::string plot_titles(const Plot& plot)
@@ -197,12 +192,10 @@ std::string svg_ramp_colour(double share)
 {
     constexpr std::array<double, 3> dark_blue = {10, 40, 110};
     constexpr std::array<double, 3> orange = {240, 150, 20};
-    std::array<char, 8> text{};
     const auto mixed = [&](std::size_t i) {
         return static_cast<unsigned>(std::lround(dark_blue[i] + share * (orange[i] - dark_blue[i]))) & 0xffu;
     };
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
-    return text.data();
+    return format("#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
 }
 
 std::string svg_head(double width, double height, const std::string& title, const std::vector<std::string>& comments)
@@ -220,11 +213,6 @@ std::string svg_head(double width, double height, const std::string& title, cons
 std::string svg_end()
 {
     return "</svg>\n";
-}
-
-std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size)
-{
-    return svg_text(x, y, text, anchor, size, text_colour);
 }
 
 std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size,

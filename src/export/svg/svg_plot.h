@@ -116,12 +116,13 @@ std::string svg_head(double width, double height, const std::string& title, cons
 /// The text of a drawing after its elements.
 std::string svg_end();
 
+constexpr const char* svg_dark_grey = "#222222";
+
 enum class SvgAnchor { start, middle, end };
 
-/// A text with this font size [px]. (x, y) is the start, middle or end of its baseline. Dark grey by default.
-std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size = 12.0);
-std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size,
-                     const std::string& colour);
+/// A text with this font size [px]. (x, y) is the start, middle or end of its baseline.
+std::string svg_text(double x, double y, const std::string& text, SvgAnchor anchor, double size = 12.0,
+                     const std::string& colour = svg_dark_grey);
 
 /// Grid lines at the labelled ticks of both axes.
 std::string svg_grid(const Plot& plot);

@@ -1,0 +1,193 @@
+#include "export/lightmap/charts.h"
+
+#include "export/mesh/point_grid.h"
+#include "geometry/bounds.h"
+#include "geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace multipath {
+
+namespace {
+
+constexpr double same_place = 1e-6; ///< share of the scene's diagonal; points at most this far apart coincide
+
+/// An edge of a surface, directed counter-clockwise seen from the front.
+struct DirectedEdge
+{
+    std::uint32_t from = 0; ///< indices of welded corners
+    std::uint32_t to = 0;
+    std::uint32_t surface = 0;
+
+    std::uint64_t key() const { return std::uint64_t{from} << 32 | to; }
+    std::uint64_t reverse_key() const { return std::uint64_t{to} << 32 | from; }
+};
+
+/// Divides the surfaces of a scene into charts.
+class ChartFinder
+{
+public:
+    explicit ChartFinder(const Scene& scene)
+        : scene_(scene), tolerance_(same_place * scene.own_bounds().diagonal()), chart_(scene.own_surfaces(), no_chart)
+    {
+        find_edges();
+    }
+
+    /// The charts of all surfaces; that with the largest surface is the first.
+    ChartList charts()
+    {
+        std::vector<double> areas(scene_.own_surfaces());
+        for (std::uint32_t s = 0; s < areas.size(); ++s)
+            areas[s] = scene_.surfaces()[s].area();
+        std::vector<std::uint32_t> order(areas.size());
+        std::iota(order.begin(), order.end(), 0u);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+        ChartList list;
+        list.surfaces.reserve(areas.size());
+        for (const std::uint32_t s : order)
+            if (chart_[s] == no_chart)
+                list.charts.push_back(flooded(s, static_cast<std::uint32_t>(list.charts.size()), list.surfaces));
+        return list;
+    }
+
+private:
+    void find_edges()
+    {
+        constexpr double cell = 64.0; // in tolerances; most searches visit a single cell
+        PointGrid grid(cell * tolerance_, 0);
+        std::vector<Vec3> points; // the distinct corners
+        const auto position = [&](std::uint32_t number) { return points[number]; };
+        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
+            first_corner_.push_back(number_.size());
+            for (const Vec3 corner : corners_of(scene_.surfaces()[s])) {
+                const auto known = grid.first_near(corner, tolerance_, position);
+                number_.push_back(known ? *known : static_cast<std::uint32_t>(points.size()));
+                if (!known) {
+                    grid.insert(corner, number_.back());
+                    points.push_back(corner);
+                }
+            }
+        }
+        first_corner_.push_back(number_.size());
+
+        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s)
+            for_each_edge(s, [&](const DirectedEdge& edge) { edges_.push_back(edge); });
+        std::sort(edges_.begin(), edges_.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
+            return a.key() != b.key() ? a.key() < b.key() : a.surface < b.surface;
+        });
+    }
+
+    template <class Visit>
+    void for_each_edge(std::uint32_t surface, const Visit& visit) const
+    {
+        const std::size_t begin = first_corner_[surface];
+        const std::size_t end = first_corner_[surface + 1];
+        for (std::size_t n = begin; n < end; ++n)
+            visit(DirectedEdge{number_[n], number_[n + 1 < end ? n + 1 : begin], surface});
+    }
+
+    /// Flood fill from `seed`: appends the surfaces of chart `number`.
+    Chart flooded(std::uint32_t seed, std::uint32_t number, std::vector<std::uint32_t>& surfaces)
+    {
+        Chart chart;
+        chart.first = surfaces.size();
+        const Vec3 normal = scene_.surfaces()[seed].normal();
+        const auto take = [&](std::uint32_t s) {
+            chart_[s] = number;
+            surfaces.push_back(s);
+        };
+        take(seed);
+        for (std::size_t next = chart.first; next < surfaces.size(); ++next)
+            for_each_edge(surfaces[next], [&](const DirectedEdge& edge) {
+                if (const auto neighbour = coplanar_neighbour(edge, seed, normal))
+                    take(*neighbour);
+            });
+        chart.count = surfaces.size() - chart.first;
+        lay_axes(chart, seed, normal, surfaces);
+        return chart;
+    }
+
+    /// A surface without a chart that lies beyond an edge in the plane of `seed`. Nothing if the chart of `seed`
+    /// already has a surface there, since the two would overlap.
+    std::optional<std::uint32_t> coplanar_neighbour(const DirectedEdge& edge, std::uint32_t seed, Vec3 normal) const
+    {
+        std::optional<std::uint32_t> found;
+        auto beyond = std::lower_bound(edges_.begin(), edges_.end(), edge.reverse_key(),
+                                       [](const DirectedEdge& e, std::uint64_t key) { return e.key() < key; });
+        for (; beyond != edges_.end() && beyond->key() == edge.reverse_key(); ++beyond) {
+            if (chart_[beyond->surface] == chart_[seed])
+                return std::nullopt;
+            if (!found && chart_[beyond->surface] == no_chart && is_coplanar(beyond->surface, seed, normal))
+                found = beyond->surface;
+        }
+        return found;
+    }
+
+    bool is_coplanar(std::uint32_t s, std::uint32_t seed, Vec3 normal) const
+    {
+        constexpr double least_cosine = 0.99; // loose: normals of small faces are less exact than their corners
+        const std::vector<std::uint32_t>& material = scene_.file().material;
+        const Surface& surface = scene_.surfaces()[s];
+        const Vec3 origin = scene_.surfaces()[seed].origin;
+        if (material[s] != material[seed] || !(dot(surface.normal(), normal) > least_cosine))
+            return false;
+        for (const Vec3 corner : corners_of(surface))
+            if (std::abs(dot(corner - origin, normal)) > tolerance_)
+                return false;
+        return true;
+    }
+
+    /// Sets axes and rectangle of a chart. One axis is parallel to the longest edge of the seed, and x is that along
+    /// which the rectangle is longer.
+    void lay_axes(Chart& chart, std::uint32_t seed, Vec3 normal, const std::vector<std::uint32_t>& surfaces) const
+    {
+        const Surface& largest = scene_.surfaces()[seed];
+        Vec3 longest = largest.edge_u;
+        if (length(largest.edge_v) > length(longest))
+            longest = largest.edge_v;
+        if (largest.shape == Shape::triangle && length(largest.edge_v - largest.edge_u) > length(longest))
+            longest = largest.edge_v - largest.edge_u;
+        chart.along_x = normalized(longest);
+        chart.along_y = normalized(cross(normal, chart.along_x));
+
+        Bounds box; // in chart coordinates
+        for (std::size_t n = chart.first; n < chart.first + chart.count; ++n) {
+            for (const Vec3 corner : corners_of(scene_.surfaces()[surfaces[n]])) {
+                const Vec3 p = corner - largest.origin;
+                box.include(Vec3{dot(p, chart.along_x), dot(p, chart.along_y), 0.0});
+            }
+        }
+        chart.corner = largest.origin + box.low.x * chart.along_x + box.low.y * chart.along_y;
+        chart.width = box.size().x;
+        chart.height = box.size().y;
+        if (chart.width < chart.height) {
+            chart.corner = chart.corner + chart.width * chart.along_x;
+            const Vec3 x = chart.along_x;
+            chart.along_x = chart.along_y;
+            chart.along_y = -x;
+            std::swap(chart.width, chart.height);
+        }
+    }
+
+    static constexpr std::uint32_t no_chart = 0xffffffffu;
+
+    const Scene& scene_;
+    double tolerance_;                      ///< [scene units]
+    std::vector<std::uint32_t> chart_;      ///< per surface; no_chart if it has none yet
+    std::vector<std::size_t> first_corner_; ///< per surface, and one past the end
+    std::vector<std::uint32_t> number_;     ///< per corner: index after welding
+    std::vector<DirectedEdge> edges_;       ///< sorted by key
+};
+
+} // namespace
+
+ChartList charts_of(const Scene& scene)
+{
+    return ChartFinder(scene).charts();
+}
+
+} // namespace multipath

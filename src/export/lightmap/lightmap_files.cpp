@@ -1,0 +1,126 @@
+#include "export/lightmap/lightmap_files.h"
+
+#include "base/text_format.h"
+#include "export/csv_text.h"
+#include "export/lightmap/square_corners.h"
+#include "export/mesh/gltf_file.h"
+
+#include <array>
+#include <cstddef>
+
+namespace multipath {
+
+namespace {
+
+/// Corner k of a side in coordinates (u, v) of its surface, counter-clockwise seen from the side.
+std::array<double, 2> corner_of(const Scene& scene, const MeshSide& side, std::size_t k)
+{
+    const SquareCorners& corners = square_corners(scene.surfaces()[side.surface].shape);
+    return corners.uv[side.front ? k : corners.count - 1 - k];
+}
+
+/// The undivided surfaces as a mesh without light, with one face per side.
+PatchMesh undivided_mesh(const Scene& scene)
+{
+    PatchMesh mesh;
+    mesh.origin = mesh_origin(scene);
+    const auto add = [&](std::uint32_t s, bool front) {
+        const Surface& surface = scene.surfaces()[s];
+        MeshFace face;
+        face.corner_count = static_cast<std::uint32_t>(square_corners(surface.shape).count);
+        const MeshSide side = {s,
+                               front,
+                               front ? surface.normal() : -surface.normal(),
+                               mesh.positions.size(),
+                               face.corner_count,
+                               mesh.faces.size(),
+                               1};
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const auto [u, v] = corner_of(scene, side, k);
+            face.corners[k] = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.push_back(single(surface.at(u, v) - mesh.origin));
+        }
+        mesh.faces.push_back(face);
+        mesh.sides.push_back(side);
+    };
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s) {
+        add(s, true);
+        if (scene.two_sided())
+            add(s, false);
+    }
+    return mesh;
+}
+
+/// One part per used material.
+std::vector<MaterialPart> undivided_parts(const PatchMesh& mesh, const Scene& scene)
+{
+    return material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.is_textured(surface); });
+}
+
+/// The `v` and `vt` lines of a corner.
+std::string obj_corner(Vec3 p, int digits, TexturePoint texture)
+{
+    p = p + Vec3{}; // never "-0"
+    return format("v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x, digits, p.y, digits, p.z, texture.s, texture.t);
+}
+
+} // namespace
+
+std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
+                         const std::vector<GlbCamera>& cameras, const std::vector<std::string>& comments, Vec3 up)
+{
+    const PatchMesh mesh = undivided_mesh(scene);
+    GltfContent content;
+    content.parts = undivided_parts(mesh, scene);
+    const auto in_atlas = [&](const MeshSide& side, std::size_t vertex) {
+        const auto [u, v] = corner_of(scene, side, vertex - side.first_vertex);
+        return gltf_texture_coordinates(map.frame(side.surface, side.front).at(u, v));
+    };
+    const auto in_own_texture = [&](const MeshSide& side, std::size_t vertex) {
+        const auto [u, v] = corner_of(scene, side, vertex - side.first_vertex);
+        return gltf_texture_coordinates(mesh_texture_frame(scene, side.surface).at(u, v));
+    };
+    content.attributes = {{"TEXCOORD_0", 2, false, in_atlas}, {"TEXCOORD_1", 2, true, in_own_texture}};
+    content.textures = {{"lightmap", {"image/png", atlas_png}, false, false}};
+    content.shown_texture = [](const MaterialPart&) { return 0; };
+    content.cameras = cameras;
+    content.comments = comments;
+    content.scale = scale;
+    content.up = up;
+    content.instead = "fewer surfaces";
+    return gltf_bytes(mesh, scene, content);
+}
+
+std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::string& mtl_name,
+                         const std::vector<std::string>& comments)
+{
+    std::string text = comment_lines(comments) + "mtllib " + mtl_name + "\n";
+    const int digits = coordinate_digits(scene.own_bounds(), 7);
+    std::size_t corner = 0;
+    for (const MaterialPart& part : undivided_parts(undivided_mesh(scene), scene)) {
+        text += "usemtl " + scene.materials()[part.material].name + "\n";
+        for (const MeshSide& side : part.sides) {
+            std::string face = "f";
+            for (std::size_t k = 0; k < side.vertex_count; ++k) {
+                const auto [u, v] = corner_of(scene, side, k);
+                text += obj_corner(scene.surfaces()[side.surface].at(u, v), digits,
+                                   map.frame(side.surface, side.front).at(u, v));
+                const std::string number = std::to_string(++corner);
+                face += " " + number + "/" + number;
+            }
+            text += face + "\n";
+        }
+    }
+    return text;
+}
+
+std::string lightmap_mtl(const Scene& scene, const std::string& png_name)
+{
+    std::string text; // illum 0: constant colour, without lights
+    for (const MaterialPart& part : undivided_parts(undivided_mesh(scene), scene))
+        text += "newmtl " + scene.materials()[part.material].name + "\nKa 0 0 0\nKd 1 1 1\nillum 0\nmap_Kd " +
+                png_name + "\n";
+    return text;
+}
+
+} // namespace multipath
