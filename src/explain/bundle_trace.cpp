@@ -58,21 +58,18 @@ void trace_exchange(const Scene& scene, const Sent& sent, TracedLine& line)
 {
     const auto sends = [&](std::size_t after, std::uint32_t from, std::uint32_t to) {
         line.transfers.push_back({after, from, to, sent(from), {}, sent(from)});
-        line.notes.push_back({patch_name(scene, from) + " sends " + watts(sent(from)) +
-                                  (Segment::is_patch(to) ? " to " + patch_name(scene, to) : ", " + loss(to)),
-                              2, 4});
+        line.notes.push_back({patch_name(scene, from) + " sends " + watts(sent(from)) + destination(scene, to)});
     };
-    line.opening.push_back({"from " + point_text(line.points.front()) + " to " + point_text(line.points.back()), 2, 4});
+    line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back());
     for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
         const Segment segment = segment_after(line, after);
-        line.joins[after] = segment.joins_patches();
         if (Segment::is_patch(segment.from))
             sends(after, segment.from, segment.to);
         if (Segment::is_patch(segment.to))
             sends(after, segment.to, segment.from);
     }
     if (line.crossings.empty())
-        line.notes.push_back({"meets nothing", 2, 4});
+        line.notes.push_back({"meets nothing"});
 }
 
 } // namespace

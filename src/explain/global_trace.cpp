@@ -125,22 +125,20 @@ void trace_segment(const Scene& scene, bool bidirectional, std::size_t after, Po
 void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& walk, TracedLine& line)
 {
     const bool from_box = chords_of(options) == Chords::box;
-    line.opening.push_back({"from " + point_text(line.points.front()) + " to " + point_text(line.points.back()) +
-                                (from_box ? ", both just outside the box" : " on the sphere"),
-                            2, 4});
+    line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back()) +
+                   (from_box ? ", both just outside the box" : " on the sphere");
     for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
         const Segment segment = segment_after(line, after);
-        line.joins[after] = segment.joins_patches();
         if (Segment::is_patch(segment.from) || Segment::is_patch(segment.to))
             trace_segment(scene, options.bidirectional, after, walk, line);
     }
     if (line.points.front() == line.points.back())
         line.notes.push_back(
-            {"the two points are equal: a chord of length 0, which is counted as cast and meets nothing", 2, 4});
+            {"the two points are equal: a chord of length 0, which is counted as cast and meets nothing"});
     else if (line.crossings.empty())
-        line.notes.push_back({"meets nothing: it is cast, as (G1) counts it, but carries no power", 2, 4});
+        line.notes.push_back({"meets nothing: it is cast, as (G1) counts it, but carries no power"});
     else if (line.notes.empty())
-        line.notes.push_back({"the line meets only sides without patches: it carries no power", 2, 4});
+        line.notes.push_back({"the line meets only sides without patches: it carries no power"});
 }
 
 /// The stage without its lines.

@@ -22,12 +22,10 @@ TracedLine trace_ray(const Scene& scene, const LineOrigin& origin, const Iterati
 {
     TracedLine line = traced_ray(scene, origin, ray.from, ray.to, "");
     line.transfers.push_back({0, ray.from, ray.to, {}, ray.sent, ray.sent});
-    line.notes.push_back({sender_text(scene, ray.from, ray.from_density, ray.sent) +
-                              (Segment::is_patch(ray.to) ? " to " + patch_name(scene, ray.to) : ", " + loss(ray.to)),
-                          2, 4});
+    line.notes.push_back({sender_text(scene, ray.from, ray.from_density, ray.sent) + destination(scene, ray.to)});
     if (ray.to_density > 0.0) {
         line.transfers.push_back({0, ray.to, ray.from, {}, ray.returned, ray.returned});
-        line.notes.push_back({sender_text(scene, ray.to, ray.to_density, ray.returned) + " back", 2, 4});
+        line.notes.push_back({sender_text(scene, ray.to, ray.to_density, ray.returned) + " back"});
     }
     return line;
 }

@@ -44,7 +44,6 @@ void trace_paths(const Scene& scene, const SolveOptions& options, const Particle
 {
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const std::uint64_t first_item = first_item_of(scene, *sequence, options);
-    trace.lists_hits = false;
     trace.count = particles.count();
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
         TracedLine path;

@@ -11,8 +11,6 @@
 #include "radiosity/paper/line_budget.h"
 #include "transport/lines/local_rays.h"
 
-#include <optional>
-
 namespace multipath {
 
 namespace {
@@ -25,25 +23,37 @@ TracedLine trace_ray(const Scene& scene, const Shot& shot, const LineOrigin& ori
     TracedLine line = traced_ray(scene, origin, shot.patch, where, " with " + watts(power));
     line.transfers.push_back({0, shot.patch, where, {}, power, power});
     if (!Segment::is_patch(where)) {
-        line.notes.push_back({"carries " + watts(power) + ", " + loss(where), 2, 4});
+        line.notes.push_back({"carries " + watts(power) + ", " + loss(where)});
         return line;
     }
     line.transfers.back().then_held = state.unshot[where];
     const Rgb rho = scene.reflectance(where);
     line.notes.push_back({patch_name(scene, where) + " receives " + watts(power) + " and reflects " + colour_text(rho) +
-                              " of it: " + watts(rho * power) + " more is unshot; it then has " +
-                              watts(state.unshot[where]) + " unshot",
-                          2, 4});
+                          " of it: " + watts(rho * power) + " more is unshot; it then has " +
+                          watts(state.unshot[where]) + " unshot"});
     return line;
 }
 
-/// The shots of a pass, and the state in which it begins, with their power already spent.
-struct ObservedPass
+/// The traces of the rays of the range in a pass. `state` is that in which the pass begins, with the power of the shots
+/// already spent.
+std::vector<TracedLine> trace_rays(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                   const std::vector<Shot>& shots, PowerState state, const TracedRange& range)
 {
-    std::uint64_t first_item = 0;
-    std::vector<Shot> shots;
-    std::optional<PowerState> state;
-};
+    require_in_stage(range, ray_count(shots), "rays");
+    std::vector<TracedLine> lines;
+    std::uint64_t n = 0;
+    for (const Shot& shot : shots)
+        for (std::uint64_t k = 0; k < shot.rays && n < range.first + range.count; ++k, ++n) {
+            const LineOrigin origin{n, first_item + n, sequence.item(first_item + n)};
+            const Patch patch = scene.patch(shot.patch);
+            const std::uint32_t where = receiver(scene, patch.surface, local_line(patch, origin.numbers));
+            if (Segment::is_patch(where))
+                state.unshot[where] += scene.reflectance(where) * shot.power_per_ray; // (S1)
+            if (range.includes(n))
+                lines.push_back(trace_ray(scene, shot, origin, where, state));
+        }
+    return lines;
+}
 
 /// Throws SettingsError unless there is a pass of this number.
 void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
@@ -88,32 +98,21 @@ StageTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, cons
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     const std::uint64_t first_item = first_item_of(scene, *sequence, options);
 
-    ObservedPass observed;
+    std::vector<TracedLine> rays;
+    std::size_t shooters = 0;
     std::size_t passes_begun = 0;
-    const auto keep_pass = [&](std::uint64_t first_of_pass, const std::vector<Shot>& shots, const PowerState& state) {
-        if (passes_begun++ == range.pass)
-            observed = {first_of_pass, shots, state};
+    const auto observe = [&](std::uint64_t first_of_pass, const std::vector<Shot>& shots, const PowerState& state) {
+        if (passes_begun++ != range.pass)
+            return;
+        shooters = shots.size();
+        rays = trace_rays(scene, *sequence, first_of_pass, shots, state, range);
     };
     PowerState state(scene);
     const std::vector<ShotPass> passes =
-        shoot_first(scene, *sequence, first_item, options, {options.threads}, state, keep_pass);
+        shoot_first(scene, *sequence, first_item, options, {options.threads}, state, observe);
     require_pass(passes, range.pass);
-    require_in_stage(range, ray_count(observed.shots), "rays");
-
-    StageTrace trace =
-        shot_stage(passes, range.pass, observed.shots.size(), options.threshold.value_or(threshold_radiosity(scene)));
-    std::uint64_t n = 0;
-    for (const Shot& shot : observed.shots)
-        for (std::uint64_t k = 0; k < shot.rays && n < range.first + range.count; ++k, ++n) {
-            const std::uint64_t item = observed.first_item + n;
-            const LineOrigin origin{n, item, sequence->item(item)};
-            const Patch patch = scene.patch(shot.patch);
-            const std::uint32_t where = receiver(scene, patch.surface, local_line(patch, origin.numbers));
-            if (Segment::is_patch(where))
-                observed.state->unshot[where] += scene.reflectance(where) * shot.power_per_ray; // (S1)
-            if (range.includes(n))
-                trace.lines.push_back(trace_ray(scene, shot, origin, where, *observed.state));
-        }
+    StageTrace trace = shot_stage(passes, range.pass, shooters, options.threshold.value_or(threshold_radiosity(scene)));
+    trace.lines = rays;
     return trace;
 }
 

@@ -38,7 +38,6 @@ struct StageTrace
     std::string chapter_note;         ///< explains these lines on the page, a few sentences
     std::string which;                ///< which lines these are, such as "walks of the first round"
     std::string kind;                 ///< name of one line, such as "walk"
-    bool lists_hits = true;           ///< the hits are listed in a table; the notes of paths tell them
     bool from_outside = false;        ///< the lines start on the sphere or box around the scene
     std::uint64_t count = 0;          ///< number of all lines of the stage
     std::vector<TracedLine> lines;    ///< those of the range

@@ -41,10 +41,15 @@ TracedLine traced_ray(const Scene& scene, const LineOrigin& origin, std::uint32_
     line.origin = origin;
     const Line ray = local_line(scene.patch(from), origin.numbers);
     append_ray(scene, from, ray, to, line);
-    line.opening.push_back({"leaves " + patch_name(scene, from) + " at " + point_text(ray.origin) + " in direction " +
-                                point_text(ray.direction) + more,
-                            2, 4});
+    line.opening = "leaves " + patch_name(scene, from) + " at " + point_text(ray.origin) + " in direction " +
+                   point_text(ray.direction) + more;
     return line;
+}
+
+Segment segment_after(const TracedLine& line, std::size_t after)
+{
+    return {after == 0 ? Segment::outside : line.crossings[after - 1].patches.leaves,
+            after == line.crossings.size() ? Segment::outside : line.crossings[after].patches.arrives_at};
 }
 
 TracedLine through_scene(const Scene& scene, const LineOrigin& origin, const Line& line, Vec3 to,
@@ -58,14 +63,9 @@ TracedLine through_scene(const Scene& scene, const LineOrigin& origin, const Lin
         traced.crossings.push_back({hit, traced.points.back(), passage_at(scene, hit)});
     }
     traced.points.push_back(to);
-    traced.joins.resize(hits.size() + 1);
+    for (std::size_t after = 0; after <= hits.size(); ++after)
+        traced.joins.push_back(segment_after(traced, after).joins_patches());
     return traced;
-}
-
-Segment segment_after(const TracedLine& line, std::size_t after)
-{
-    return {after == 0 ? Segment::outside : line.crossings[after - 1].patches.leaves,
-            after == line.crossings.size() ? Segment::outside : line.crossings[after].patches.arrives_at};
 }
 
 } // namespace multipath

@@ -50,8 +50,8 @@ struct Transfer
 struct Note
 {
     std::string text;
-    std::size_t first;  ///< [columns] indentation of the first line
-    std::size_t others; ///< [columns] indentation of the other lines
+    std::size_t first = 2;  ///< [columns] indentation of the first line
+    std::size_t others = 4; ///< [columns] indentation of the other lines
 };
 
 /// What a line of a run does: a global line, a line of a bundle, a ray, or a path of rays (particle, walk).
@@ -62,8 +62,8 @@ struct TracedLine
     std::vector<bool> joins;         ///< per segment of the polyline: true if it joins two patches
     std::vector<Crossing> crossings; ///< in order along the line
     std::vector<Transfer> transfers; ///< in the order in which they happen
-    std::vector<Note> opening;       ///< where the line comes from
-    std::vector<Note> notes;         ///< what it carries
+    std::string opening;     ///< where the line comes from; empty for a path, whose notes tell this and its hits
+    std::vector<Note> notes; ///< what it carries
 };
 
 } // namespace multipath

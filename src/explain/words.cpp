@@ -52,4 +52,9 @@ std::string loss(std::uint32_t where)
                                     : "which is lost: it leaves the scene";
 }
 
+std::string destination(const Scene& scene, std::uint32_t to)
+{
+    return Segment::is_patch(to) ? " to " + patch_name(scene, to) : ", " + loss(to);
+}
+
 } // namespace multipath

@@ -27,5 +27,7 @@ std::string surface_name(const Scene& scene, std::uint32_t surface);
 std::string patch_name(const Scene& scene, std::uint32_t patch);
 /// Fate of power that no patch receives: `where` is Segment::behind or Segment::outside.
 std::string loss(std::uint32_t where);
+/// " to patch 3 of floor (line 4)", or the fate of the power if `to` is no patch.
+std::string destination(const Scene& scene, std::uint32_t to);
 
 } // namespace multipath

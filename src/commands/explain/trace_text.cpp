@@ -48,14 +48,6 @@ std::string crossings_table(const Scene& scene, const std::vector<Crossing>& cro
     return text;
 }
 
-std::string notes_text(const std::vector<Note>& notes)
-{
-    std::string text;
-    for (const Note& note : notes)
-        text += wrapped(note.text, note.first, note.others);
-    return text;
-}
-
 /// "ray 3 of 1,000: item 17 = (0.1, 0.2, 0.3, 0.4)"
 std::string title(const StageTrace& trace, const LineOrigin& origin)
 {
@@ -84,10 +76,14 @@ std::string trace_text(const TracedRun& run, const StageTrace& trace)
     for (const std::string& paragraph : trace.context)
         text += wrapped(paragraph, 0, 0);
     for (const TracedLine& line : trace.lines) {
-        text += "\n" + title(trace, line.origin) + "\n" + notes_text(line.opening);
-        if (trace.lists_hits && !line.crossings.empty())
-            text += crossings_table(run.scene, line.crossings);
-        text += notes_text(line.notes);
+        text += "\n" + title(trace, line.origin) + "\n";
+        if (!line.opening.empty()) {
+            text += wrapped(line.opening, 2, 4);
+            if (!line.crossings.empty())
+                text += crossings_table(run.scene, line.crossings);
+        }
+        for (const Note& note : line.notes)
+            text += wrapped(note.text, note.first, note.others);
     }
     return text;
 }
