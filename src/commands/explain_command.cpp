@@ -49,71 +49,10 @@ CommandTable explain_table()
             "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
 }
 
-/// Text and drawn lines of one trace.
-struct Explanation
-{
-    std::string text;
-    std::string title;
-    std::vector<DrawnLine> lines;
-    bool from_outside = false; ///< the drawing shows the sphere or box from which the lines start
-};
-
-Explanation explain_shot(const TracedRun& run, std::size_t pass, const TracedRange& range)
-{
-    const ShotTrace trace = trace_shot_pass(run.scene, run.options, pass, range);
-    return {trace_text(run, trace), "Rays of pass " + std::to_string(pass + 1) + " of the first shot",
-            drawn_lines(run.scene, trace)};
-}
-
-Explanation explain_global(const TracedRun& run, std::size_t, const TracedRange& range)
-{
-    const GlobalTrace trace = trace_global_pass(run.scene, run.options, range);
-    return {trace_text(run, trace), "Lines of the global pass", drawn_lines(trace.lines), true};
-}
-
-Explanation explain_bundle(const TracedRun& run, std::size_t, const TracedRange& range)
-{
-    const BundleTrace trace = trace_bundle(run.scene, run.options, range);
-    return {trace_text(run, trace), "Lines of one direction of transillumination", drawn_lines(trace.lines)};
-}
-
-Explanation explain_particles(const TracedRun& run, std::size_t, const TracedRange& range)
-{
-    const ParticleTrace trace = trace_particles(run.scene, run.options, range);
-    return {trace_text(run, trace), "Particles of local Monte Carlo", drawn_lines(run.scene, trace)};
-}
-
-Explanation explain_walks(const TracedRun& run, std::size_t, const TracedRange& range)
-{
-    const WalkTrace trace = trace_walks(run.scene, run.options, range);
-    return {trace_text(run, trace), "Gathering random walks", drawn_lines(run.scene, trace)};
-}
-
-Explanation explain_iteration(const TracedRun& run, std::size_t, const TracedRange& range)
-{
-    const JacobiTrace trace = trace_iteration(run.scene, run.options, range);
-    return {trace_text(run, trace), "Rays of a stochastic Jacobi iteration", drawn_lines(run.scene, trace)};
-}
-
-struct NamedStage
-{
-    std::string_view name; ///< see MethodInfo::traced
-    Explanation (*explain)(const TracedRun& run, std::size_t pass, const TracedRange& range);
-};
-
-constexpr std::string_view later_pass = "extended:PASS";
-constexpr std::array<NamedStage, 7> known_stages = {{{"first-shot", explain_shot},
-                                                     {later_pass, explain_shot},
-                                                     {"global", explain_global},
-                                                     {"bundle", explain_bundle},
-                                                     {"local", explain_particles},
-                                                     {"gathering", explain_walks},
-                                                     {"iteration", explain_iteration}}};
-
 /// The stage of the run whose lines are traced.
 struct Stage
 {
-    const NamedStage* kind;
+    const StageTracer* tracer;
     std::size_t pass = 0; ///< of a shot, from 0
 };
 
@@ -153,11 +92,11 @@ Stage read_stage(const CommandLine& line)
     const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
     const std::string_view name = pass_named ? later_pass : std::string_view(text);
     const auto* const stage =
-        std::find_if(known_stages.begin(), known_stages.end(), [&](const NamedStage& s) { return s.name == name; });
-    if (stage == known_stages.end()) {
+        std::find_if(stage_tracers.begin(), stage_tracers.end(), [&](const StageTracer& s) { return s.stage == name; });
+    if (stage == stage_tracers.end()) {
         std::vector<std::string_view> names;
-        for (const NamedStage& known : known_stages)
-            names.push_back(known.name);
+        for (const StageTracer& known : stage_tracers)
+            names.push_back(known.stage);
         throw UsageError("--stage: expected " + alternatives(names) + ", got " + quoted_argument(text));
     }
     if (!has_stage(method, name))
@@ -168,20 +107,20 @@ Stage read_stage(const CommandLine& line)
     return {stage, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
-TracedRange read_traced_range(const CommandLine& line)
+TracedRange read_traced_range(const CommandLine& line, std::size_t pass)
 {
     return {read_count("--first", line.text("first"), 1, std::uint64_t{1} << 48) - 1,
-            read_count("--lines", line.text("lines"), 1, most_traced_lines)};
+            read_count("--lines", line.text("lines"), 1, most_traced_lines), pass};
 }
 
-LineDrawing drawing_of(const TracedRun& run, const Explanation& explanation)
+LineDrawing drawing_of(const TracedRun& run, const StageTrace& trace)
 {
     LineDrawing drawing;
-    drawing.title = explanation.title;
+    drawing.title = trace.drawing;
     drawing.subtitle = run.scene.path() + ", --method " + run.method + ", sequence " + run.sequence;
-    if (explanation.from_outside && chords_of(run.options) == Chords::box)
+    if (trace.from_outside && chords_of(run.options) == Chords::box)
         drawing.box = run.scene.bounds();
-    else if (explanation.from_outside)
+    else if (trace.from_outside)
         drawing.sphere = DrawnSphere{run.scene.bounds().centre(), 0.5 * run.scene.bounds().diagonal()};
     return drawing;
 }
@@ -190,7 +129,7 @@ int run_explain(const CommandLine& line)
 {
     require_options_with_effect(line);
     const Stage stage = read_stage(line);
-    const TracedRange range = read_traced_range(line);
+    const TracedRange range = read_traced_range(line, stage.pass);
     const Vec3 up = read_direction("--up", line.text("up"));
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);
@@ -202,15 +141,15 @@ int run_explain(const CommandLine& line)
     for (const std::string& warning : scene.file().warnings)
         print_note(warning + "\n");
     const TracedRun run{scene, options, line.text("method"), sequence};
-    const Explanation explanation = stage.kind->explain(run, stage.pass, range);
-    LineDrawing drawing = drawing_of(run, explanation);
+    const StageTrace trace = stage.tracer->trace(scene, options, range);
+    LineDrawing drawing = drawing_of(run, trace);
     drawing.up = up;
     drawing.comments = provenance(explain_table(), line, scene);
     for (PlannedOutput& output : outputs)
-        output.file.write(draw_lines(scene, explanation.lines, drawing));
+        output.file.write(draw_lines(scene, drawn_lines(trace), drawing));
     commit(outputs);
     if (std::find(paths.begin(), paths.end(), "-") == paths.end())
-        print(explanation.text);
+        print(trace_text(run, trace));
     return 0;
 }
 

@@ -1,6 +1,7 @@
-#include "explain/line_trace.h"
+#include "explain/stage_trace.h"
 
 #include "base/errors.h"
+#include "radiosity/family/transillumination.h"
 #include "scene/scene_builder.h"
 
 #include <doctest/doctest.h>
@@ -41,19 +42,22 @@ TEST_CASE("the lines of a bundle are parallel, and cross surfaces in proportion 
     const Scene scene = room();
     SolveOptions options = run(1u << 16);
     options.bundle = 2048;
-    const BundleTrace first = trace_bundle(scene, options, {0, 1});
-    const BundleTrace trace = trace_bundle(scene, options, {0, first.lines_cast});
-    REQUIRE(trace.lines.size() == trace.lines_cast);
-    CHECK(std::abs(length(trace.direction) - 1.0) < 1e-12);
+    const StageTrace first = trace_bundle(scene, options, {0, 1});
+    const StageTrace trace = trace_bundle(scene, options, {0, first.count});
+    REQUIRE(trace.lines.size() == trace.count);
+    const Bundle bundle(scene.bounds(), trace.lines.front().origin.numbers, *options.bundle);
+    // [m^2] per line: the lines traced share the same rectangle, but are not quite as many
+    const double section = bundle.section() * static_cast<double>(bundle.count()) / static_cast<double>(trace.count);
     double crossed = 0.0; // [m^2] as the lines tell
-    for (const GlobalLine& line : trace.lines) {
-        CHECK(length(cross(line.to - line.from, trace.direction)) < 1e-12);
-        crossed += static_cast<double>(line.crossings.size()) * trace.section;
-        CHECK((line.crossings.empty() || dot(line.to - line.crossings.back().point, trace.direction) > 0.0));
+    for (const TracedLine& line : trace.lines) {
+        const Vec3 end = line.points.back();
+        CHECK(length(cross(end - line.points.front(), bundle.direction())) < 1e-12);
+        crossed += static_cast<double>(line.crossings.size()) * section;
+        CHECK((line.crossings.empty() || dot(end - line.crossings.back().point, bundle.direction()) > 0.0));
     }
     double across = 0.0;
     for (const Surface& surface : scene.surfaces())
-        across += surface.area() * std::abs(dot(surface.normal(), trace.direction));
+        across += surface.area() * std::abs(dot(surface.normal(), bundle.direction()));
     CHECK(crossed == doctest::Approx(across).epsilon(0.02));
 }
 
@@ -62,19 +66,22 @@ TEST_CASE("along a line of a bundle two patches exchange power, each the same al
     const Scene scene = room();
     SolveOptions options = run(1u << 14);
     options.bundle = 256;
-    const BundleTrace trace = trace_bundle(scene, options, {0, 200});
+    const StageTrace trace = trace_bundle(scene, options, {0, 200});
     std::map<std::uint32_t, double> sent; // [W] by each patch
     std::size_t exchanges = 0;
-    for (const GlobalLine& line : trace.lines)
-        for (const TracedSegment& traced : line.segments) {
-            REQUIRE(traced.transfers.size() == (traced.segment.joins_patches() ? 2 : 1));
-            exchanges += traced.segment.joins_patches() ? 1 : 0;
-            for (const Transfer& transfer : traced.transfers) {
-                CHECK(transfer.held == Rgb{});
-                const auto known = sent.emplace(transfer.from, transfer.sent().g).first;
-                CHECK(known->second == transfer.sent().g);
-            }
+    for (const TracedLine& line : trace.lines) {
+        std::vector<int> transfers(line.joins.size()); // per segment
+        for (const Transfer& transfer : line.transfers) {
+            ++transfers.at(transfer.segment);
+            CHECK(transfer.held == Rgb{});
+            const auto known = sent.emplace(transfer.from, transfer.sent().g).first;
+            CHECK(known->second == transfer.sent().g);
         }
+        for (std::size_t k = 0; k < transfers.size(); ++k) {
+            CHECK((transfers[k] == 2) == line.joins[k]);
+            exchanges += line.joins[k] ? 1 : 0;
+        }
+    }
     CHECK(exchanges > 100);
     CHECK(sent.size() > 20);
 }
@@ -82,9 +89,9 @@ TEST_CASE("along a line of a bundle two patches exchange power, each the same al
 TEST_CASE("lines that the direction does not have are refused")
 {
     const Scene scene = room();
-    const BundleTrace trace = trace_bundle(scene, run(1u << 12), {0, 1});
-    CHECK_NOTHROW(trace_bundle(scene, run(1u << 12), {trace.lines_cast - 1, 1}));
-    CHECK_THROWS_AS(trace_bundle(scene, run(1u << 12), {trace.lines_cast, 1}), SettingsError);
+    const StageTrace trace = trace_bundle(scene, run(1u << 12), {0, 1});
+    CHECK_NOTHROW(trace_bundle(scene, run(1u << 12), {trace.count - 1, 1}));
+    CHECK_THROWS_AS(trace_bundle(scene, run(1u << 12), {trace.count, 1}), SettingsError);
 }
 
 } // namespace bundle_trace_test

@@ -1,6 +1,7 @@
-#include "explain/line_trace.h"
+#include "explain/stage_trace.h"
 
 #include "base/errors.h"
+#include "base/text_format.h"
 #include "radiosity/paper/first_stage.h"
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"
@@ -44,37 +45,41 @@ SolveOptions short_run(Method method)
     return options;
 }
 
-GlobalTrace tell_all(const Scene& scene, const SolveOptions& options)
+StageTrace tell_all(const Scene& scene, const SolveOptions& options)
 {
-    const std::uint64_t cast = trace_global_pass(scene, options, {0, 1}).lines_cast;
+    const std::uint64_t cast = trace_global_pass(scene, options, {0, 1}).count;
     return trace_global_pass(scene, options, {0, cast});
 }
 
 /// Solves by what is told: what the transfers bring, added up in their order to what the first stage brought.
-std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options, const GlobalTrace& trace)
+std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options, const StageTrace& trace)
 {
     PowerState state(scene);
     const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
     std::vector<Rgb> received(scene.patch_count());
-    for (const GlobalLine& line : trace.lines)
-        for (const TracedSegment& traced : line.segments)
-            for (const Transfer& transfer : traced.transfers)
-                if (Segment::is_patch(transfer.to))
-                    received[transfer.to] += transfer.sent();
+    for (const TracedLine& line : trace.lines)
+        for (const Transfer& transfer : line.transfers)
+            if (Segment::is_patch(transfer.to))
+                received[transfer.to] += transfer.sent();
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         state.incident[i] += received[i];
     return radiosity(scene, state);
 }
 
-Rgb lost(const GlobalTrace& trace, std::uint32_t where)
+/// True if the first paragraph about the stage has these words.
+bool says(const StageTrace& trace, const std::string& words)
+{
+    return trace.context.front().find(words) != std::string::npos;
+}
+
+Rgb lost(const StageTrace& trace, std::uint32_t where)
 {
     Rgb power;
-    for (const GlobalLine& line : trace.lines)
-        for (const TracedSegment& traced : line.segments)
-            for (const Transfer& transfer : traced.transfers)
-                if (transfer.to == where)
-                    power += transfer.sent();
+    for (const TracedLine& line : trace.lines)
+        for (const Transfer& transfer : line.transfers)
+            if (transfer.to == where)
+                power += transfer.sent();
     return power;
 }
 
@@ -85,9 +90,9 @@ TEST_CASE("the lines told are the box's where the run draws them from the box")
     const Scene scene = furnished_room();
     SolveOptions options = short_run(Method::first_shot);
     options.chords = Chords::box;
-    const GlobalTrace trace = tell_all(scene, options);
+    const StageTrace trace = tell_all(scene, options);
     const Solution solution = solve(scene, options, [](double) {});
-    CHECK(trace.lines_cast == trace.lines_charged);
+    CHECK(trace.count == solution.global_lines);
     CHECK(trace.lines.size() == solution.global_lines_cast);
     CHECK(radiosity_told(scene, options, trace) == solution.radiosity); // the same sums in the same order
 }
@@ -103,10 +108,11 @@ TEST_CASE("the powers told for all global lines add up to the solver's radiosity
                 const Scene scene = furnished_room(two_sided);
                 SolveOptions options = short_run(method);
                 options.bidirectional = bidirectional;
-                const GlobalTrace trace = tell_all(scene, options);
+                const StageTrace trace = tell_all(scene, options);
                 const Solution solution = solve(scene, options, [](double) {});
-                CHECK(trace.local_lines == solution.local_lines);
-                CHECK(trace.lines_charged == solution.global_lines);
+                CHECK(says(trace, "with " + grouped(solution.global_lines) + " global lines"));
+                CHECK(says(trace, "took " + grouped(solution.local_lines) + " of the lines") ==
+                      (method->name != "global"));
                 CHECK(trace.lines.size() == solution.global_lines_cast);
                 CHECK(radiosity_told(scene, options, trace) == solution.radiosity);
             }
@@ -119,7 +125,7 @@ TEST_CASE("what is told as lost is what the solver finds to have left the scene 
     for (const bool bidirectional : {true, false}) {
         SolveOptions options = short_run(Method::global);
         options.bidirectional = bidirectional;
-        const GlobalTrace trace = tell_all(scene, options);
+        const StageTrace trace = tell_all(scene, options);
         const PowerBalance balance = solve(scene, options, [](double) {}).balance;
         CHECK(mean(balance.escaped) > 0.0);
         CHECK(mean(lost(trace, Segment::outside)) == doctest::Approx(mean(balance.escaped)).epsilon(1e-13));
@@ -135,16 +141,22 @@ TEST_CASE("what a patch is told to hold after a line is what it is told to hold 
         options.bidirectional = bidirectional;
         std::vector<Rgb> holds(scene.patch_count());
         int compared = 0;
-        for (const GlobalLine& line : tell_all(scene, options).lines)
-            for (const TracedSegment& traced : line.segments) {
-                for (const Transfer& transfer : traced.transfers) {
-                    CHECK(transfer.held == holds[transfer.from]);
-                    compared += mean(transfer.held) > 0.0 ? 1 : 0;
-                }
-                if (Segment::is_patch(traced.segment.from))
-                    holds[traced.segment.from] = traced.from_holds;
-                if (Segment::is_patch(traced.segment.to))
-                    holds[traced.segment.to] = traced.to_holds;
+        for (const TracedLine& line : tell_all(scene, options).lines)
+            for (std::size_t k = 0; k < line.transfers.size(); ++k) {
+                const Transfer& transfer = line.transfers[k];
+                CHECK(transfer.held == holds[transfer.from]);
+                compared += mean(transfer.held) > 0.0 ? 1 : 0;
+                const bool returns = k > 0 && line.transfers[k - 1].segment == transfer.segment;
+                const bool is_answered =
+                    k + 1 < line.transfers.size() && line.transfers[k + 1].segment == transfer.segment;
+                if (is_answered)
+                    continue; // both send before they receive
+                if (returns)
+                    holds[transfer.from] = line.transfers[k - 1].then_held;
+                else
+                    holds[transfer.from] = {};
+                if (Segment::is_patch(transfer.to))
+                    holds[transfer.to] = transfer.then_held;
             }
         CHECK(compared > 100);
     }
@@ -153,14 +165,15 @@ TEST_CASE("what a patch is told to hold after a line is what it is told to hold 
 TEST_CASE("a traced segment lies between the two crossings that it names")
 {
     for (const bool two_sided : {true, false})
-        for (const GlobalLine& line : tell_all(furnished_room(two_sided), short_run(Method::global)).lines)
-            for (const TracedSegment& traced : line.segments) {
-                const std::size_t after = traced.after;
+        for (const TracedLine& line : tell_all(furnished_room(two_sided), short_run(Method::global)).lines)
+            for (const Transfer& transfer : line.transfers) {
+                const std::size_t after = transfer.segment;
                 REQUIRE(after <= line.crossings.size());
-                CHECK(traced.segment.from ==
-                      (after == 0 ? Segment::outside : line.crossings[after - 1].patches.leaves));
-                CHECK(traced.segment.to ==
-                      (after == line.crossings.size() ? Segment::outside : line.crossings[after].patches.arrives_at));
+                const std::uint32_t from = after == 0 ? Segment::outside : line.crossings[after - 1].patches.leaves;
+                const std::uint32_t to =
+                    after == line.crossings.size() ? Segment::outside : line.crossings[after].patches.arrives_at;
+                CHECK(((transfer.from == from && transfer.to == to) || (transfer.from == to && transfer.to == from)));
+                CHECK(line.joins[after] == (Segment::is_patch(from) && Segment::is_patch(to)));
             }
 }
 
@@ -168,17 +181,17 @@ TEST_CASE("a later line is told with the powers that the lines before it left")
 {
     const Scene scene = furnished_room();
     const SolveOptions options = short_run(Method::first_shot);
-    const GlobalTrace from_the_start = trace_global_pass(scene, options, {0, 200});
-    const GlobalTrace late = trace_global_pass(scene, options, {190, 10});
+    const StageTrace from_the_start = trace_global_pass(scene, options, {0, 200});
+    const StageTrace late = trace_global_pass(scene, options, {190, 10});
     REQUIRE(late.lines.size() == 10);
     for (std::size_t k = 0; k < 10; ++k) {
-        const GlobalLine& a = from_the_start.lines[190 + k];
-        const GlobalLine& b = late.lines[k];
+        const TracedLine& a = from_the_start.lines[190 + k];
+        const TracedLine& b = late.lines[k];
         CHECK(a.origin.number == b.origin.number);
         CHECK(a.origin.item == b.origin.item);
-        REQUIRE(a.segments.size() == b.segments.size());
-        for (std::size_t s = 0; s < a.segments.size(); ++s)
-            CHECK(a.segments[s].to_holds == b.segments[s].to_holds);
+        REQUIRE(a.transfers.size() == b.transfers.size());
+        for (std::size_t t = 0; t < a.transfers.size(); ++t)
+            CHECK(a.transfers[t].then_held == b.transfers[t].then_held);
     }
 }
 
@@ -186,7 +199,7 @@ TEST_CASE("lines that the pass does not cast are refused")
 {
     const Scene scene = furnished_room();
     const SolveOptions options = short_run(Method::global);
-    const std::uint64_t cast = trace_global_pass(scene, options, {0, 1}).lines_cast;
+    const std::uint64_t cast = trace_global_pass(scene, options, {0, 1}).count;
     CHECK(trace_global_pass(scene, options, {cast - 1, 1}).lines.size() == 1);
     CHECK_THROWS_AS(trace_global_pass(scene, options, {cast, 1}), InputError);
     CHECK_THROWS_AS(trace_global_pass(scene, options, {cast - 1, 2}), InputError);

@@ -1,6 +1,7 @@
-#include "explain/line_trace.h"
+#include "explain/stage_trace.h"
 
 #include "base/errors.h"
+#include "radiosity/family/stochastic_jacobi.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -21,9 +22,9 @@ SolveOptions run(bool bidirectional)
     return options;
 }
 
-JacobiTrace trace_all(const Scene& scene, const SolveOptions& options)
+StageTrace trace_all(const Scene& scene, const SolveOptions& options)
 {
-    return trace_iteration(scene, options, {0, trace_iteration(scene, options, {0, 1}).ray_count});
+    return trace_iteration(scene, options, {0, trace_iteration(scene, options, {0, 1}).count});
 }
 
 } // namespace
@@ -60,23 +61,25 @@ TEST_CASE("the traced rays of the first iteration carry what the solver adds")
 TEST_CASE("rays of an iteration leave the patches in order, in proportion to what they carry together")
 {
     const Scene scene = coloured_room();
-    const JacobiTrace trace = trace_all(scene, run(false));
+    const StageTrace trace = trace_all(scene, run(false));
     std::map<std::uint32_t, std::pair<double, double>> sent; // rays and power of each patch
     std::uint32_t last = 0;
-    for (const JacobiRay& ray : trace.rays) {
-        REQUIRE(ray.crossing);
-        CHECK(ray.crossing->patches.arrives_at == ray.carried.to);
-        CHECK(ray.carried.from >= last);
-        last = ray.carried.from;
+    for (const TracedLine& ray : trace.lines) {
+        REQUIRE(ray.crossings.size() == 1);
+        REQUIRE(ray.transfers.size() == 1);
+        const Transfer& transfer = ray.transfers[0];
+        CHECK(ray.crossings[0].patches.arrives_at == transfer.to);
+        CHECK(transfer.from >= last);
+        last = transfer.from;
         sent[last].first += 1.0;
-        sent[last].second += mean(ray.carried.sent);
+        sent[last].second += mean(transfer.sent());
     }
     double power = 0.0;
     for (const auto& patch : sent)
         power += patch.second.second;
     // The rays are planned by the power, but for half of them at most, which go by area.
     for (const auto& patch : sent)
-        CHECK(patch.second.first / static_cast<double>(trace.ray_count) + 2.0 / static_cast<double>(trace.ray_count) >
+        CHECK(patch.second.first / static_cast<double>(trace.count) + 2.0 / static_cast<double>(trace.count) >
               0.5 * patch.second.second / power);
 }
 
@@ -85,11 +88,13 @@ TEST_CASE("rays between two patches carry the same, whichever they leave")
     const Scene scene = coloured_room();
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<Rgb, Rgb>> carried;
     std::size_t met_again = 0;
-    for (const JacobiRay& ray : trace_all(scene, run(true)).rays) {
-        const IterationRay& c = ray.carried;
-        const bool turned = c.from > c.to;
-        const auto pair = turned ? std::pair{c.to, c.from} : std::pair{c.from, c.to};
-        const auto power = turned ? std::pair{c.returned, c.sent} : std::pair{c.sent, c.returned};
+    for (const TracedLine& ray : trace_all(scene, run(true)).lines) {
+        REQUIRE(ray.transfers.size() == 2);
+        const Transfer& there = ray.transfers[0];
+        const Transfer& back = ray.transfers[1];
+        const bool turned = there.from > there.to;
+        const auto pair = turned ? std::pair{there.to, there.from} : std::pair{there.from, there.to};
+        const auto power = turned ? std::pair{back.sent(), there.sent()} : std::pair{there.sent(), back.sent()};
         const auto [place, is_new] = carried.insert({pair, power});
         met_again += is_new ? 0 : 1;
         CHECK(place->second.first.g == doctest::Approx(power.first.g).epsilon(1e-14));
@@ -101,7 +106,7 @@ TEST_CASE("rays between two patches carry the same, whichever they leave")
 TEST_CASE("rays beyond the iteration are refused")
 {
     const Scene scene = coloured_room();
-    const std::uint64_t rays = trace_iteration(scene, run(true), {0, 1}).ray_count;
+    const std::uint64_t rays = trace_iteration(scene, run(true), {0, 1}).count;
     CHECK_NOTHROW(trace_iteration(scene, run(true), {rays - 1, 1}));
     CHECK_THROWS_AS(trace_iteration(scene, run(true), {rays, 1}), SettingsError);
 }

@@ -1,6 +1,7 @@
-#include "explain/line_trace.h"
+#include "explain/stage_trace.h"
 
 #include "base/errors.h"
+#include "explain/words.h"
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"
 
@@ -21,9 +22,9 @@ SolveOptions short_run(Estimator estimator)
     return options;
 }
 
-ParticleTrace tell_all(const Scene& scene, const SolveOptions& options)
+StageTrace tell_all(const Scene& scene, const SolveOptions& options)
 {
-    const std::uint64_t particles = trace_particles(scene, options, {0, 1}).particle_count;
+    const std::uint64_t particles = trace_particles(scene, options, {0, 1}).count;
     return trace_particles(scene, options, {0, particles});
 }
 
@@ -37,10 +38,10 @@ TEST_CASE("the scores told for all particles add up to the solver's radiosity, t
         const SolveOptions options = short_run(estimator);
         PowerState state(scene);
         std::uint64_t segments = 0;
-        for (const TracedParticle& particle : tell_all(scene, options).particles)
-            for (const TracedStep& told : particle.steps) {
+        for (const TracedLine& particle : tell_all(scene, options).lines)
+            for (const Transfer& told : particle.transfers) {
                 ++segments;
-                state.incident[told.step.where] += told.counted; // the room is closed
+                state.incident[told.to] += told.counted; // the room is closed
             }
         const Solution solution = solve(scene, options, [](double) {});
         CHECK(segments == solution.local_lines);
@@ -55,18 +56,25 @@ TEST_CASE("the scores told for all particles add up to the solver's radiosity, t
 TEST_CASE("a path goes from patch to patch as long as the number drawn is below the reflectance, and then ends")
 {
     const Scene scene = coloured_room();
-    for (const TracedParticle& particle : tell_all(scene, short_run(Estimator::collision)).particles)
-        for (std::size_t k = 0; k < particle.steps.size(); ++k) {
-            const TracedStep& told = particle.steps[k];
-            const bool goes_on = told.step.drawn < mean(scene.reflectance(told.step.where));
-            CHECK(goes_on == (k + 1 < particle.steps.size()));
-            REQUIRE(told.crossing);
-            CHECK(told.crossing->patches.arrives_at == told.step.where);
+    for (const TracedLine& particle : tell_all(scene, short_run(Estimator::collision)).lines) {
+        REQUIRE(particle.notes.size() == particle.transfers.size());
+        REQUIRE(particle.crossings.size() == particle.transfers.size());
+        for (std::size_t k = 0; k < particle.transfers.size(); ++k) {
+            const Transfer& told = particle.transfers[k];
+            const std::string& note = particle.notes[k].text;
+            const std::string number = "the number drawn, ";
+            const double drawn = std::stod(note.substr(note.find(number) + number.size()));
+            const bool goes_on = k + 1 < particle.transfers.size();
+            CHECK((note.find("it goes on") != std::string::npos) == goes_on);
+            const double reflectance = mean(scene.reflectance(told.to));
+            CHECK((goes_on ? drawn < reflectance + 6e-4 : drawn > reflectance - 6e-4)); // told with three digits
+            CHECK(particle.crossings[k].patches.arrives_at == told.to);
             if (goes_on) {
-                CHECK(particle.steps[k + 1].step.from == told.step.where);
-                CHECK(particle.steps[k + 1].step.power == told.step.goes_on);
+                CHECK(particle.transfers[k + 1].from == told.to);
+                CHECK(note.find("it goes on with " + watts(particle.transfers[k + 1].sent())) != std::string::npos);
             }
         }
+    }
 }
 
 TEST_CASE("particles that the run does not have are refused")

@@ -1,4 +1,4 @@
-#include "explain/line_trace.h"
+#include "explain/stage_trace.h"
 
 #include "base/errors.h"
 #include "radiosity/paper/first_stage.h"
@@ -58,13 +58,14 @@ void require_sum_of_the_run(const SolveOptions& options, std::size_t least_passe
     Rgb escaped;
     std::uint64_t item = options.skip;
     for (std::size_t pass = 0; pass < passes.size(); ++pass) {
-        const ShotTrace trace = trace_shot_pass(scene, options, pass, {0, passes[pass].lines});
-        for (const ShotRay& ray : trace.rays) {
+        const StageTrace trace = trace_shot_pass(scene, options, {0, passes[pass].lines, pass});
+        for (const TracedLine& ray : trace.lines) {
             CHECK(ray.origin.item == item++);
-            if (Segment::is_patch(ray.where))
-                incident[ray.where] += ray.power;
-            else if (ray.where == Segment::outside)
-                escaped += ray.power;
+            const Transfer& transfer = ray.transfers.at(0);
+            if (Segment::is_patch(transfer.to))
+                incident[transfer.to] += transfer.sent();
+            else if (transfer.to == Segment::outside)
+                escaped += transfer.sent();
         }
     }
     CHECK(mean(state.escaped) > 0.0);
@@ -109,9 +110,10 @@ TEST_CASE("the unshot power told after the last ray of a pass is the solver's")
     std::vector<ShotPass> passes;
     const PowerState state = state_after(scene, options, passes);
     std::vector<Rgb> unshot(scene.patch_count());
-    for (const ShotRay& ray : trace_shot_pass(scene, options, 0, {0, passes[0].lines}).rays)
-        if (Segment::is_patch(ray.where))
-            unshot[ray.where] = ray.unshot;
+    for (const TracedLine& ray : trace_shot_pass(scene, options, {0, passes[0].lines}).lines)
+        for (const Transfer& transfer : ray.transfers)
+            if (Segment::is_patch(transfer.to))
+                unshot[transfer.to] = transfer.then_held;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         if (mean(unshot[i]) > 0.0)
             CHECK(unshot[i].r == doctest::Approx(state.unshot[i].r).epsilon(1e-12)); // as above
@@ -121,11 +123,11 @@ TEST_CASE("a pass or a ray that the run does not have is refused, and so is a ru
 {
     const Scene scene = dim_room();
     const SolveOptions options = run(Method::first_shot);
-    CHECK_THROWS_AS(trace_shot_pass(scene, options, 1, {0, 1}), InputError);
-    CHECK_THROWS_AS(trace_shot_pass(scene, options, 0, {options.lines, 1}), InputError);
+    CHECK_THROWS_AS(trace_shot_pass(scene, options, {0, 1, 1}), InputError);
+    CHECK_THROWS_AS(trace_shot_pass(scene, options, {options.lines, 1}), InputError);
     SolveOptions nothing = options;
     nothing.ratio = 0.0;
-    CHECK_THROWS_AS(trace_shot_pass(scene, nothing, 0, {0, 1}), InputError);
+    CHECK_THROWS_AS(trace_shot_pass(scene, nothing, {0, 1}), InputError);
 }
 
 } // namespace shot_trace_test

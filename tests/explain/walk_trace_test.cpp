@@ -1,8 +1,9 @@
-#include "explain/line_trace.h"
+#include "explain/stage_trace.h"
 
 #include "base/errors.h"
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"
+#include "transport/lines/local_rays.h"
 
 #include <doctest/doctest.h>
 
@@ -22,9 +23,9 @@ SolveOptions short_run(Estimator estimator)
     return options;
 }
 
-WalkTrace trace_all(const Scene& scene, const SolveOptions& options)
+StageTrace trace_all(const Scene& scene, const SolveOptions& options)
 {
-    return trace_walks(scene, options, {0, trace_walks(scene, options, {0, 1}).walk_count});
+    return trace_walks(scene, options, {0, trace_walks(scene, options, {0, 1}).count});
 }
 
 } // namespace
@@ -37,11 +38,11 @@ TEST_CASE("what the traced walks add is the solver's irradiance, and their segme
         const SolveOptions options = short_run(estimator);
         std::vector<Rgb> irradiance(scene.patch_count());
         std::uint64_t segments = 0;
-        for (const TracedParticle& walk : trace_all(scene, options).walks)
-            for (const TracedStep& traced : walk.steps) {
-                ++segments;
-                irradiance[walk.steps.front().step.from] += traced.counted;
-            }
+        for (const TracedLine& walk : trace_all(scene, options).lines) {
+            segments += walk.notes.size();
+            for (const Transfer& transfer : walk.transfers)
+                irradiance[transfer.to] += (1.0 / scene.area(transfer.to)) * transfer.counted;
+        }
         const Solution solution = solve(scene, options, [](double) {});
         CHECK(segments == solution.local_lines);
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
@@ -57,14 +58,17 @@ TEST_CASE("a walk adds light only where it meets a source, and starts with its o
     const Scene scene = coloured_room();
     const SolveOptions options = short_run(Estimator::collision);
     std::size_t adding = 0;
-    for (const TracedParticle& walk : trace_all(scene, options).walks) {
+    for (const TracedLine& walk : trace_all(scene, options).lines) {
         CHECK(walk.origin.item == walk.origin.number);
-        CHECK(walk.steps.front().step.item == walk.origin.numbers);
-        for (const TracedStep& traced : walk.steps) {
-            const bool on_source = scene.emittance(traced.step.where).r > 0.0;
-            CHECK((traced.counted != Rgb{}) == on_source);
-            adding += on_source ? 1 : 0;
+        std::size_t on_source = 0;
+        for (const Crossing& crossing : walk.crossings) // the room is closed
+            on_source += scene.emittance(crossing.patches.arrives_at).r > 0.0 ? 1 : 0;
+        CHECK(walk.transfers.size() == on_source);
+        for (const Transfer& transfer : walk.transfers) {
+            CHECK(scene.emittance(transfer.from).r > 0.0);
+            CHECK(walk.points.front() == local_line(scene.patch(transfer.to), walk.origin.numbers).origin);
         }
+        adding += on_source;
     }
     CHECK(adding > 100);
 }
@@ -73,7 +77,7 @@ TEST_CASE("walks beyond the round are refused")
 {
     const Scene scene = coloured_room();
     const SolveOptions options = short_run(Estimator::collision);
-    const std::uint64_t walks = trace_walks(scene, options, {0, 1}).walk_count;
+    const std::uint64_t walks = trace_walks(scene, options, {0, 1}).count;
     CHECK_NOTHROW(trace_walks(scene, options, {walks - 1, 1}));
     CHECK_THROWS_AS(trace_walks(scene, options, {walks, 1}), SettingsError);
 }

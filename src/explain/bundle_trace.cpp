@@ -1,0 +1,113 @@
+#include "base/errors.h"
+#include "base/text_format.h"
+#include "explain/first_stage_run.h"
+#include "explain/stage_trace.h"
+#include "explain/trace_lines.h"
+#include "explain/words.h"
+#include "radiosity/family/stochastic_jacobi.h"
+#include "radiosity/family/transillumination.h"
+#include "radiosity/run/item_plan.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+/// Number of directions of the first iteration.
+std::uint64_t directions_of(const BundlePlan& plan, const JacobiIterations& iterations)
+{
+    if (plan.directions == 0)
+        throw SettingsError("this run has too few lines for a direction");
+    return std::clamp<std::uint64_t>(iterations.next_lines(plan.directions * plan.bundle) / plan.bundle, 1,
+                                     plan.directions);
+}
+
+/// The stage without its lines. `rays`: those of the estimate before the first iteration; `lines_to_meet`: number of
+/// lines per direction that meet the scene's box, in expectation (N1).
+StageTrace bundle_stage(std::uint64_t shot_lines, std::uint64_t rays, std::uint64_t lines_to_meet,
+                        std::uint64_t directions, const Bundle& bundle)
+{
+    StageTrace trace;
+    trace.heading = "First direction";
+    trace.context = {
+        "Before it the first shot took " + counted(shot_lines, "ray", "rays") +
+            ". The power that patches reflected from them is unshot, and " + counted(rays, "ray", "rays") +
+            " from patch to patch gave a first estimate of all light that it brings. The iterations improve it: in the "
+            "first one " +
+            counted(lines_to_meet, "parallel line meets", "parallel lines meet") + " the scene's box along each of " +
+            counted(directions, "direction", "directions") + ".",
+        "This direction is " + point_text(bundle.direction()) + ". Through the smallest rectangle that hides the box " +
+            counted(bundle.count(), "line is", "lines are") + " cast; each stands for" +
+            format(" %.4g%cm^2 of it. ", bundle.section(), tied_space) +
+            "Along a line that joins two patches, each sends the other its radiosity times twice that, over the number "
+            "of directions (P1)."};
+    trace.drawing = "Lines of one direction of transillumination";
+    trace.chapter = "Parallel lines";
+    trace.chapter_note = "Parallel lines cross the whole scene. Where one leaves a patch and meets another, the two "
+                         "exchange power according to their radiosities after the last iteration.";
+    trace.which = "lines along the first of " + grouped(directions) + " directions";
+    trace.kind = "line";
+    trace.count = bundle.count();
+    return trace;
+}
+
+/// Traces the power along a line through the scene; sent(patch) [W] is what a patch sends along every line.
+template <class Sent>
+void trace_exchange(const Scene& scene, const Sent& sent, TracedLine& line)
+{
+    const auto sends = [&](std::size_t after, std::uint32_t from, std::uint32_t to) {
+        line.transfers.push_back({after, from, to, sent(from), {}, sent(from)});
+        line.notes.push_back({patch_name(scene, from) + " sends " + watts(sent(from)) + destination(scene, to)});
+    };
+    line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back());
+    for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
+        const Segment segment = segment_after(line, after);
+        if (Segment::is_patch(segment.from))
+            sends(after, segment.from, segment.to);
+        if (Segment::is_patch(segment.to))
+            sends(after, segment.to, segment.from);
+    }
+    if (line.crossings.empty())
+        line.notes.push_back({"meets nothing"});
+}
+
+} // namespace
+
+StageTrace trace_bundle(const Scene& scene, const SolveOptions& options, const TracedRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    PowerState state(scene);
+    const FirstStageRun before = run_first_stage(scene, *sequence, lines, options, state);
+    const ItemPlan items = plan_items(*sequence, options.skip, 0, before.lines_cast);
+    const TransilluminationOptions bundles{items.first_shot + before.local_lines, before.lines_charged, options.bundle,
+                                           options.seed};
+    const PowerState start = state;
+    const std::uint64_t rays = estimate_by_rays(scene, *sequence, bundles, {options.threads}, state);
+    const JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
+    const BundlePlan plan = plan_bundles(bundles, rays);
+    const std::uint64_t directions = directions_of(plan, iterations);
+    const std::uint64_t item = bundles.first_item + rays;
+    const Item numbers = sequence->item(item);
+    const Bundle bundle(scene.bounds(), numbers, plan.bundle);
+    require_in_stage(range, bundle.count(), "lines along the first direction");
+
+    StageTrace trace = bundle_stage(before.local_lines, rays, plan.bundle, directions, bundle);
+    const std::vector<Rgb> power = iterations.power();
+    const auto sent = [&](std::uint32_t patch) {
+        return power_along_line((1.0 / scene.area(patch)) * power[patch], bundle.section(), directions);
+    };
+    std::vector<Hit> hits;
+    for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
+        const Line line = bundle.line(n);
+        scene.intersector().all_hits(line, hits);
+        const double past_scene = 2.0 * dot(scene.bounds().centre() - line.origin, line.direction);
+        trace.lines.push_back(
+            through_scene(scene, {n, item, numbers}, line, line.origin + past_scene * line.direction, hits));
+        trace_exchange(scene, sent, trace.lines.back());
+    }
+    return trace;
+}
+
+} // namespace multipath

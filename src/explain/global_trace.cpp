@@ -1,0 +1,202 @@
+// What a global line carries depends on the lines before it. So the lines before the range are followed as well, but
+// not recorded.
+
+#include "base/text_format.h"
+#include "explain/first_stage_run.h"
+#include "explain/stage_trace.h"
+#include "explain/trace_lines.h"
+#include "explain/words.h"
+#include "radiosity/paper/line_budget.h"
+#include "radiosity/paper/power_walk.h"
+#include "radiosity/run/item_plan.h"
+
+#include <algorithm>
+
+namespace multipath {
+
+namespace {
+
+std::string before_the_pass(const FirstStageRun& before)
+{
+    const std::string unshot =
+        watts(before.unshot) + " on " + counted(before.unshot_patches, "patch", "patches") + ". ";
+    if (before.passes.empty())
+        return "No rays are shot first: all power of the sources is unshot when the global lines begin, " + unshot;
+    return "Before it, " + counted(before.passes.size(), "pass", "passes") + " of shots took " +
+           grouped(before.local_lines) +
+           " of the lines. The power that patches reflected from them and that the sources kept is unshot: " + unshot;
+}
+
+/// Explains how the lines are generated, and how many are cast (N1).
+std::string lines_drawn(bool from_box, std::uint64_t lines_cast)
+{
+    if (from_box)
+        return " from random points of the scene's bounding box, in directions that favour its inward normal by the "
+               "cosine: all of them meet the box (N1).";
+    return "; " + grouped(lines_cast) +
+           " chords between random points of a sphere around the scene are cast, so that this many meet the scene's "
+           "box (N1).";
+}
+
+/// Explains how often lines cross a patch (G1) and what it sends each time.
+std::string power_sent(const Scene& scene, double crossings_per_area, bool both)
+{
+    const double area = scene.total_area() / scene.patch_count();
+    const double crossings = crossings_per_area * area;
+    const std::string per_patch = format("%.4g", both ? crossings : 0.5 * crossings);
+    return "Such chords cross a patch in proportion to its area, " +
+           format("%.4g times per square metre (G1). A patch of %.3g%cm^2, the mean, is crossed ", crossings_per_area,
+                  area, tied_space) +
+           format("%.4g times, and ", crossings) +
+           (both ? "each crossing leaves its front in one of the line's two directions (M2)"
+                 : "half of the lines leave its front") +
+           ": so it can send " + per_patch + " times in total. That is known before any line is cast, so " +
+           "each time it sends its unshot power divided by " + per_patch + ", the forecast (G3), " +
+           "and with it all power that it holds: what it has received and reflected since it last sent (M1).";
+}
+
+constexpr std::size_t name_column = 13; // where the patches of a segment are named
+constexpr std::size_t indent = 15;      // of the lines below, about the power that they send
+
+/// "2 - 3", filled up to the column of the names.
+std::string segment_number(const TracedLine& line, std::size_t after)
+{
+    std::string text = (after == 0 ? "start" : std::to_string(after)) + tied_space + "-" + tied_space +
+                       (after == line.crossings.size() ? "end" : std::to_string(after + 1));
+    text.resize(std::max(text.size() + 1, name_column - 2), tied_space);
+    return text;
+}
+
+/// Adds notes about the power that a patch sends, and its fate. `number` of the segment is told with its first
+/// transfer.
+void tell_transfer(const Scene& scene, const Transfer& transfer, const std::string& number, std::vector<Note>& notes)
+{
+    const bool received = Segment::is_patch(transfer.to);
+    const std::string ends =
+        patch_name(scene, transfer.from) + " -> " + (received ? patch_name(scene, transfer.to) : "nowhere");
+    notes.push_back({number + ends, number.empty() ? name_column : 2, indent});
+    if (transfer.sent() == Rgb{})
+        notes.push_back({"sends nothing: it has no forecast and holds nothing", indent, indent});
+    else
+        notes.push_back({"sends forecast " + colour_text(transfer.forecast) + " + held " + colour_text(transfer.held) +
+                             " = " + watts(transfer.sent()) + (received ? "" : ", " + loss(transfer.to)),
+                         indent, indent + 2});
+    if (received)
+        notes.push_back({"patch " + std::to_string(transfer.to) + " reflects " +
+                             colour_text(scene.reflectance(transfer.to)) + " of what arrives and then holds " +
+                             watts(transfer.then_held),
+                         indent, indent + 2});
+    else
+        notes.push_back({"then holds nothing", indent, indent});
+}
+
+/// Lets the walk follow segment `after` of the line, and records what the patches at its ends send and then hold.
+void trace_segment(const Scene& scene, bool bidirectional, std::size_t after, PowerWalk& walk, TracedLine& line)
+{
+    const Segment segment = segment_after(line, after);
+    std::vector<Transfer> transfers;
+    const auto sends = [&](std::uint32_t from, std::uint32_t to) {
+        const WalkingPower& power = walk.at(from);
+        transfers.push_back({after, from, to, power.forecast, power.held, power.to_send()});
+    };
+    if (Segment::is_patch(segment.from))
+        sends(segment.from, segment.to);
+    if (Segment::is_patch(segment.to) && bidirectional)
+        sends(segment.to, segment.from);
+    walk.follow(segment);
+
+    std::string number = segment_number(line, after);
+    if (transfers.empty())
+        line.notes.push_back({number + "begins on a side without patches: nothing is sent along it", 2, indent});
+    for (Transfer& transfer : transfers) {
+        if (Segment::is_patch(transfer.to))
+            transfer.then_held = walk.at(transfer.to).held;
+        tell_transfer(scene, transfer, number, line.notes);
+        line.transfers.push_back(transfer);
+        number.clear();
+    }
+    if (!bidirectional && segment.joins_patches())
+        line.notes.push_back(
+            {"patch " + std::to_string(segment.from) + " then holds " + watts(walk.at(segment.from).held), indent,
+             indent + 2});
+}
+
+/// Traces the power along a line through the scene.
+void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& walk, TracedLine& line)
+{
+    const bool from_box = chords_of(options) == Chords::box;
+    line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back()) +
+                   (from_box ? ", both just outside the box" : " on the sphere");
+    for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
+        const Segment segment = segment_after(line, after);
+        if (Segment::is_patch(segment.from) || Segment::is_patch(segment.to))
+            trace_segment(scene, options.bidirectional, after, walk, line);
+    }
+    if (line.points.front() == line.points.back())
+        line.notes.push_back(
+            {"the two points are equal: a chord of length 0, which is counted as cast and meets nothing"});
+    else if (line.crossings.empty())
+        line.notes.push_back({"meets nothing: it is cast, as (G1) counts it, but carries no power"});
+    else if (line.notes.empty())
+        line.notes.push_back({"the line meets only sides without patches: it carries no power"});
+}
+
+/// The stage without its lines.
+StageTrace global_stage(const Scene& scene, const SolveOptions& options, const FirstStageRun& before)
+{
+    StageTrace trace;
+    trace.heading = "Global pass";
+    trace.context = {before_the_pass(before) + "The pass distributes it with " +
+                         counted(before.lines_charged, "global line", "global lines") +
+                         lines_drawn(chords_of(options) == Chords::box, before.lines_cast),
+                     power_sent(scene, before.crossings_per_area, options.bidirectional),
+                     "Power flows where a line leaves one patch and arrives at another, which the columns 'leaves' and "
+                     "'arrives at' of two successive rows show."};
+    trace.drawing = "Lines of the global pass";
+    trace.chapter = "Global lines";
+    trace.chapter_note =
+        "A line crosses the whole scene. Where it leaves one patch and meets another, the two exchange power: each "
+        "sends its forecast, a share of what was unshot, and all that it has received and reflected since.";
+    trace.which = "lines";
+    if (before.local_lines > 0)
+        trace.which += ", after " + grouped(before.local_lines) + " rays of the first shot";
+    trace.kind = "line";
+    trace.from_outside = true;
+    trace.count = before.lines_cast;
+    return trace;
+}
+
+} // namespace
+
+StageTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    PowerState state(scene);
+    const FirstStageRun before = run_first_stage(scene, *sequence, lines, options, state);
+    require_in_stage(range, before.lines_cast, "global lines");
+    StageTrace trace = global_stage(scene, options, before);
+
+    const ItemPlan items = plan_items(*sequence, options.skip, before.local_lines, before.lines_cast);
+    const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, before.lines_cast);
+    PowerWalk walk(scene, before.crossings_per_area, options.bidirectional, state);
+    std::vector<Hit> hits;
+    std::vector<Segment> segments;
+    for (std::uint64_t n = 0; n < range.first + range.count; ++n) {
+        const std::uint64_t item = order.item_at(items.global_pass + n);
+        const LineOrigin origin{n, item, sequence->item(item)};
+        const Line line = lines.line(origin.numbers);
+        scene.intersector().all_hits(line, hits);
+        if (range.includes(n)) {
+            trace.lines.push_back(through_scene(scene, origin, line, line.at(1.0), hits));
+            trace_power(scene, options, walk, trace.lines.back());
+        } else {
+            segments.clear();
+            append_segments(scene, hits, segments);
+            walk.follow(segments);
+        }
+    }
+    return trace;
+}
+
+} // namespace multipath
