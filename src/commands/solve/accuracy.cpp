@@ -19,6 +19,11 @@ constexpr std::uint64_t first_round_lines = 1u << 16;
 
 } // namespace
 
+double Accuracy::patch_tolerance() const
+{
+    return tolerance.value_or(0.0) / std::sqrt(2.0);
+}
+
 double Accuracy::noise_tolerance() const
 {
     const double patches = patch_error.value_or(0.0);

@@ -12,10 +12,10 @@
 #include "cli/files/output_file.h"
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
-#include "commands/commands.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
+#include "commands/solve/solve_table.h"
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
@@ -149,7 +149,7 @@ CommandLine command_line_of(const RunDescription& description, const std::vector
 {
     std::vector<std::string> words = more_words;
     words.insert(words.end(), description.arguments.begin(), description.arguments.end());
-    return {solve_command().table, words};
+    return {solve_table(), words};
 }
 
 std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line)
@@ -296,7 +296,7 @@ PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene&
     const Solution solution = finished_solution(saved, scene);
     PatchTable table;
     table.path = path;
-    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
+    table.comments = provenance(solve_table(), command_line_of(saved.description, {}), scene);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         table.surfaces.push_back(scene.surface_of(i));
         table.materials.push_back(scene.material_of(i).name);
