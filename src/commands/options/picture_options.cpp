@@ -135,13 +135,16 @@ OptionGroup picture_option_group()
         {{"show", 0, "WHAT", known_quantities.front().name, help_of_shown(), false, names_of(known_quantities)},
          {"size", 0, "WxH", "800x600", "Width and height in pixels."},
          {"samples", 0, "N", "9", "Rays per pixel for smooth edges, rounded up to a square number."},
-         {"shading", 0, "HOW", "smooth",
-          "Interpolate between patches (smooth); show each in one colour (flat); or compute the last reflection for "
-          "every pixel (gather), which is slow but gives sharp shadows and no visible patches.",
-          false, names_of(shading_choices)},
-         {"gather-rays", 0, "N", "64",
-          "For --shading gather: rays per pixel in all directions; twice as many are sent to sources that may be "
-          "occluded."},
+         Option{
+             "shading", 0, "HOW", "smooth",
+             "Interpolate between patches (smooth); show each in one colour (flat); or compute the last reflection for "
+             "every pixel (gather), which is slow but gives sharp shadows and no visible patches.",
+             false, names_of(shading_choices)}
+             .with_default_if({{"show"}}),
+         Option{"gather-rays", 0, "N", "64",
+                "For --shading gather: rays per pixel in all directions; twice as many are sent to sources that may be "
+                "occluded."}
+             .with_default_if({{"shading", "gather"}}),
          {"camera", 0, "FILE.json", "",
           "View that the page has saved, instead of --eye, --target, --up and --fov. Several views give several "
           "pictures: room-door.png for door.json.",
@@ -156,9 +159,11 @@ OptionGroup picture_option_group()
           "Write into .csv files not the patches but the irradiance from above on a horizontal grid, given its height "
           "above the lowest point of the scene and the distance between its points, in metres. Also prints mean, "
           "least, most and uniformity."},
-         {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
-         {"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,
-          names_of(tone_operators)}}};
+         Option{"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."}
+             .with_default_if({{"show"}}),
+         Option{"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,
+                names_of(tone_operators)}
+             .with_default_if({{"show"}})}};
 }
 
 PictureOptions read_picture_options(const CommandLine& line, int threads)

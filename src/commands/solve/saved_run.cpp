@@ -19,7 +19,6 @@
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <sys/stat.h>
 #include <utility>
@@ -27,9 +26,6 @@
 namespace multipath {
 
 namespace {
-
-/// Options that a run may change when it resumes from a state.
-constexpr std::array<std::string_view, 3> may_change = {"lines", "tolerance", "time"};
 
 /// The options of `solve` that change its result.
 std::vector<Option> options_with_effect()
@@ -173,8 +169,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
     if (saved.shard.number != wanted.shard.number || saved.shard.of != wanted.shard.of)
         refuse("of another shard of the work");
     for (const Option& option : options_with_effect()) {
-        const bool fixed =
-            is_shard(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
+        const bool fixed = is_shard(saved) || !option.may_change;
         const std::string before = quoted_option(option, of_saved);
         const std::string now = quoted_option(option, of_wanted);
         if (fixed && before != now)
