@@ -15,32 +15,12 @@ constexpr std::array<std::string_view, 11> without_effect = {"threads",    "outp
                                                              "progress",   "json",   "verbose",   "state",
                                                              "save-every", "resume", "from-state"};
 
-/// A default that is recorded only while another option has its own default, or has `value`. In other cases the option
-/// would be refused if it were given, have another meaning or no effect.
-struct DependentDefault
+bool default_holds(const Option& option, const CommandLine& line)
 {
-    std::string_view option;
-    std::string_view other;
-    std::string_view value{};
-};
-
-constexpr std::array<DependentDefault, 10> dependent_defaults = {{{"ratio", "power-per-line"},
-                                                                  {"lines", "tolerance"},
-                                                                  {"lines", "time"},
-                                                                  {"replicates", "tolerance"},
-                                                                  {"replicates", "time"},
-                                                                  {"adaptive", "tolerance"},
-                                                                  {"shading", "show"},
-                                                                  {"exposure", "show"},
-                                                                  {"tone-map", "show"},
-                                                                  {"gather-rays", "shading", "gather"}}};
-
-bool default_holds(const CommandLine& line, std::string_view option)
-{
-    return std::none_of(dependent_defaults.begin(), dependent_defaults.end(), [&](const DependentDefault& d) {
-        if (d.option != option || !line.knows(d.other))
-            return false;
-        return line.text(d.other) != (d.value.empty() ? line.default_text(d.other) : std::string(d.value));
+    const std::vector<OptionValue>& others = option.default_depends_on;
+    return std::all_of(others.begin(), others.end(), [&](const OptionValue& other) {
+        return !line.knows(other.option) ||
+               line.text(other.option) == (other.value.empty() ? line.default_text(other.option) : other.value);
     });
 }
 
@@ -51,7 +31,7 @@ std::string words_of(const Option& option, const CommandLine& line)
     if (option.argument.empty())
         return line.has(name) ? " --" + name : "";
     if (!line.has(name))
-        return line.text(name).empty() || !default_holds(line, name) ? "" : option_text(name, line.text(name));
+        return line.text(name).empty() || !default_holds(option, line) ? "" : option_text(name, line.text(name));
     std::string text;
     for (const std::string& value : line.all(name))
         if (!value.empty())

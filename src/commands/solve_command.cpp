@@ -2,7 +2,6 @@
 // and prepares the state from which the run may resume. As much as possible is refused before the long work begins.
 // solve_job.cpp solves and writes the outputs.
 
-#include "base/elementary.h"
 #include "base/errors.h"
 #include "base/text_format.h"
 #include "cli/files/standard_streams.h"
@@ -13,13 +12,14 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_job.h"
+#include "commands/solve/solve_table.h"
 #include "image/camera.h"
 #include "radiosity/family/importance.h"
 #include "refinement/adaptive_patches.h"
+#include "refinement/patch_tolerance.h"
 #include "refinement/shown_error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -96,21 +96,6 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
     keeper.resume(std::move(saved));
 }
 
-CommandTable solve_table()
-{
-    return {"solve",
-            "compute the radiosity of a scene, and write pictures, meshes and tables",
-            {{"SCENE.obj", false, false, {".obj"}}},
-            {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
-             scene_option_group(), picture_option_group()},
-            "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
-            "\n"
-            "  multipath solve room.obj\n"
-            "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"
-            "  multipath solve room.obj -o room.glb -o room.ply\n"
-            "  multipath solve room.obj -o room.html\n"};
-}
-
 /// The scene with the adaptive patches that the options ask for, if any.
 Scene with_adaptive_patches(SolveJob& job, Scene coarse)
 {
@@ -129,34 +114,25 @@ Scene with_adaptive_patches(SolveJob& job, Scene coarse)
 }
 
 /// With replicates, estimates the error that the patches cause, which is reported beside the noise. With a tolerance,
-/// cuts the patches until their part of the MSE is at most half of it, unless options fix the patches.
-Scene with_patches_for_tolerance(SolveJob& job, Scene scene)
+/// cuts the patches until they cause no more than their part of it, unless options fix the patches.
+Scene with_patches_for_tolerance(SolveJob& job, const Scene& scene)
 {
     if (job.accuracy.replicates < 2)
         return scene;
-    constexpr double most = 1e6;              // patches
-    constexpr double order = 1.3;             // of convergence of the MSE in the number of patches, measured in rooms
-    constexpr double least = 1.5, step = 8.0; // smallest and largest growth at a time
-    const bool fixed =
-        !job.accuracy.tolerance || job.line.has("adaptive") || job.line.has("patches") || job.line.has("patch-size");
-    const double wanted = job.accuracy.tolerance.value_or(0.0) / std::sqrt(2.0);
-    Progress progress("choosing patches", progress_style(job.line));
+    const CommandLine& line = job.line;
+    const double wanted = job.accuracy.patch_tolerance();
+    const double memory = job.options.memory;
+    const int threads = job.options.threads;
+    Progress progress("choosing patches", progress_style(line));
     const auto show = [&](double done) { progress.show(done); };
-    for (;;) {
-        const double error =
-            patch_error(scene, wanted, job.options.memory, job.options.threads, show).root_upper_bound();
-        job.accuracy.patch_error = error;
-        const double room = most / scene.patch_count();
-        if (fixed || error <= wanted || room < least)
-            return scene;
-        const double growth = std::clamp(elementary::pow(error / wanted, 2.0 / order), least, std::min(step, room));
-        const auto patches = static_cast<std::uint64_t>(growth * scene.patch_count());
-        require_memory_for_patches(job.line, scene.file(), static_cast<double>(patches));
-        Scene finer = adaptively_refined(scene, patches, job.options.memory, job.options.threads, show);
-        if (finer.patch_count() == scene.patch_count()) // no patch can be cut further
-            return scene;
-        scene = std::move(finer);
+    if (!job.accuracy.tolerance || line.has("adaptive") || line.has("patches") || line.has("patch-size")) {
+        job.accuracy.patch_error = patch_error(scene, wanted, memory, threads, show).root_upper_bound();
+        return scene;
     }
+    const auto require_memory = [&](double patches) { require_memory_for_patches(line, scene.file(), patches); };
+    RefinedScene refined = refined_to_error(scene, wanted, require_memory, memory, threads, show);
+    job.accuracy.patch_error = refined.error;
+    return std::move(refined.scene);
 }
 
 /// Adds the weights of the patches that one camera sees: the number of their pixels over their area.

@@ -20,6 +20,7 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
 #include "commands/solve/saved_run.h"
+#include "commands/solve/solve_table.h"
 #include "export/patch_table.h"
 #include "image/checksum.h"
 #include "radiosity/run/statistics.h"
@@ -132,7 +133,7 @@ OptionGroup study_curve_options()
 /// chords give the same curve. Throws UsageError for an unknown or repeated name, and for options without effect.
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
-    const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
+    const std::vector<std::string_view> known_methods = find_option(solve_table(), "method")->choices;
     const std::vector<std::string> methods = read_list(line, "methods", known_methods, known_methods);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);
@@ -270,7 +271,7 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
             words.insert(words.end(), {"--" + std::string(name), line.text(name)});
     for (const GivenOption& option : reading_options(line))
         words.push_back("--" + option.name + (option.value.empty() ? "" : "=" + option.value));
-    return {solve_command().table, words};
+    return {solve_table(), words};
 }
 
 /// Throws InputError if the patches of the table differ from those of the scene in number or area.
@@ -386,7 +387,7 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
         return reference_of(given.table, scene);
     }
     const CommandLine command = reference_command(line, plan.line_counts.back());
-    std::vector<std::string> facts = provenance(solve_command().table, command, scene);
+    std::vector<std::string> facts = provenance(solve_table(), command, scene);
     const std::string path = cache + "/reference-" + checksum_of(joined(facts)) + ".csv";
     facts.push_back(program_fact());
     std::optional<OutputFile> file;

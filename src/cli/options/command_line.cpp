@@ -159,6 +159,20 @@ private:
 
 } // namespace
 
+Option Option::with_default_if(std::vector<OptionValue> others) const
+{
+    Option option = *this;
+    option.default_depends_on = std::move(others);
+    return option;
+}
+
+Option Option::that_may_change() const
+{
+    Option option = *this;
+    option.may_change = true;
+    return option;
+}
+
 std::string operand_text(const Operand& operand)
 {
     const std::string text = std::string(operand.name) + (operand.repeatable ? "..." : "");

@@ -11,6 +11,13 @@
 
 namespace multipath {
 
+/// A value that another option has.
+struct OptionValue
+{
+    std::string_view option;     ///< long name
+    std::string_view value = {}; ///< empty: the default
+};
+
 /// One option of a command. The views refer to string literals and tables of constants.
 struct Option
 {
@@ -21,6 +28,14 @@ struct Option
     std::string help = {};                      ///< help_text() wraps it and adds choices and default in brackets
     bool repeatable = false;                    ///< true: the option may be given more than once
     std::vector<std::string_view> choices = {}; ///< allowed values; empty: any text
+    /// The default holds only while the other options that the command has have these values. In other cases the option
+    /// would be refused if it were given, have another meaning or no effect.
+    std::vector<OptionValue> default_depends_on = {};
+    bool may_change = false; ///< true: may differ from the run whose state is resumed
+
+    /// The option with one of the last two columns set.
+    Option with_default_if(std::vector<OptionValue> others) const;
+    Option that_may_change() const;
 };
 
 struct OptionGroup

@@ -75,8 +75,10 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
         "Method",
         {method_option(with_reuse),
          line_count,
-         {"ratio", 0, "R", "auto",
-          "Number of local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse."},
+         Option{"ratio", 0, "R", "auto",
+                "Number of local lines for each global line; auto takes the paper's optimum for the scene, and 1 for "
+                "reuse."}
+             .with_default_if({{"power-per-line"}}),
          {"power-per-line", 0, "W", "", "Power of one ray of the (extended) first shot in watts, instead of --ratio."},
          {"threshold", 0, "B", "auto",
           "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's. "
@@ -119,9 +121,11 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
 OptionGroup solve_method_group()
 {
     OptionGroup group = method_option_group(
-        {"lines", 'n', "N", "auto",
-         "Total number of lines, local and global; auto takes 2^20, or a larger power of two that gives each patch 24 "
-         "or more. Global lines that miss the scene's bounding box are not counted."},
+        Option{"lines", 'n', "N", "auto",
+               "Total number of lines, local and global; auto takes 2^20, or a larger power of two "
+               "that gives each patch 24 or more. Global lines that miss the scene's bounding box are not counted."}
+            .with_default_if({{"tolerance"}, {"time"}})
+            .that_may_change(),
         true);
     group.options.push_back(
         {"important", 0, "WHAT", "",

@@ -5,164 +5,21 @@
 #include "cli/options/choices.h"
 #include "cli/options/number_text.h"
 #include "image/automatic_camera.h"
+#include "image/camera_file.h"
 #include "image/false_colour.h"
 #include "image/view_quality.h"
 #include "radiosity/reuse/gathered_light.h"
-#include "scene/text/text_lines.h"
-#include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace multipath {
-
-namespace {
-
-/// Parser for the subset of JSON that a view needs: one object whose values are numbers or lists of three numbers.
-class CameraParser
-{
-public:
-    CameraParser(const std::string& path, std::string_view text) : path_(path), text_(text) {}
-
-    Camera parse()
-    {
-        std::vector<std::string> keys;
-        expect('{', "an object { ... } with `eye` and `target`");
-        for (bool more = next() != '}'; more; more = take(',')) {
-            const std::string key = string();
-            if (std::find(keys.begin(), keys.end(), key) != keys.end())
-                fail("`" + key + "` is given again");
-            keys.push_back(key);
-            expect(':', "a colon after " + in_quotes(key));
-            if (key == "eye")
-                camera_.eye = point(key);
-            else if (key == "target")
-                camera_.target = point(key);
-            else if (key == "up")
-                camera_.up = point(key);
-            else if (key == "fov")
-                camera_.field_of_view = angle();
-            else
-                fail("unknown key " + in_quotes(key) + ", expected `eye`, `target`, `up` or `fov`");
-        }
-        expect('}', "a comma or the end of the object");
-        if (next() != '\0' || position_ < text_.size())
-            fail("more text after the view, expected the end of the file");
-        for (const char* needed : {"eye", "target"})
-            if (std::find(keys.begin(), keys.end(), needed) == keys.end())
-                multipath::refuse({path_, 0}, "no `" + std::string(needed) +
-                                                  "`, expected {\"eye\": [x, y, z], \"target\": [x, y, z]}");
-        if (camera_.eye == camera_.target)
-            multipath::refuse({path_, 0}, "the camera looks at where it stands, expected another `target`");
-        if (length(cross(camera_.target - camera_.eye, camera_.up)) == 0.0)
-            multipath::refuse({path_, 0}, "the camera looks along `up`, expected another direction");
-        return camera_;
-    }
-
-private:
-    [[noreturn]] void fail(const std::string& problem) const
-    {
-        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size()));
-        multipath::refuse({path_, static_cast<std::uint32_t>(1 + std::count(text_.begin(), end, '\n'))}, problem);
-    }
-
-    /// Skips white space and returns the next character; 0 at the end.
-    char next()
-    {
-        while (position_ < text_.size() &&
-               (is_blank(text_[position_]) || text_[position_] == '\n' || text_[position_] == '\r'))
-            ++position_;
-        return position_ < text_.size() ? text_[position_] : '\0';
-    }
-
-    bool take(char c)
-    {
-        const bool found = next() == c;
-        position_ += found ? 1 : 0;
-        return found;
-    }
-
-    void expect(char c, const std::string& what)
-    {
-        if (!take(c))
-            fail("expected " + what);
-    }
-
-    std::string string()
-    {
-        expect('"', "a key in double quotes");
-        const std::size_t end = text_.find('"', position_);
-        if (end == std::string_view::npos)
-            fail("a key has no end, expected a double quote");
-        std::string result(text_.substr(position_, end - position_));
-        position_ = end + 1;
-        return result;
-    }
-
-    double number(const std::string& key)
-    {
-        next();
-        const std::size_t end = std::min(text_.find_first_of(",]} \t\r\n", position_), text_.size());
-        const std::string_view word = text_.substr(position_, end - position_);
-        const std::optional<double> value = to_number(word);
-        constexpr double most = 1e9; // as in OBJ files
-        if (!value || !(*value >= -most && *value <= most))
-            fail("`" + key + "`: expected a number, got " + in_quotes(word));
-        position_ = end;
-        return *value;
-    }
-
-    Vec3 point(const std::string& key)
-    {
-        const std::string what = "three numbers [x, y, z] of `" + key + "`";
-        expect('[', what);
-        const double x = number(key);
-        expect(',', what);
-        const double y = number(key);
-        expect(',', what);
-        const double z = number(key);
-        expect(']', what);
-        return {x, y, z};
-    }
-
-    double angle()
-    {
-        const double degrees = number("fov");
-        if (!(degrees >= 1.0 && degrees <= 179.0))
-            fail("`fov`: expected 1 to 179 degrees");
-        return degrees;
-    }
-
-    const std::string& path_;
-    std::string_view text_;
-    std::size_t position_ = 0;
-    Camera camera_;
-};
-
-} // namespace
-
-Camera read_camera_file(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    constexpr std::size_t most = 65536; // [bytes]
-    std::string text(most + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
-        multipath::refuse({path, 0}, "cannot be read, expected a view such as the page saves");
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most)
-        multipath::refuse({path, 0}, "longer than 65,536 bytes, expected a view such as the page saves");
-    if (text.compare(0, 3, "\xef\xbb\xbf") == 0) // byte order mark
-        text.erase(0, 3);
-    return CameraParser(path, text).parse();
-}
 
 namespace {
 
@@ -278,13 +135,16 @@ OptionGroup picture_option_group()
         {{"show", 0, "WHAT", known_quantities.front().name, help_of_shown(), false, names_of(known_quantities)},
          {"size", 0, "WxH", "800x600", "Width and height in pixels."},
          {"samples", 0, "N", "9", "Rays per pixel for smooth edges, rounded up to a square number."},
-         {"shading", 0, "HOW", "smooth",
-          "Interpolate between patches (smooth); show each in one colour (flat); or compute the last reflection for "
-          "every pixel (gather), which is slow but gives sharp shadows and no visible patches.",
-          false, names_of(shading_choices)},
-         {"gather-rays", 0, "N", "64",
-          "For --shading gather: rays per pixel in all directions; twice as many are sent to sources that may be "
-          "occluded."},
+         Option{
+             "shading", 0, "HOW", "smooth",
+             "Interpolate between patches (smooth); show each in one colour (flat); or compute the last reflection for "
+             "every pixel (gather), which is slow but gives sharp shadows and no visible patches.",
+             false, names_of(shading_choices)}
+             .with_default_if({{"show"}}),
+         Option{"gather-rays", 0, "N", "64",
+                "For --shading gather: rays per pixel in all directions; twice as many are sent to sources that may be "
+                "occluded."}
+             .with_default_if({{"shading", "gather"}}),
          {"camera", 0, "FILE.json", "",
           "View that the page has saved, instead of --eye, --target, --up and --fov. Several views give several "
           "pictures: room-door.png for door.json.",
@@ -299,9 +159,11 @@ OptionGroup picture_option_group()
           "Write into .csv files not the patches but the irradiance from above on a horizontal grid, given its height "
           "above the lowest point of the scene and the distance between its points, in metres. Also prints mean, "
           "least, most and uniformity."},
-         {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
-         {"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,
-          names_of(tone_operators)}}};
+         Option{"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."}
+             .with_default_if({{"show"}}),
+         Option{"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,
+                names_of(tone_operators)}
+             .with_default_if({{"show"}})}};
 }
 
 PictureOptions read_picture_options(const CommandLine& line, int threads)

@@ -20,6 +20,10 @@ struct Accuracy
     /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
+    /// [1] The error by patches, as root of the relative MSE, that is low enough for the tolerance: half of the MSE. 0
+    /// without a tolerance.
+    double patch_tolerance() const;
+
     /// [1] The noise, as root of the relative MSE, that is low enough for the tolerance, which must be given. It is the
     /// square root of tolerance^2 - patch_error^2 (0 if unknown), but at least half of the tolerance. The minimum
     /// applies if the patches alone cause nearly all of the tolerated error, or more, and cannot be cut further,

@@ -12,14 +12,13 @@
 #include "cli/files/output_file.h"
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
-#include "commands/commands.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
+#include "commands/solve/solve_table.h"
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <sys/stat.h>
 #include <utility>
@@ -27,9 +26,6 @@
 namespace multipath {
 
 namespace {
-
-/// Options that a run may change when it resumes from a state.
-constexpr std::array<std::string_view, 3> may_change = {"lines", "tolerance", "time"};
 
 /// The options of `solve` that change its result.
 std::vector<Option> options_with_effect()
@@ -149,7 +145,7 @@ CommandLine command_line_of(const RunDescription& description, const std::vector
 {
     std::vector<std::string> words = more_words;
     words.insert(words.end(), description.arguments.begin(), description.arguments.end());
-    return {solve_command().table, words};
+    return {solve_table(), words};
 }
 
 std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line)
@@ -173,8 +169,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
     if (saved.shard.number != wanted.shard.number || saved.shard.of != wanted.shard.of)
         refuse("of another shard of the work");
     for (const Option& option : options_with_effect()) {
-        const bool fixed =
-            is_shard(saved) || std::find(may_change.begin(), may_change.end(), option.name) == may_change.end();
+        const bool fixed = is_shard(saved) || !option.may_change;
         const std::string before = quoted_option(option, of_saved);
         const std::string now = quoted_option(option, of_wanted);
         if (fixed && before != now)
@@ -296,7 +291,7 @@ PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene&
     const Solution solution = finished_solution(saved, scene);
     PatchTable table;
     table.path = path;
-    table.comments = provenance(solve_command().table, command_line_of(saved.description, {}), scene);
+    table.comments = provenance(solve_table(), command_line_of(saved.description, {}), scene);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         table.surfaces.push_back(scene.surface_of(i));
         table.materials.push_back(scene.material_of(i).name);

@@ -1,277 +1,28 @@
 // The course of `solve` and `merge` after the scene has been read: solve (once, in replicates or in rounds), write the
 // outputs, print the summary. A run that the user interrupts still writes its partial results. A shard (one part of a
-// run that is split over several computers) writes only its state, or the results of its own lines. The summary warns
-// of results that are wrong or noisy: too few lines, unshot or lost power, sequences that do not sample the sources
-// uniformly.
+// run that is split over several computers) writes only its state, or the results of its own lines.
 
 #include "commands/solve/solve_job.h"
 
-#include "base/elementary.h"
 #include "base/errors.h"
 #include "base/text_format.h"
 #include "check/scene_check.h"
-#include "check/scene_report.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/standard_streams.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
-#include "commands/commands.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
-#include "radiosity/paper/line_budget.h"
-#include "radiosity/reuse/balanced_reuse.h"
+#include "commands/solve/solve_summary.h"
+#include "commands/solve/solve_table.h"
 #include "radiosity/run/replicates.h"
-#include "radiosity/run/statistics.h"
 #include "sampling/sequence.h"
-#include "scene/scene_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace multipath {
-
-namespace {
-
-/// Area-weighted mean over all patches except those of the sky [W/m^2].
-Rgb mean_radiosity(const SolveSummary& s)
-{
-    Rgb power;
-    for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i)
-        if (!s.scene.is_sky(s.scene.surface_of(i)))
-            power += s.scene.area(i) * s.solution.radiosity[i];
-    return (1.0 / s.scene.own_area()) * power;
-}
-
-/// [1] Power that the unshot light could still add, relative to the power of the result: every reflection is assumed to
-/// be by surfaces of the same reflectance, at most 1 - 1e-4, so that unshot power U adds U / (1 - rho).
-double growth_by_unshot_light(const SolveSummary& s)
-{
-    double growth = 0.0; // [W]
-    double power = 0.0;  // [W]
-    for (std::uint32_t i = 0; i < s.scene.patch_count(); ++i) {
-        const Rgb rho = s.scene.reflectance(i);
-        const Rgb unshot = s.solution.unshot[i];
-        for (double Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b})
-            growth += s.scene.area(i) / 3.0 * unshot.*channel / std::max(1.0 - rho.*channel, 1e-4);
-        if (!s.scene.is_sky(s.scene.surface_of(i)))
-            power += s.scene.area(i) * mean(s.solution.radiosity[i]);
-    }
-    return power > 0.0 ? growth / power : 0.0;
-}
-
-/// [1] Area-weighted mean without the sky.
-double mean_reflectance(const Scene& scene)
-{
-    return mean(scene.average_reflectance()) * (scene.total_area() / scene.own_area());
-}
-
-double lines_per_second(const SolveSummary& s)
-{
-    const auto lines = static_cast<double>(s.solution.all_lines);
-    return s.seconds_trace > 0.0 && s.all_at_once ? lines / s.seconds_trace : 0.0;
-}
-
-std::vector<double> channels(Rgb c)
-{
-    return {c.r, c.g, c.b};
-}
-
-} // namespace
-
-std::optional<double> SolveSummary::error() const
-{
-    if (!accuracy.patch_error || !solution.relative_standard_error)
-        return std::nullopt;
-    return elementary::hypot(*accuracy.patch_error, *solution.relative_standard_error);
-}
-
-std::optional<double> SolveSummary::error_of_important() const
-{
-    if (!options.importance || solution.standard_error.empty())
-        return std::nullopt;
-    std::vector<double> weights = options.importance->weight;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        weights[i] *= scene.area(i);
-    return std::sqrt(expected_relative_square(weights, solution.radiosity, solution.standard_error));
-}
-
-namespace {
-
-/// A share in percent: "0.62 %", "98 %", "150 %".
-std::string percent_text(double share)
-{
-    const double percent = 100.0 * share;
-    return format(percent < 99.5 ? "%.2g %%" : "%.0f %%", percent);
-}
-
-std::string important_text(const SolveSummary& s)
-{
-    std::uint64_t patches = 0;
-    for (const double weight : s.options.importance->weight)
-        patches += weight > 0.0 ? 1 : 0;
-    const std::optional<double> error = s.error_of_important();
-    return format("important  %s patches%s\n", grouped(patches).c_str(),
-                  error ? (": noise " + percent_text(*error) + " of their mean").c_str()
-                        : "; --replicates estimates their error");
-}
-
-} // namespace
-
-std::string summary_text(const SolveSummary& s)
-{
-    const PowerBalance& balance = s.solution.balance;
-    const auto percent = [&](Rgb part) {
-        const double share = 100.0 * mean(part) / mean(balance.emitted);
-        return std::abs(share) < 5e-4 ? 0.0 : share; // avoids "-0.000"
-    };
-    const Rgb b = mean_radiosity(s);
-    const std::string method(s.options.method->name);
-    std::string text;
-    text += format("scene      %s surfaces%s, %s patches, %.4g m^2, mean reflectance %.3f\n",
-                   grouped(s.scene.own_surfaces()).c_str(), s.scene.file().sky_surfaces > 0 ? " and the sky" : "",
-                   grouped(s.scene.patch_count()).c_str(), s.scene.own_area(), mean_reflectance(s.scene));
-    text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.sequence.c_str(),
-                   grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
-    if (const std::optional<double> error = s.error())
-        text += format("error      %s of the mean (patches %s, noise %s), by %d replicates%s\n",
-                       percent_text(*error).c_str(), percent_text(*s.accuracy.patch_error).c_str(),
-                       percent_text(*s.solution.relative_standard_error).c_str(), s.solution.replicates,
-                       s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
-                           ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
-                           : "");
-    if (s.options.importance)
-        text += important_text(s);
-    if (s.accuracy.tolerance && s.error() > *s.accuracy.tolerance)
-        text += format("warning    that is above the tolerance of %.3g %%: %s\n", 100.0 * *s.accuracy.tolerance,
-                       *s.accuracy.patch_error > std::sqrt(0.5) * *s.accuracy.tolerance
-                           ? "there are too few patches; up to a million are chosen if no option fixes them"
-                           : "the limit of lines or time was reached");
-    const std::uint64_t lines = s.solution.local_lines + s.solution.global_lines;
-    if (s.solution.relative_standard_error &&
-        lines < lines_for_error_estimate(s.scene, s.options.method, s.solution.replicates))
-        text += format("warning    with fewer than %d lines per patch in each replicate the error may be several times "
-                       "larger than this; more lines or fewer replicates help\n",
-                       static_cast<int>(s.options.method->lines_per_patch(s.scene)));
-    const LightUnits units = light_units(s.scene.file());
-    text += format("radiosity  mean %.6g  (%.4g, %.4g, %.4g) %s\n", mean(b), b.r, b.g, b.b, units.per_area);
-    text += format("power      emitted %.6g %s: %.2f %% absorbed, %.3f %% unshot, %.2f %% escaped, %.2f %% lost behind "
-                   "surfaces; balance to %.0e\n",
-                   mean(balance.emitted), units.power, percent(balance.absorbed), percent(balance.unshot),
-                   percent(balance.escaped), percent(balance.behind), balance.relative_error());
-    if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 &&
-        lines < min_balanced_rays(s.scene))
-        text +=
-            format("warning    too few lines per patch for line reuse: particles carried the light, with more noise; "
-                   "%s lines are enough for reuse\n",
-                   grouped(min_balanced_rays(s.scene)).c_str());
-    else if (constexpr std::uint64_t few = 16; lines < few * s.scene.patch_count())
-        text +=
-            format("warning    only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each patch "
-                   "24 or more\n",
-                   static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str());
-    if (s.solution.by_particles)
-        text +=
-            format("warning    method %s finds no sound solution with these lines: particles carried the light, with "
-                   "more noise; more lines help\n",
-                   std::string(s.options.method->name).c_str());
-    const double surplus = mean(balance.emitted) - mean(balance.source);
-    if (balance.emitted_error > 0.0 && std::abs(surplus) > 4.0 * balance.emitted_error)
-        text +=
-            format("warning    the lines sent %.4g %s, but the sources emit %.4g, and noise explains a difference of "
-                   "only %.2g: these lines are not uniform, and the result is wrong to the same degree\n",
-                   mean(balance.emitted), units.power, mean(balance.source), balance.emitted_error);
-    if (percent(balance.unshot) > 5.0)
-        text += format("warning    %s of the power is not distributed yet, which makes the result too dark; more "
-                       "lines help, or larger patches\n",
-                       percent_text(0.01 * percent(balance.unshot)).c_str());
-    else if (const double more = growth_by_unshot_light(s); more > 0.1)
-        text += format("warning    the %s of the power that is not distributed yet is on surfaces that reflect "
-                       "nearly all of it, and may make the result brighter by %s; more lines help, or "
-                       "--method reuse\n",
-                       percent_text(0.01 * percent(balance.unshot)).c_str(), percent_text(more).c_str());
-    if (percent(balance.behind) > 0.01 && !s.scene.file().sky_surfaces) // the sky also shines on outer sides
-        text += format(
-            "warning    %.3g %% of the power met surfaces from behind and is lost, which makes the result too dark; "
-            "'multipath check' names them, --two-sided gives them backs\n",
-            percent(balance.behind));
-    if (!s.all_at_once)
-        return text + format("time       %.2f s, of this part of the run\n", s.seconds);
-    text +=
-        format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s; %.2f s for the outputs\n",
-               s.seconds, s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads,
-               s.options.threads == 1 ? "" : "s", s.seconds_outputs);
-    return text;
-}
-
-std::string stages_text(const Solution& solution)
-{
-    const auto row = [](const std::string& stage, std::uint64_t lines, const PowerBalance& b) {
-        return format("  %-12s %14s %12.6g %12.6g %12.6g %12.6g %12.6g\n", stage.c_str(), grouped(lines).c_str(),
-                      mean(b.emitted), mean(b.absorbed), mean(b.unshot), mean(b.escaped), mean(b.behind));
-    };
-    std::string text = format("stages     %14s %12s %12s %12s %12s %12s   (W, after the stage)\n", "lines", "emitted",
-                              "absorbed", "unshot", "escaped", "behind");
-    for (std::size_t k = 0; k < solution.shot_passes.size(); ++k)
-        text += row("pass " + std::to_string(k + 1), solution.shot_passes[k].lines, solution.shot_passes[k].balance);
-    const bool local = solution.global_lines == 0 && solution.shot_passes.empty();
-    return text + row(local ? "particles" : "global pass", local ? solution.local_lines : solution.global_lines,
-                      solution.balance);
-}
-
-JsonObject summary_json(const SolveSummary& s)
-{
-    const PowerBalance& balance = s.solution.balance;
-    JsonObject json;
-    json.text("scene", s.scene.path());
-    json.text("scene_hash", format("%016llx", static_cast<unsigned long long>(s.scene.hash())));
-    json.count("patches", s.scene.patch_count());
-    json.count("surfaces", s.scene.own_surfaces());
-    json.number("patch_size", s.scene.patch_size());
-    json.number("area_m2", s.scene.own_area());
-    json.number("average_reflectance", mean_reflectance(s.scene));
-    json.number("source_power_w", mean(s.scene.source_power()));
-    json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
-    json.text("unit", light_units(s.scene.file()).per_area);
-    json.text("method", std::string(s.options.method->name));
-    json.text("sequence", s.sequence);
-    if (!has_option(s.options.method, "chords"))
-        json.null("chords");
-    else
-        json.text("chords", name_of(chords_choices, chords_of(s.options)));
-    json.count("seed", s.options.seed);
-    json.count("lines", s.solution.local_lines + s.solution.global_lines);
-    json.count("local_lines", s.solution.local_lines);
-    json.count("global_lines", s.solution.global_lines);
-    json.count("global_lines_cast", s.solution.global_lines_cast);
-    json.number("mean_radiosity", mean(mean_radiosity(s)));
-    json.numbers("mean_radiosity_rgb", channels(mean_radiosity(s)));
-    json.number("emitted_power_w", mean(balance.emitted));
-    json.number("emitted_power_error_w", balance.emitted_error);
-    json.number("absorbed_power_w", mean(balance.absorbed));
-    json.number("unshot_power_w", mean(balance.unshot));
-    json.number("escaped_power_w", mean(balance.escaped));
-    json.number("back_face_power_w", mean(balance.behind));
-    json.number("balance_error", balance.relative_error());
-    json.number("seconds", s.seconds);
-    json.number("seconds_trace", s.seconds_trace);
-    json.number("seconds_outputs", s.seconds_outputs);
-    json.number("seconds_to_first_lines", s.seconds_to_first_lines);
-    json.number("lines_per_second", lines_per_second(s));
-    json.boolean("complete", s.complete);
-    json.count("threads", static_cast<std::uint64_t>(s.options.threads));
-    json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
-    json.count("all_lines", s.solution.all_lines);
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
-    json.number("relative_standard_error", s.solution.relative_standard_error.value_or(unknown));
-    if (s.options.importance)
-        json.number("important_relative_standard_error", s.error_of_important().value_or(unknown));
-    json.number("patch_error", s.accuracy.patch_error.value_or(unknown));
-    json.number("error", s.error().value_or(unknown));
-    return json;
-}
 
 namespace {
 
@@ -381,7 +132,7 @@ void require_results_possible(const SolveJob& job, const Scene& scene, const std
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state)
 {
-    const std::vector<std::string> comments = provenance(solve_command().table, job.line, scene);
+    const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
     const PictureOptions pictures =
         has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
     const auto page = [&] {

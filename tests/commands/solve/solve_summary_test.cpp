@@ -1,4 +1,4 @@
-#include "commands/solve/solve_job.h"
+#include "commands/solve/solve_summary.h"
 
 #include "scene/daylight.h"
 #include "test_scenes.h"
@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace solve_job_test {
+namespace solve_summary_test {
 
 using namespace multipath;
 
@@ -105,4 +105,4 @@ TEST_CASE("the sky has no part in the mean reflectance that is told")
           doctest::Approx(0.25));
 }
 
-} // namespace solve_job_test
+} // namespace solve_summary_test
